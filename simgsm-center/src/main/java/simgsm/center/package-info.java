@@ -1,0 +1,2 @@
+/** M3: the SMS/Phone centre. */
+package simgsm.center;

@@ -1,0 +1,22 @@
+/**
+ * What every terminal and the network share: the air interface, short messages, DTMF, speech, the mobile station, the
+ * GSM modem (M2), and the small Swing and console pieces that all programs use.
+ *
+ * <p>Packages, arrows point down only:
+ *
+ * <pre>
+ *   modem   console   ui
+ *     |        |       |
+ *   station    |       |
+ *    |  \      |       |
+ *    |   sms   |     speech
+ *    |     \   |     /
+ *    |      air   dtmf
+ * </pre>
+ */
+module simgsm.modem {
+    requires java.logging;
+    requires transitive java.desktop;
+
+    exports simgsm.air;
+}

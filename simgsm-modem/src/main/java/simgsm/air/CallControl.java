@@ -1,0 +1,50 @@
+package simgsm.air;
+
+import java.util.Optional;
+
+/** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
+public sealed interface CallControl extends Layer3Message {
+    TransactionIdentifier transaction();
+
+    /**
+     * Opens a call. The mobile names the called number, the network the calling one. A mobile-originated SETUP also
+     * carries the speech bearer capability, which the codec writes and does not show here.
+     */
+    record Setup(TransactionIdentifier transaction, Optional<Msisdn> calling, Optional<Msisdn> called)
+            implements CallControl {}
+
+    record CallConfirmed(TransactionIdentifier transaction) implements CallControl {}
+
+    record CallProceeding(TransactionIdentifier transaction) implements CallControl {}
+
+    /** In-band information (tones) is now available. */
+    record Progress(TransactionIdentifier transaction) implements CallControl {}
+
+    record Alerting(TransactionIdentifier transaction) implements CallControl {}
+
+    record Connect(TransactionIdentifier transaction) implements CallControl {}
+
+    record ConnectAcknowledge(TransactionIdentifier transaction) implements CallControl {}
+
+    /** @param key one of 0-9 * # A-D, as its ASCII character */
+    record StartDtmf(TransactionIdentifier transaction, char key) implements CallControl {}
+
+    record StartDtmfAcknowledge(TransactionIdentifier transaction, char key) implements CallControl {}
+
+    record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+
+    record StopDtmf(TransactionIdentifier transaction) implements CallControl {}
+
+    record StopDtmfAcknowledge(TransactionIdentifier transaction) implements CallControl {}
+
+    record Disconnect(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+
+    record Release(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
+
+    record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
+
+    record StatusEnquiry(TransactionIdentifier transaction) implements CallControl {}
+
+    /** @param callState the sender's call state as coded in TS 24.008, 10.5.4.6 (0 to 28) */
+    record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {}
+}

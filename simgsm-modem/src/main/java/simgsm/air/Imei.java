@@ -1,0 +1,50 @@
+package simgsm.air;
+
+import java.util.random.RandomGenerator;
+
+/**
+ * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2).
+ *
+ * @param digits 15 decimal digits of which the last is the Luhn digit, or 0 as many phones send it
+ */
+public record Imei(String digits) implements MobileIdentity {
+    /** Type allocation code of our own terminals: from the range reserved for tests. */
+    private static final String TYPE_ALLOCATION_CODE = "00101750";
+
+    public Imei {
+        if (!digits.matches("[0-9]{15}")) {
+            throw new IllegalArgumentException("IMEI \"" + digits + "\" is not 15 digits");
+        }
+        char last = digits.charAt(14);
+        if (last != '0' && last != luhnDigit(digits.substring(0, 14))) {
+            throw new IllegalArgumentException(
+                    "IMEI \"" + digits + "\" has a wrong check digit, expected " + luhnDigit(digits.substring(0, 14)));
+        }
+    }
+
+    /** A new identity of our own type with a random serial number. */
+    public static Imei random(RandomGenerator random) {
+        String body = TYPE_ALLOCATION_CODE + String.format("%06d", random.nextInt(1_000_000));
+        return new Imei(body + luhnDigit(body));
+    }
+
+    private static char luhnDigit(String body) {
+        int sum = 0;
+        for (int i = 0; i < body.length(); i++) {
+            int digit = body.charAt(i) - '0';
+            int weighted = i % 2 == 1 ? digit * 2 : digit;
+            sum += weighted / 10 + weighted % 10;
+        }
+        return (char) ('0' + (10 - sum % 10) % 10);
+    }
+
+    @Override
+    public Type type() {
+        return Type.IMEI;
+    }
+
+    @Override
+    public String toString() {
+        return digits;
+    }
+}

@@ -1,0 +1,53 @@
+package simgsm.air;
+
+/** Why a short message was refused by the relay layer (TS 24.011, 8.2.5.4). */
+public enum RpCause {
+    UNASSIGNED_NUMBER(1, "unassigned number"),
+    OPERATOR_DETERMINED_BARRING(8, "operator determined barring"),
+    CALL_BARRED(10, "call barred"),
+    SHORT_MESSAGE_TRANSFER_REJECTED(21, "short message transfer rejected"),
+    MEMORY_CAPACITY_EXCEEDED(22, "memory capacity exceeded"),
+    DESTINATION_OUT_OF_ORDER(27, "destination out of order"),
+    UNIDENTIFIED_SUBSCRIBER(28, "unidentified subscriber"),
+    FACILITY_REJECTED(29, "facility rejected"),
+    UNKNOWN_SUBSCRIBER(30, "unknown subscriber"),
+    NETWORK_OUT_OF_ORDER(38, "network out of order"),
+    TEMPORARY_FAILURE(41, "temporary failure"),
+    CONGESTION(42, "congestion"),
+    RESOURCES_UNAVAILABLE(47, "resources unavailable, unspecified"),
+    INVALID_REFERENCE(81, "invalid short message transfer reference value"),
+    SEMANTICALLY_INCORRECT_MESSAGE(95, "semantically incorrect message"),
+    INVALID_MANDATORY_INFORMATION(96, "invalid mandatory information"),
+    MESSAGE_TYPE_NON_EXISTENT(97, "message type non-existent or not implemented"),
+    MESSAGE_NOT_COMPATIBLE_WITH_STATE(98, "message not compatible with protocol state"),
+    PROTOCOL_ERROR(111, "protocol error, unspecified"),
+    INTERWORKING(127, "interworking, unspecified");
+
+    private final int code;
+    private final String title;
+
+    RpCause(int code, String title) {
+        this.code = code;
+        this.title = title;
+    }
+
+    /** The value on the wire. */
+    public int code() {
+        return code;
+    }
+
+    /** The cause's name in the standard, in lower case. */
+    public String title() {
+        return title;
+    }
+
+    /** The cause with this code; a code that the standard does not list is taken as PROTOCOL_ERROR. */
+    public static RpCause ofCode(int code) {
+        for (RpCause cause : values()) {
+            if (cause.code == code) {
+                return cause;
+            }
+        }
+        return PROTOCOL_ERROR;
+    }
+}

@@ -1,0 +1,46 @@
+package simgsm.air;
+
+/**
+ * Radio signalling link messages (TS 48.058, 8) as far as a terminal with a small cell of its own needs them. Layer 3
+ * travels as raw octets so that a relay or a trace need not understand it.
+ */
+public sealed interface RslMessage {
+    /** Service access point of a radio link: which conversation on the channel (TS 44.005). */
+    enum Sapi {
+        /** Radio resource, mobility management, call control. */
+        SIGNALLING(0),
+        /** Short messages. */
+        SHORT_MESSAGES(3);
+
+        private final int code;
+
+        Sapi(int code) {
+            this.code = code;
+        }
+
+        public int code() {
+            return code;
+        }
+    }
+
+    /** Up: the first layer-3 message of a new radio connection. */
+    record EstablishIndication(Sapi sapi, OctetString layer3) implements RslMessage {}
+
+    /** Up: a further layer-3 message. */
+    record DataIndication(Sapi sapi, OctetString layer3) implements RslMessage {}
+
+    /** Down: a layer-3 message. */
+    record DataRequest(Sapi sapi, OctetString layer3) implements RslMessage {}
+
+    /** Up: the mobile has left the channel. */
+    record ReleaseIndication(Sapi sapi) implements RslMessage {}
+
+    /** Up: the link layer refused something. @param cause TS 48.058, 9.3.26 */
+    record ErrorIndication(Sapi sapi, int cause) implements RslMessage {}
+
+    /** Down: look for this mobile. */
+    record PagingCommand(MobileIdentity identity) implements RslMessage {}
+
+    /** Down: one whole cell broadcast page of 88 octets (TS 23.041). */
+    record SmsBroadcastCommand(OctetString page) implements RslMessage {}
+}

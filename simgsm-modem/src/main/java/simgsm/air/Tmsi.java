@@ -1,0 +1,14 @@
+package simgsm.air;
+
+/** Temporary mobile subscriber identity: four octets that only one visitor register understands (TS 23.003, 2.4). */
+public record Tmsi(int value) implements MobileIdentity {
+    @Override
+    public Type type() {
+        return Type.TMSI;
+    }
+
+    @Override
+    public String toString() {
+        return String.format("%08x", value);
+    }
+}

@@ -1,0 +1,2 @@
+/** M2: the GSM modem on top of a mobile station. */
+package simgsm.modem;

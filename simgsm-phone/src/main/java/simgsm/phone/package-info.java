@@ -1,0 +1,2 @@
+/** M1: the phone. */
+package simgsm.phone;

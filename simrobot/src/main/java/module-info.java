@@ -1,0 +1,5 @@
+/** SimRobot: worlds, the Pioneer, the simulation, and on top of them the GSM modem (M2) and VeriCommand. */
+module simrobot {
+    requires simgsm.modem;
+    requires vericommand;
+}

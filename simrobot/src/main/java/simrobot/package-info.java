@@ -1,0 +1,2 @@
+/** SimRobot: the robot's side of the suite. */
+package simrobot;

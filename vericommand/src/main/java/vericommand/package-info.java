@@ -1,0 +1,2 @@
+/** The command language, the verifier, the robot's status machine and the reply tones. */
+package vericommand;
