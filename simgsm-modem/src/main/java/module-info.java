@@ -19,4 +19,5 @@ module simgsm.modem {
     requires transitive java.desktop;
 
     exports simgsm.air;
+    exports simgsm.station;
 }

@@ -1,0 +1,51 @@
+package simgsm.station;
+
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.air.RpCause;
+
+/**
+ * What a station tells its user. Called by the owner thread once the station's state is settled, so every act of the
+ * station may be called from within.
+ */
+public interface StationListener {
+    default void registered(Msisdn number) {}
+
+    /** Told at each loss of service and at each new reason, not at every further try. @param cause if the network refused */
+    default void unregistered(Optional<RejectCause> cause) {}
+
+    /** One's own call begins. */
+    default void calling(Msisdn number) {}
+
+    /** The called party's phone rings. */
+    default void alerting() {}
+
+    /** @param from empty if the network does not say */
+    default void ringing(Optional<Msisdn> from) {}
+
+    default void connected(Optional<Msisdn> peer) {}
+
+    /** Exactly once a call, at the first clearing message sent or received. One's own hang-up is cause 16. */
+    default void released(Cause cause) {}
+
+    /** The far end's next 20 ms: 160 samples, 8 kHz, 16 bit. Frames that were lost come as silence of their length. */
+    default void speechReceived(short[] samples) {}
+
+    /** The network has acknowledged all parts. @param id what {@link MobileStation#sendMessage} returned */
+    default void messageSent(int id, Msisdn to, int parts) {}
+
+    default void messageFailed(int id, Msisdn to, RpCause cause) {}
+
+    /** A whole message, its parts joined and duplicates dropped. @param from a number, or a name where the sender has one */
+    default void messageReceived(String from, String text) {}
+
+    /** The status report of the last part has come. */
+    default void messageDelivered(int id, Msisdn to) {}
+
+    default void broadcastReceived(int channel, int pages, String text) {}
+
+    /** The snapshot has changed. */
+    default void stateChanged(StationSnapshot snapshot) {}
+}

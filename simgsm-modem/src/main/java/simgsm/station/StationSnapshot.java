@@ -1,0 +1,22 @@
+package simgsm.station;
+
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+
+/**
+ * A station as others see it, immutable.
+ *
+ * @param linkUp whether there is a connection to the centre
+ * @param rejectCause why the network refused registration, if it did
+ * @param networkName the operator's name for the display, empty until the network tells it
+ * @param peer the other party of the present call, if there is one and its number is known
+ */
+public record StationSnapshot(
+        boolean powered,
+        boolean linkUp,
+        boolean registered,
+        Optional<RejectCause> rejectCause,
+        String networkName,
+        CallState callState,
+        Optional<Msisdn> peer) {}
