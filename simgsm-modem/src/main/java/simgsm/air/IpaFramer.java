@@ -5,6 +5,8 @@ import java.util.Optional;
 
 /** Cuts a stream of octets into IPA frames; one framer a connection. */
 public final class IpaFramer {
+    public IpaFramer() {}
+
     /** The frame as it goes on the wire. */
     public static byte[] encode(IpaFrame frame) {
         throw new UnsupportedOperationException();
