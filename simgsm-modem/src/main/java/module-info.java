@@ -20,4 +20,6 @@ module simgsm.modem {
 
     exports simgsm.air;
     exports simgsm.station;
+    exports simgsm.dtmf;
+    exports simgsm.speech;
 }

@@ -1,0 +1,42 @@
+package simgsm.dtmf;
+
+/**
+ * A key as it was heard.
+ *
+ * @param decidedAtSample the number of samples that had come when it was decided
+ * @param startedAtSample where its tone began, estimated
+ * @param durationSamples of its tone so far: whole once the tone has ended
+ * @param rowDbm0 level of the low-group tone
+ * @param columnDbm0 level of the high-group tone
+ * @param rowError frequency error of the low-group tone as a fraction, 0.01 for 1 % high
+ * @param columnError frequency error of the high-group tone as a fraction
+ */
+public record DtmfDigit(
+        DtmfKey key,
+        long decidedAtSample,
+        long startedAtSample,
+        long durationSamples,
+        double rowDbm0,
+        double columnDbm0,
+        double rowError,
+        double columnError) {
+
+    /** High group over low group (ITU-T Q.24). */
+    public double twistDecibels() {
+        return columnDbm0 - rowDbm0;
+    }
+
+    /** Of both tones together. */
+    public double levelDbm0() {
+        return 10 * Math.log10(Math.pow(10, rowDbm0 / 10) + Math.pow(10, columnDbm0 / 10));
+    }
+
+    public double durationMillis() {
+        return durationSamples / 8.0;
+    }
+
+    /** The larger of the two tones' errors, in percent and with its sign. */
+    public double frequencyErrorPercent() {
+        return 100 * (Math.abs(rowError) > Math.abs(columnError) ? rowError : columnError);
+    }
+}

@@ -1,0 +1,161 @@
+package simgsm.dtmf;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.function.Consumer;
+
+/**
+ * Makes the sound of keys, sample by sample, for whoever takes speech frames from it: a queue of keys of fixed length,
+ * and keys that are held down and let go. Durations are exact in samples, a tone runs on unbroken from frame to frame,
+ * and between tones there is silence. Owned by one thread.
+ */
+public final class DtmfGenerator {
+    /** A key let go at once still sounds this long, and its pause lasts that long (TS 23.014, 6). */
+    private static final ToneShape SHORTEST_PRESS = ToneShape.STANDARD.withMillis(70, 65);
+
+    private static final int SAMPLES_PER_MILLI = 8;
+    private static final long UNTIL_RELEASE = Long.MAX_VALUE;
+
+    private final ToneShape shape;
+    private final Consumer<DtmfKey> toneLeft;
+    private final Deque<Press> queue = new ArrayDeque<>();
+    private Press current;
+    private Press held;
+
+    /** @param toneLeft told each key whose tone has left whole, from within {@code read}, after its last sample */
+    public DtmfGenerator(ToneShape shape, Consumer<DtmfKey> toneLeft) {
+        this.shape = shape;
+        this.toneLeft = toneLeft;
+    }
+
+    public DtmfGenerator(Consumer<DtmfKey> toneLeft) {
+        this(ToneShape.STANDARD, toneLeft);
+    }
+
+    public DtmfGenerator() {
+        this(key -> {});
+    }
+
+    /** Appends a key of the generator's own shape. */
+    public void enqueue(DtmfKey key) {
+        enqueue(key, shape);
+    }
+
+    public void enqueue(DtmfKey key, int toneMillis, int pauseMillis) {
+        enqueue(key, shape.withMillis(toneMillis, pauseMillis));
+    }
+
+    public void enqueue(DtmfKey key, ToneShape itsShape) {
+        queue.add(new Press(key, itsShape, (long) itsShape.toneMillis() * SAMPLES_PER_MILLI));
+    }
+
+    /** A key goes down: it sounds, after what is queued, until {@link #release}. Lets go a key that was down. */
+    public void press(DtmfKey key) {
+        release();
+        held = new Press(
+                key, shape.withMillis(SHORTEST_PRESS.toneMillis(), SHORTEST_PRESS.pauseMillis()), UNTIL_RELEASE);
+        queue.add(held);
+    }
+
+    /** The key that is down goes up; does nothing when none is. */
+    public void release() {
+        if (held != null) {
+            held.end();
+            held = null;
+        }
+    }
+
+    /** Drops what is queued and cuts what sounds. @return how many keys did not leave whole */
+    public int drop() {
+        int dropped = queue.size() + (current != null && !current.toneDone() ? 1 : 0);
+        queue.clear();
+        current = null;
+        held = null;
+        return dropped;
+    }
+
+    /** Nothing sounds, nothing is queued, and the last pause is over. */
+    public boolean isIdle() {
+        return current == null && queue.isEmpty();
+    }
+
+    /** The key that sounds now, or null. */
+    public DtmfKey sounding() {
+        return current != null && !current.toneDone() ? current.key : null;
+    }
+
+    /** Fills the whole frame. @return whether a tone sounds anywhere in it */
+    public boolean read(short[] frame) {
+        return read(frame, 0, frame.length);
+    }
+
+    /** Fills {@code samples[from..to)}. @return whether a tone sounds anywhere in it */
+    public boolean read(short[] samples, int from, int to) {
+        boolean sound = false;
+        for (int i = from; i < to; i++) {
+            if (current == null) {
+                current = queue.poll();
+            }
+            if (current == null) {
+                samples[i] = 0;
+                continue;
+            }
+            sound |= !current.toneDone();
+            samples[i] = current.next();
+            if (current.toneJustDone()) {
+                toneLeft.accept(current.key);
+            }
+            if (current != null && current.allDone()) {
+                current = null;
+            }
+        }
+        return sound;
+    }
+
+    /** One key on its way: its tone, then its pause. */
+    private static final class Press {
+        final DtmfKey key;
+        private final ToneShape shape;
+        private final Sine row;
+        private final Sine column;
+        private final int rampSamples;
+        private long toneSamples;
+        private long sent;
+
+        Press(DtmfKey key, ToneShape shape, long toneSamples) {
+            this.key = key;
+            this.shape = shape;
+            this.toneSamples = toneSamples;
+            this.rampSamples = (int) Math.round(shape.rampMillis() * SAMPLES_PER_MILLI);
+            this.row = new Sine(key.rowHertz(), ToneLevel.amplitude(shape.rowDbm0()));
+            this.column = new Sine(key.columnHertz(), ToneLevel.amplitude(shape.columnDbm0()));
+        }
+
+        void end() {
+            toneSamples = Math.max(sent + rampSamples, (long) shape.toneMillis() * SAMPLES_PER_MILLI);
+        }
+
+        boolean toneDone() {
+            return sent >= toneSamples;
+        }
+
+        boolean toneJustDone() {
+            return sent == toneSamples;
+        }
+
+        boolean allDone() {
+            return toneDone() && sent - toneSamples >= (long) shape.pauseMillis() * SAMPLES_PER_MILLI;
+        }
+
+        short next() {
+            double value = toneDone() ? 0 : envelope() * (row.next() + column.next());
+            sent++;
+            return (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(value)));
+        }
+
+        private double envelope() {
+            long fromEdge = Math.min(sent, toneSamples - 1 - sent);
+            return fromEdge >= rampSamples ? 1 : 0.5 - 0.5 * Math.cos(Math.PI * (fromEdge + 0.5) / rampSamples);
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package simgsm.speech;
+
+/**
+ * Turns 20 ms frames into octets and back. A codec may remember the speech before, so each direction of each call has
+ * one of its own.
+ */
+public interface SpeechCodec {
+    int SAMPLES_PER_SECOND = 8000;
+    int FRAME_MILLIS = 20;
+    int SAMPLES_PER_FRAME = 160;
+
+    /** The kinds that a call can use. */
+    enum Kind {
+        /** G.711 mu-law. */
+        MU_LAW(0, 160),
+        /** GSM 06.10 full rate. */
+        GSM_FULL_RATE(3, 33),
+        /** G.711 A-law. */
+        A_LAW(8, 160);
+
+        private final int payloadType;
+        private final int octetsPerFrame;
+
+        Kind(int payloadType, int octetsPerFrame) {
+            this.payloadType = payloadType;
+            this.octetsPerFrame = octetsPerFrame;
+        }
+
+        /** RTP payload type (RFC 3551, table 4). */
+        public int payloadType() {
+            return payloadType;
+        }
+
+        public int octetsPerFrame() {
+            return octetsPerFrame;
+        }
+
+        /** A fresh codec for one direction of one call. */
+        public SpeechCodec open() {
+            return switch (this) {
+                case MU_LAW -> G711.MU_LAW;
+                case A_LAW -> G711.A_LAW;
+                case GSM_FULL_RATE -> throw new UnsupportedOperationException("GSM 06.10");
+            };
+        }
+    }
+
+    Kind kind();
+
+    /** @param frame 160 samples */
+    byte[] encode(short[] frame);
+
+    /** @param octets one frame; IllegalArgumentException when its length is not {@link Kind#octetsPerFrame} */
+    short[] decode(byte[] octets);
+}
