@@ -22,4 +22,5 @@ module simgsm.modem {
     exports simgsm.station;
     exports simgsm.dtmf;
     exports simgsm.speech;
+    exports simgsm.console;
 }

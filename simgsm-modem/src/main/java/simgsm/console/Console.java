@@ -1,0 +1,145 @@
+package simgsm.console;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
+ *
+ * <p>{@code wait EVENT [key=value...] [SECONDS]} and {@code quit} are the console's own; everything else goes to the
+ * program's {@link Commands}.
+ */
+public final class Console {
+    /** What a program does with a command. Errors it throws are printed and the program goes on. */
+    public interface Commands {
+        void perform(Command command) throws CommandException;
+    }
+
+    private static final double DEFAULT_WAIT_SECONDS = 10;
+    private static final double MAX_WAIT_SECONDS = 1e6;
+
+    private final PrintStream out;
+    private final EventLog log = new EventLog();
+    private List<Event> beforeReady = new ArrayList<>();
+    private volatile boolean failed;
+
+    /** @param out where events go, UTF-8; see {@link Program#standardOutput} */
+    public Console(PrintStream out) {
+        this.out = out;
+    }
+
+    /** Prints {@code ready}, the first line of all, and then what was emitted before it. */
+    public synchronized void ready(Event ready) {
+        List<Event> waiting = beforeReady;
+        beforeReady = null;
+        emit(ready);
+        waiting.forEach(this::emit);
+    }
+
+    /** Prints an event; before {@link #ready} it is kept back. */
+    public synchronized void emit(Event event) {
+        if (beforeReady != null) {
+            beforeReady.add(event);
+            return;
+        }
+        out.print(event + "\n");
+        out.flush();
+        log.add(event);
+    }
+
+    /** Prints {@code error text=}. */
+    public void error(String text) {
+        emit(Event.of("error").with("text", text));
+    }
+
+    /**
+     * Performs the commands of one input until {@code quit} or its end.
+     *
+     * @return true if it ended with {@code quit}
+     */
+    public boolean run(BufferedReader input, Commands commands) throws IOException, InterruptedException {
+        for (String line = input.readLine(); line != null; line = input.readLine()) {
+            Command command = Command.parse(line);
+            if (command.name().equals("quit") && command.rest().isEmpty()) {
+                return true;
+            }
+            if (!command.name().isEmpty()) {
+                perform(command, commands);
+            }
+        }
+        return false;
+    }
+
+    private void perform(Command command, Commands commands) throws InterruptedException {
+        try {
+            if (command.name().equals("wait")) {
+                await(command);
+            } else if (command.name().equals("quit")) {
+                throw new CommandException("quit takes nothing, found " + command.rest());
+            } else {
+                commands.perform(command);
+            }
+        } catch (CommandException e) {
+            error(e.getMessage());
+        }
+    }
+
+    private void await(Command command) throws CommandException, InterruptedException {
+        List<String> words = new ArrayList<>(command.words());
+        if (words.isEmpty()) {
+            throw new CommandException("wait: expected EVENT [key=value...] [SECONDS], found nothing after it");
+        }
+        String name = words.remove(0);
+        double seconds = DEFAULT_WAIT_SECONDS;
+        if (!words.isEmpty() && words.get(words.size() - 1).indexOf('=') < 0) {
+            seconds = seconds(words.remove(words.size() - 1));
+        }
+        if (!log.await(name, fields(words), (long) (seconds * 1e9))) {
+            failed = true;
+            error("wait: no " + command.rest() + " within " + plain(seconds) + " s");
+        }
+    }
+
+    private static double seconds(String word) throws CommandException {
+        try {
+            double seconds = Double.parseDouble(word);
+            if (seconds >= 0 && seconds <= MAX_WAIT_SECONDS) {
+                return seconds;
+            }
+        } catch (NumberFormatException e) {
+            // said below, as for a number out of range
+        }
+        throw new CommandException("wait: expected key=value or a number of seconds, found " + word);
+    }
+
+    private static Map<String, String> fields(List<String> words) throws CommandException {
+        Map<String, String> fields = new LinkedHashMap<>();
+        for (String word : words) {
+            int equals = word.indexOf('=');
+            if (equals <= 0) {
+                throw new CommandException("wait: expected key=value, found " + word);
+            }
+            fields.put(word.substring(0, equals), word.substring(equals + 1));
+        }
+        return fields;
+    }
+
+    private static String plain(double seconds) {
+        return seconds == Math.rint(seconds) ? Long.toString((long) seconds) : Double.toString(seconds);
+    }
+
+    /** Marks the run as failed for a reason of the program's own. */
+    public void fail() {
+        failed = true;
+    }
+
+    /** {@link ExitStatus#FAILED} once a wait has timed out, else {@link ExitStatus#OK}. */
+    public int exitStatus() {
+        return failed ? ExitStatus.FAILED : ExitStatus.OK;
+    }
+}

@@ -1,0 +1,42 @@
+package simgsm.console;
+
+import java.util.ArrayDeque;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+
+/** The events behind a console's cursor. Any thread may add; one thread waits. */
+final class EventLog {
+    /** Beyond this many unread events the oldest are forgotten, so that a console nobody waits on stays small. */
+    static final int MAX_UNREAD = 100_000;
+
+    private final ArrayDeque<Event> unread = new ArrayDeque<>();
+
+    synchronized void add(Event event) {
+        if (unread.size() == MAX_UNREAD) {
+            unread.removeFirst();
+        }
+        unread.addLast(event);
+        notifyAll();
+    }
+
+    /**
+     * Looks from the cursor on for an event and sets the cursor behind it; when the time is over, to the end.
+     *
+     * @return whether the event came
+     */
+    synchronized boolean await(String name, Map<String, String> fields, long timeoutNanos) throws InterruptedException {
+        long end = System.nanoTime() + timeoutNanos;
+        while (true) {
+            while (!unread.isEmpty()) {
+                if (unread.removeFirst().matches(name, fields)) {
+                    return true;
+                }
+            }
+            long left = end - System.nanoTime();
+            if (left <= 0) {
+                return false;
+            }
+            TimeUnit.NANOSECONDS.timedWait(this, Math.max(left, 1_000_000));
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package simgsm.console;
+
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Map;
+import java.util.logging.ConsoleHandler;
+import java.util.logging.Formatter;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+
+/** Sends the log to standard error, a line a record, from a chosen level on. */
+final class LogSettings {
+    private static final Map<String, Level> LEVELS = Map.of(
+            "off", Level.OFF,
+            "error", Level.SEVERE,
+            "warning", Level.WARNING,
+            "info", Level.INFO,
+            "debug", Level.FINE,
+            "trace", Level.FINER);
+    /** In force unless {@code --log-level} says otherwise. */
+    static final String DEFAULT = "info";
+    /** The root logger, held so that its settings are not collected with it. */
+    private static final Logger ROOT = Logger.getLogger("");
+    /** Our own packages; the JDK's own chatter stays at warnings. */
+    private static final Logger[] OURS = {
+        Logger.getLogger("simgsm"), Logger.getLogger("simrobot"), Logger.getLogger("vericommand")
+    };
+
+    private LogSettings() {}
+
+    static void apply(String levelName) throws UsageException {
+        Level level = LEVELS.get(levelName);
+        if (level == null) {
+            throw new UsageException(
+                    "--log-level: expected off, error, warning, info, debug or trace, found " + levelName);
+        }
+        for (Handler handler : ROOT.getHandlers()) {
+            ROOT.removeHandler(handler);
+        }
+        ConsoleHandler handler = new ConsoleHandler();
+        handler.setFormatter(new OneLine());
+        handler.setLevel(level);
+        ROOT.addHandler(handler);
+        ROOT.setLevel(Level.WARNING);
+        for (Logger logger : OURS) {
+            logger.setLevel(level);
+        }
+    }
+
+    private static final class OneLine extends Formatter {
+        private static final DateTimeFormatter TIME =
+                DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+
+        @Override
+        public String format(LogRecord record) {
+            String thrown = record.getThrown() == null ? "" : " (" + record.getThrown() + ")";
+            return TIME.format(Instant.ofEpochMilli(record.getMillis())) + " " + record.getLevel() + " "
+                    + record.getLoggerName() + ": " + formatMessage(record) + thrown + "\n";
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package simgsm.console;
+
+import java.io.BufferedReader;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What every main does around its own work: reads the options, answers {@code --help} and {@code --version}, turns
+ * failures into a line on standard error and an exit status.
+ */
+public final class Program {
+    private static final System.Logger LOG = System.getLogger(Program.class.getName());
+
+    /** A program's own work. Returns its exit status. */
+    public interface Body {
+        int run(Arguments arguments) throws Exception;
+    }
+
+    private final String name;
+    private final Options options;
+
+    /** @param name as users know it, such as {@code simgsm-phone} */
+    public Program(String name, Options options) {
+        this.name = name;
+        this.options = options;
+    }
+
+    /** Runs and ends the process with the resulting status. */
+    public void runAndExit(String[] args, Body body) {
+        System.exit(run(List.of(args), standardOutput(), System.err, body));
+    }
+
+    /** Runs and returns the exit status; nothing but {@code body} touches the process. */
+    public int run(List<String> args, PrintStream out, PrintStream err, Body body) {
+        try {
+            Arguments arguments = options.parse(args);
+            if (arguments.has("help")) {
+                out.print(options.help());
+                out.flush();
+                return ExitStatus.OK;
+            }
+            if (arguments.has("version")) {
+                out.print(name + " " + version(body.getClass()) + "\n");
+                out.flush();
+                return ExitStatus.OK;
+            }
+            LogSettings.apply(arguments.text("log-level").orElse(LogSettings.DEFAULT));
+            return body.run(arguments);
+        } catch (UsageException e) {
+            err.println(name + ": " + e.getMessage() + "; see --help");
+            return ExitStatus.USAGE;
+        } catch (IOException | UncheckedIOException e) {
+            err.println(name + ": " + describe(e));
+            return ExitStatus.INPUT_OUTPUT;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return ExitStatus.FAILED;
+        } catch (Exception e) {
+            LOG.log(System.Logger.Level.DEBUG, "the run failed", e);
+            err.println(name + ": " + describe(e));
+            return ExitStatus.FAILED;
+        }
+    }
+
+    private static String version(Class<?> main) {
+        return Optional.ofNullable(main.getPackage().getImplementationVersion()).orElse("(not packaged)");
+    }
+
+    private static String describe(Exception e) {
+        Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
+        String text = cause.getMessage();
+        if (cause instanceof java.nio.file.NoSuchFileException) {
+            return text + ": no such file";
+        }
+        if (cause instanceof java.nio.file.AccessDeniedException) {
+            return text + ": access denied";
+        }
+        return text == null ? cause.getClass().getSimpleName() : text;
+    }
+
+    /** Standard output as UTF-8 whatever the locale. */
+    public static PrintStream standardOutput() {
+        return new PrintStream(new FileOutputStream(FileDescriptor.out), false, StandardCharsets.UTF_8);
+    }
+
+    /** Standard input as UTF-8 whatever the locale; broken octets become replacement characters. */
+    public static BufferedReader standardInput() {
+        return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Performs the commands of {@code --script FILE}, if given, then those of standard input, until {@code quit} or the
+     * end; with {@code --serve} the end of input is not the end of the program.
+     *
+     * @throws IOException if the script cannot be read
+     */
+    public static void runConsole(Console console, Arguments arguments, Console.Commands commands)
+            throws IOException, InterruptedException, UsageException {
+        Optional<Path> script = arguments.path("script");
+        if (script.isPresent()) {
+            try (BufferedReader lines = Files.newBufferedReader(script.get(), StandardCharsets.UTF_8)) {
+                if (console.run(lines, commands)) {
+                    return;
+                }
+            }
+        }
+        boolean quit = console.run(standardInput(), commands);
+        if (!quit && arguments.has("serve")) {
+            new java.util.concurrent.CountDownLatch(1).await();
+        }
+    }
+
+    /** The options that every program with a headless console takes. */
+    public static Options commonOptions(String usage, String summary) {
+        return new Options(usage, summary)
+                .flag("headless", "no window: commands on standard input, events on standard output")
+                .value("script", "FILE", "headless: console commands from a file, then from standard input")
+                .flag("serve", "headless: stay when standard input ends, until a signal")
+                .flag("end-with-input", "with a window: end when standard input ends (for a starting program)")
+                .value("lang", "en|es", "language of the window and of texts; else the system's")
+                .value("theme", "light|dark|system", "colours of the window")
+                .flag("no-sound", "use no sound device")
+                .value("seed", "N", "seed of everything random, for runs that repeat")
+                .value(
+                        "log-level",
+                        "LEVEL",
+                        "off, error, warning, info, debug or trace; the log goes to standard error");
+    }
+}

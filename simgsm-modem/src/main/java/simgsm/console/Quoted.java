@@ -1,0 +1,112 @@
+package simgsm.console;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Values on console lines: bare where every character is plain, else in double quotes with JSON escapes. */
+final class Quoted {
+    private static final String BARE_PUNCTUATION = "+.,:/*#_-";
+
+    private Quoted() {}
+
+    /** The value as it stands on an event line. */
+    static String write(String value) {
+        if (!value.isEmpty() && value.chars().allMatch(Quoted::isBare)) {
+            return value;
+        }
+        StringBuilder text = new StringBuilder("\"");
+        value.chars().forEach(c -> writeEscaped(text, (char) c));
+        return text.append('"').toString();
+    }
+
+    private static boolean isBare(int c) {
+        return c >= 'A' && c <= 'Z' || c >= 'a' && c <= 'z' || c >= '0' && c <= '9' || BARE_PUNCTUATION.indexOf(c) >= 0;
+    }
+
+    private static void writeEscaped(StringBuilder text, char c) {
+        switch (c) {
+            case '"' -> text.append("\\\"");
+            case '\\' -> text.append("\\\\");
+            case '\n' -> text.append("\\n");
+            case '\r' -> text.append("\\r");
+            case '\t' -> text.append("\\t");
+            case '\b' -> text.append("\\b");
+            case '\f' -> text.append("\\f");
+            default -> {
+                if (c < 0x20 || c == 0x7f || c >= 0x80 && c < 0xa0 || c == 0x2028 || c == 0x2029) {
+                    text.append(String.format("\\u%04x", (int) c));
+                } else {
+                    text.append(c);
+                }
+            }
+        }
+    }
+
+    /**
+     * Cuts a line at blanks that stand outside quotes; quoted parts are unescaped, also after {@code key=}.
+     *
+     * @throws CommandException for an unfinished quote or an unknown escape
+     */
+    static List<String> words(String line) throws CommandException {
+        List<String> words = new ArrayList<>();
+        int at = 0;
+        while (at < line.length()) {
+            if (Character.isWhitespace(line.charAt(at))) {
+                at++;
+            } else {
+                StringBuilder word = new StringBuilder();
+                at = readWord(line, at, word);
+                words.add(word.toString());
+            }
+        }
+        return words;
+    }
+
+    private static int readWord(String line, int start, StringBuilder word) throws CommandException {
+        int at = start;
+        while (at < line.length() && !Character.isWhitespace(line.charAt(at))) {
+            if (line.charAt(at) == '"') {
+                at = readQuoted(line, at, word);
+            } else {
+                word.append(line.charAt(at++));
+            }
+        }
+        return at;
+    }
+
+    /** Appends the string whose opening quote stands at {@code open}; returns the index behind its closing quote. */
+    static int readQuoted(String line, int open, StringBuilder text) throws CommandException {
+        int at = open + 1;
+        while (at < line.length() && line.charAt(at) != '"') {
+            if (line.charAt(at) == '\\') {
+                at = readEscape(line, at + 1, text);
+            } else {
+                text.append(line.charAt(at++));
+            }
+        }
+        if (at >= line.length()) {
+            throw new CommandException("a closing \" is missing");
+        }
+        return at + 1;
+    }
+
+    private static int readEscape(String line, int at, StringBuilder text) throws CommandException {
+        char escape = at < line.length() ? line.charAt(at) : '\0';
+        int plain = "\"\\/bfnrt".indexOf(escape);
+        if (plain >= 0) {
+            text.append("\"\\/\b\f\n\r\t".charAt(plain));
+            return at + 1;
+        }
+        if (escape == 'u' && at + 5 <= line.length()) {
+            try {
+                text.append((char) Integer.parseInt(line.substring(at + 1, at + 5), 16));
+                return at + 5;
+            } catch (NumberFormatException e) {
+                throw new CommandException(
+                        "\\u expects four hexadecimal digits, not " + line.substring(at + 1, at + 5));
+            }
+        }
+        throw new CommandException(
+                "unknown escape \\" + escape + ", expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");
+    }
+}

@@ -1,0 +1,154 @@
+package simgsm.console;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ConsoleTest {
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final Console console = new Console(new PrintStream(printed, false, StandardCharsets.UTF_8));
+
+    private boolean run(String... lines) throws Exception {
+        String text = String.join("\n", lines) + "\n";
+        return console.run(new BufferedReader(new StringReader(text)), command -> {
+            switch (command.name()) {
+                case "echo" -> console.emit(Event.of("echo").with("text", command.text()));
+                case "two" -> console.emit(Event.of("two").with("words", command.words(2, "A B")));
+                default -> throw new CommandException("unknown command " + command.name());
+            }
+        });
+    }
+
+    private List<String> lines() {
+        return printed.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+
+    @Test
+    void readyIsTheFirstLineWhateverHappenedBefore() {
+        console.emit(Event.of("registered").with("number", "5550100"));
+        console.ready(Event.of("ready").with("port", 3003));
+        assertEquals(List.of("ready port=3003", "registered number=5550100"), lines());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "**#**20**|text=**#**20**",
+                "a b|text=\"a b\"",
+                "\"\"|text=\"\"",
+                "\"say \\\"hola\\\"\"|text=\"say \\\"hola\\\"\"",
+                "\"two\\nlines\"|text=\"two\\nlines\"",
+                "ñandú|text=\"ñandú\"",
+                "\"\\u00f1\"|text=\"ñ\"",
+                "a=b|text=\"a=b\""
+            })
+    void valuesStandBareOrQuotedAsTheyNeed(String argument, String field) throws Exception {
+        console.ready(Event.of("ready"));
+        run("echo " + argument);
+        assertEquals(List.of("ready", "echo " + field), lines());
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "bogus",
+                "echo \"open",
+                "echo \"a\" b",
+                "echo \"\\x\"",
+                "echo \"\\u12g4\"",
+                "two one",
+                "two a b c",
+                "quit now",
+                "wait",
+                "wait a b c",
+                "wait a -1",
+                "wait a =b 1"
+            })
+    void aMalformedLineIsAnErrorAndTheProgramGoesOn(String line) throws Exception {
+        console.ready(Event.of("ready"));
+        assertFalse(run(line, "echo on"));
+        List<String> lines = lines();
+        assertEquals(3, lines.size(), lines.toString());
+        assertTrue(lines.get(1).startsWith("error text=\""), lines.get(1));
+        assertEquals("echo text=on", lines.get(2));
+        assertEquals(ExitStatus.OK, console.exitStatus());
+    }
+
+    @Test
+    void blankLinesAreNothing() throws Exception {
+        console.ready(Event.of("ready"));
+        run("", "   ", "\t");
+        assertEquals(List.of("ready"), lines());
+    }
+
+    @Test
+    void quitEndsBeforeTheRest() throws Exception {
+        console.ready(Event.of("ready"));
+        assertTrue(run("quit", "echo never"));
+        assertEquals(List.of("ready"), lines());
+    }
+
+    @Test
+    void waitLooksFromTheCursorOnAndSetsItBehindItsMatch() throws Exception {
+        console.ready(Event.of("ready"));
+        run("echo a", "echo b", "echo a", "wait ready", "wait echo text=a 0", "wait echo text=a 0");
+        assertEquals(ExitStatus.OK, console.exitStatus());
+        run("wait echo text=b 0");
+        assertEquals(ExitStatus.FAILED, console.exitStatus(), "b lies before the cursor");
+    }
+
+    @Test
+    void aWaitThatTimesOutSetsTheCursorToTheEnd() throws Exception {
+        console.ready(Event.of("ready"));
+        run("echo a", "wait nothing 0", "wait echo text=a 0");
+        assertEquals(
+                List.of(
+                        "ready",
+                        "echo text=a",
+                        "error text=\"wait: no nothing 0 within 0 s\"",
+                        "error text=\"wait: no echo text=a 0 within 0 s\""),
+                lines());
+        assertEquals(ExitStatus.FAILED, console.exitStatus());
+    }
+
+    @Test
+    void waitComparesQuotedValuesAsStrings() throws Exception {
+        console.ready(Event.of("ready"));
+        run("echo No motors", "wait echo text=\"No motors\" 0");
+        assertEquals(ExitStatus.OK, console.exitStatus());
+    }
+
+    @Test
+    void waitIsWokenByAnEventFromAnotherThread() throws Exception {
+        console.ready(Event.of("ready"));
+        Thread other = new Thread(() -> console.emit(Event.of("tone").with("key", 3)));
+        other.start();
+        run("wait tone key=3 60");
+        other.join();
+        assertEquals(ExitStatus.OK, console.exitStatus());
+    }
+
+    @Test
+    void theLogForgetsItsOldestEventsBeyondItsLimit() throws Exception {
+        console.ready(Event.of("ready"));
+        console.emit(Event.of("first"));
+        for (int i = 0; i < EventLog.MAX_UNREAD; i++) {
+            console.emit(Event.of("filler"));
+        }
+        run("wait first 0");
+        assertEquals(ExitStatus.FAILED, console.exitStatus());
+    }
+}
