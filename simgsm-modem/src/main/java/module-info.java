@@ -24,4 +24,5 @@ module simgsm.modem {
     exports simgsm.dtmf;
     exports simgsm.speech;
     exports simgsm.console;
+    exports simgsm.ui;
 }

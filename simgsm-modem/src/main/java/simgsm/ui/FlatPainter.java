@@ -1,0 +1,302 @@
+package simgsm.ui;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.Painter;
+import simgsm.ui.Theme.Ink;
+
+/**
+ * Paints one region of a Nimbus component in one set of states. A region is painted as a box (fill, line, corner), or
+ * as a mark on top of one (arrow, tick, dot).
+ */
+record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent> {
+    enum Kind {
+        BUTTON,
+        FIELD_FILL,
+        FIELD,
+        AREA,
+        CHECK,
+        RADIO,
+        TICK_ITEM,
+        THUMB,
+        SLIDER_TRACK,
+        SLIDER_THUMB,
+        NOTHING,
+        ARROW_DOWN,
+        ARROW_LEFT,
+        ARROW_UP,
+        TAB,
+        TAB_LINE,
+        HEADER,
+        ITEM,
+        POPUP,
+        BAR,
+        PROGRESS_TRACK,
+        PROGRESS,
+        RULE,
+        FRAME,
+        GRIP
+    }
+
+    /** The painter for a region, or null where Nimbus's own will do. */
+    static FlatPainter of(String region, String states, String painter) {
+        Kind kind = kindOf(region, painter);
+        return kind == null ? null : new FlatPainter(kind, Arrays.asList(states.split("\\+")));
+    }
+
+    private static Kind kindOf(String region, String painter) {
+        boolean background = painter.equals("backgroundPainter");
+        return switch (region) {
+            case "Button", "ToggleButton", "ComboBox", "ToolBar:Button", "ToolBar:ToggleButton" ->
+                background ? Kind.BUTTON : null;
+            case "ComboBox:\"ComboBox.arrowButton\"" -> background ? Kind.NOTHING : Kind.ARROW_DOWN;
+            case "ComboBox:\"ComboBox.textField\"", "Spinner:Panel:\"Spinner.formattedTextField\"" -> Kind.NOTHING;
+            case "TextField", "FormattedTextField", "PasswordField", "Spinner:\"Spinner.editor\"" ->
+                background ? Kind.FIELD_FILL : Kind.FIELD;
+            case "TextArea", "TextPane", "EditorPane" -> Kind.AREA;
+            case "ScrollPane" -> Kind.FRAME;
+            case "CheckBox" -> Kind.CHECK;
+            case "RadioButton" -> Kind.RADIO;
+            case "ScrollBar:\"ScrollBar.button\"", "ScrollBar:ScrollBarTrack" -> Kind.NOTHING;
+            case "ScrollBar:ScrollBarThumb" -> Kind.THUMB;
+            case "Slider:SliderTrack" -> Kind.SLIDER_TRACK;
+            case "Slider:SliderThumb" -> Kind.SLIDER_THUMB;
+            case "TabbedPane:TabbedPaneTab" -> Kind.TAB;
+            case "TabbedPane:TabbedPaneTabArea" -> Kind.TAB_LINE;
+            case "TableHeader:\"TableHeader.renderer\"" -> background ? Kind.HEADER : null;
+            case "TableHeader" ->
+                painter.equals("ascendingSortIconPainter")
+                        ? Kind.ARROW_UP
+                        : painter.equals("descendingSortIconPainter") ? Kind.ARROW_DOWN : null;
+            case "MenuBar" -> Kind.BAR;
+            case "Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem", "MenuBar:Menu" ->
+                background ? Kind.ITEM : painter.equals("checkIconPainter") ? Kind.TICK_ITEM : null;
+            case "PopupMenu", "ToolTip" -> Kind.POPUP;
+            case "ToolBar" -> painter.equals("handleIconPainter") ? null : Kind.BAR;
+            case "ProgressBar" -> background ? Kind.PROGRESS_TRACK : Kind.PROGRESS;
+            case "Separator", "PopupMenuSeparator" -> Kind.RULE;
+            case "SplitPane:SplitPaneDivider" -> background ? Kind.NOTHING : Kind.GRIP;
+            default -> null;
+        };
+    }
+
+    private boolean is(String state) {
+        return states.contains(state);
+    }
+
+    @Override
+    public void paint(Graphics2D graphics, JComponent component, int width, int height) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            paintKind(g, width, height);
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private void paintKind(Graphics2D g, double w, double h) {
+        switch (kind) {
+            case BUTTON -> box(g, 2, w, h, buttonFill(), buttonLine(), Theme.CONTROL_RADIUS);
+            case FIELD_FILL -> box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
+            case FIELD -> outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
+            case AREA -> fill(g, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD);
+            case FRAME -> frame(g, w, h);
+            case CHECK -> check(g, w, h);
+            case RADIO -> radio(g, w, h);
+            case TICK_ITEM -> tick(g, 0, 0, w, h, Ink.ACCENT.color());
+            case THUMB -> box(g, 3, w, h, is("Enabled") ? Ink.LINE : Ink.CONTROL_LINE, null, 3);
+            case SLIDER_TRACK -> track(g, w, h);
+            case SLIDER_THUMB -> knob(g, w, h);
+            case ARROW_DOWN -> arrow(g, w, h, 0);
+            case ARROW_LEFT -> arrow(g, w, h, 1);
+            case ARROW_UP -> arrow(g, w, h, 2);
+            case TAB -> tab(g, w, h);
+            case TAB_LINE, HEADER -> header(g, w, h);
+            case ITEM -> fill(g, w, h, Ink.ACCENT_WASH);
+            case POPUP -> {
+                fill(g, w, h, Ink.CARD);
+                edge(g, w, h, Ink.LINE);
+            }
+            case BAR -> fill(g, w, h, Ink.SURFACE);
+            case PROGRESS_TRACK -> box(g, 1, w, h, Ink.ACCENT_WASH, null, 3);
+            case PROGRESS -> box(g, 1, w, h, Ink.ACCENT, null, 3);
+            case RULE -> rule(g, w, h);
+            case GRIP -> grip(g, w, h);
+            case NOTHING -> {}
+        }
+    }
+
+    private Ink buttonFill() {
+        if (is("Default")) {
+            return is("Pressed") ? Ink.TEXT : Ink.ACCENT;
+        }
+        if (is("Disabled")) {
+            return Ink.SURFACE;
+        }
+        if (is("Selected")) {
+            return Ink.ACCENT_WASH;
+        }
+        return is("Pressed") ? Ink.PRESSED : is("MouseOver") ? Ink.HOVER : Ink.CARD;
+    }
+
+    private Ink buttonLine() {
+        if (is("Focused") || is("Selected") && !is("Disabled")) {
+            return Ink.ACCENT;
+        }
+        return is("Disabled") ? Ink.LINE : Ink.CONTROL_LINE;
+    }
+
+    private void box(Graphics2D g, double inset, double w, double h, Ink fill, Ink line, double radiusUnits) {
+        double i = Theme.exact(inset);
+        var shape = Drawing.round(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1, Theme.exact(radiusUnits));
+        g.setColor(fill.color());
+        g.fill(shape);
+        if (line != null) {
+            ring(g, w, h, i, radiusUnits);
+            g.setColor(line.color());
+            g.setStroke(Theme.hairline());
+            g.draw(shape);
+        }
+    }
+
+    /** The mark of the focus: a second line of the accent's colour around the first, never a colour alone. */
+    private void ring(Graphics2D g, double w, double h, double i, double radiusUnits) {
+        if (is("Focused")) {
+            g.setColor(Ink.ACCENT.color(0.45));
+            g.setStroke(Theme.stroke(2));
+            g.draw(Drawing.round(i - 0.5, i - 0.5, w - 2 * i + 1, h - 2 * i + 1, Theme.exact(radiusUnits + 1)));
+        }
+    }
+
+    private void outline(Graphics2D g, double inset, double w, double h, Ink line) {
+        double i = Theme.exact(inset);
+        ring(g, w, h, i, 3);
+        g.setColor((is("Disabled") ? Ink.LINE : line).color());
+        g.setStroke(Theme.hairline());
+        g.draw(Drawing.round(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1, Theme.exact(3)));
+    }
+
+    private static void fill(Graphics2D g, double w, double h, Ink ink) {
+        g.setColor(ink.color());
+        Drawing.fillCrisp(g, 0, 0, w, h);
+    }
+
+    private static void edge(Graphics2D g, double w, double h, Ink ink) {
+        double one = Theme.exact(1);
+        g.setColor(ink.color());
+        Drawing.fillCrisp(g, 0, 0, w, one);
+        Drawing.fillCrisp(g, 0, h - one, w, one);
+        Drawing.fillCrisp(g, 0, 0, one, h);
+        Drawing.fillCrisp(g, w - one, 0, one, h);
+    }
+
+    private void frame(Graphics2D g, double w, double h) {
+        edge(g, w, h, is("Focused") ? Ink.ACCENT : Ink.LINE);
+    }
+
+    private void check(Graphics2D g, double w, double h) {
+        boolean on = is("Selected");
+        Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
+        box(g, 2, w, h, on && !is("Disabled") ? Ink.ACCENT : Ink.CARD, line, 3);
+        if (on) {
+            tick(g, 0, 0, w, h, (is("Disabled") ? Ink.DISABLED : Ink.ON_ACCENT).color());
+        }
+    }
+
+    private static void tick(Graphics2D g, double x, double y, double w, double h, Color color) {
+        var path = new Path2D.Double();
+        path.moveTo(x + w * 0.30, y + h * 0.52);
+        path.lineTo(x + w * 0.44, y + h * 0.66);
+        path.lineTo(x + w * 0.71, y + h * 0.36);
+        g.setColor(color);
+        g.setStroke(Theme.line());
+        g.draw(path);
+    }
+
+    private void radio(Graphics2D g, double w, double h) {
+        double i = Theme.exact(2);
+        boolean on = is("Selected");
+        Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
+        g.setColor(Ink.CARD.color());
+        g.fill(new Ellipse2D.Double(i, i, w - 2 * i, h - 2 * i));
+        g.setColor(line.color());
+        g.setStroke(Theme.stroke(is("Focused") ? 2 : 1));
+        g.draw(new Ellipse2D.Double(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1));
+        if (on) {
+            double d = w * 0.36;
+            g.fill(new Ellipse2D.Double((w - d) / 2, (h - d) / 2, d, d));
+        }
+    }
+
+    private static void track(Graphics2D g, double w, double h) {
+        double thickness = Theme.exact(4);
+        g.setColor(Ink.LINE.color());
+        g.fill(Drawing.round(0, (h - thickness) / 2, w, thickness, thickness / 2));
+    }
+
+    private void knob(Graphics2D g, double w, double h) {
+        double d = Math.min(w, h) - 3;
+        var disc = new Ellipse2D.Double((w - d) / 2, (h - d) / 2, d, d);
+        g.setColor((is("Disabled") ? Ink.SURFACE : is("Pressed") ? Ink.ACCENT : Ink.CARD).color());
+        g.fill(disc);
+        g.setColor((is("Disabled") ? Ink.LINE : Ink.ACCENT).color());
+        g.setStroke(Theme.stroke(is("Focused") ? 2.5 : 1.5));
+        g.draw(disc);
+    }
+
+    private void arrow(Graphics2D g, double w, double h, int quarterTurns) {
+        double r = Theme.exact(3.5);
+        g.translate(w / 2, h / 2);
+        g.rotate(quarterTurns * Math.PI / 2);
+        var path = new Path2D.Double();
+        path.moveTo(-r, -r / 2);
+        path.lineTo(0, r / 2);
+        path.lineTo(r, -r / 2);
+        g.setColor((is("Disabled") ? Ink.DISABLED : Ink.QUIET).color());
+        g.setStroke(Theme.line());
+        g.draw(path);
+    }
+
+    private void tab(Graphics2D g, double w, double h) {
+        if (is("MouseOver") && !is("Selected")) {
+            fill(g, w, h, Ink.HOVER);
+        }
+        if (is("Selected")) {
+            g.setColor(Ink.ACCENT.color());
+            Drawing.fillCrisp(g, 0, h - Theme.exact(2.5), w, Theme.exact(2.5));
+        }
+        if (is("Focused")) {
+            outline(g, 2, w, h, Ink.ACCENT);
+        }
+    }
+
+    private static void header(Graphics2D g, double w, double h) {
+        fill(g, w, h, Ink.SURFACE);
+        g.setColor(Ink.LINE.color());
+        Drawing.fillCrisp(g, 0, h - Theme.exact(1), w, Theme.exact(1));
+    }
+
+    private static void rule(Graphics2D g, double w, double h) {
+        g.setColor(Ink.LINE.color());
+        if (w >= h) {
+            Drawing.fillCrisp(g, 0, h / 2, w, Theme.exact(1));
+        } else {
+            Drawing.fillCrisp(g, w / 2, 0, Theme.exact(1), h);
+        }
+    }
+
+    private static void grip(Graphics2D g, double w, double h) {
+        double d = Theme.exact(2.5);
+        g.setColor(Ink.CONTROL_LINE.color());
+        for (int k = -1; k <= 1; k++) {
+            double x = w / 2 + (w > h ? k * 3 * d : 0);
+            double y = h / 2 + (w > h ? 0 : k * 3 * d);
+            g.fill(new Ellipse2D.Double(x - d / 2, y - d / 2, d, d));
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package simgsm.ui;
+
+import java.awt.Color;
+import java.util.List;
+import javax.swing.UIDefaults;
+import javax.swing.plaf.ColorUIResource;
+import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.nimbus.NimbusLookAndFeel;
+import simgsm.ui.Theme.Ink;
+
+/** Nimbus with our colours and fonts, and its glossy painters replaced by flat ones. */
+final class InstrumentLookAndFeel extends NimbusLookAndFeel {
+    private UIDefaults defaults;
+
+    @Override
+    public UIDefaults getDefaults() {
+        if (defaults == null) {
+            defaults = super.getDefaults();
+            colours();
+            fonts();
+            FlatPainters.replaceIn(defaults);
+        }
+        return defaults;
+    }
+
+    @Override
+    public String getName() {
+        return "SimGSM instrument";
+    }
+
+    private void colours() {
+        put("control", Ink.SURFACE);
+        put("nimbusBase", Ink.ACCENT);
+        put("nimbusBlueGrey", Ink.LINE);
+        put("nimbusBorder", Ink.LINE);
+        put("nimbusLightBackground", Ink.CARD);
+        put("nimbusFocus", Ink.ACCENT);
+        put("nimbusSelection", Ink.ACCENT);
+        put("nimbusSelectionBackground", Ink.ACCENT_WASH);
+        put("nimbusSelectedText", Ink.TEXT);
+        put("nimbusDisabledText", Ink.DISABLED);
+        put("nimbusInfoBlue", Ink.ACCENT);
+        put("nimbusRed", Ink.DANGER);
+        put("nimbusGreen", Ink.GOOD);
+        put("nimbusOrange", Ink.WARNING);
+        put("nimbusAlertYellow", Ink.WARNING);
+        put("info", Ink.CARD);
+        put("menu", Ink.CARD);
+        put("menuText", Ink.TEXT);
+        put("text", Ink.TEXT);
+        put("controlText", Ink.TEXT);
+        put("infoText", Ink.TEXT);
+        put("textForeground", Ink.TEXT);
+        put("textBackground", Ink.ACCENT_WASH);
+        put("textHighlight", Ink.ACCENT_WASH);
+        put("textHighlightText", Ink.TEXT);
+        put("textInactiveText", Ink.DISABLED);
+        put("background", Ink.SURFACE);
+        put("desktop", Ink.SURFACE);
+        put("scrollbar", Ink.SURFACE);
+        put("controlHighlight", Ink.CARD);
+        put("controlLHighlight", Ink.CARD);
+        put("controlShadow", Ink.LINE);
+        put("controlDkShadow", Ink.CONTROL_LINE);
+        put("Table.alternateRowColor", Ink.CARD);
+        put("Table.background", Ink.CARD);
+        put("Table.gridColor", Ink.LINE);
+        put("Table[Enabled+Selected].textForeground", Ink.TEXT);
+        put("Table[Enabled+Selected].textBackground", Ink.ACCENT_WASH);
+        put("List.background", Ink.CARD);
+        put("List[Selected].textForeground", Ink.TEXT);
+        put("List[Selected].textBackground", Ink.ACCENT_WASH);
+        put("Tree.background", Ink.CARD);
+        put("TextField.caretForeground", Ink.ACCENT);
+        put("TextArea.caretForeground", Ink.ACCENT);
+        put("ToolTip.background", Ink.CARD);
+        for (String item : List.of("Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem")) {
+            put(item + "[MouseOver].textForeground", Ink.TEXT);
+            put(item + "[MouseOver]:MenuItemAccelerator.textForeground", Ink.QUIET);
+            put(item + ":MenuItemAccelerator.textForeground", Ink.QUIET);
+        }
+        put("Menu[Enabled+Selected].textForeground", Ink.TEXT);
+        put("MenuBar:Menu[Selected].textForeground", Ink.TEXT);
+        put("CheckBoxMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
+        put("RadioButtonMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
+        put("Button[Default].textForeground", Ink.ON_ACCENT);
+        for (String state : List.of("Default+Focused", "Default+MouseOver", "Default+Focused+MouseOver")) {
+            put("Button[" + state + "].textForeground", Ink.ON_ACCENT);
+        }
+        put("Button[Default+Pressed].textForeground", Ink.ON_ACCENT);
+        put("Button[Default+Focused+Pressed].textForeground", Ink.ON_ACCENT);
+    }
+
+    private void put(String key, Ink ink) {
+        Color color = ink.color();
+        defaults.put(key, new ColorUIResource(color));
+    }
+
+    private void fonts() {
+        defaults.put("defaultFont", new FontUIResource(Theme.base()));
+        defaults.put("Table.rowHeight", Theme.px(24));
+        defaults.put("Tree.rowHeight", Theme.px(24));
+        defaults.put("ScrollBar.thickness", Theme.px(12));
+        defaults.put("ScrollBar.minimumThumbSize", new java.awt.Dimension(Theme.px(24), Theme.px(24)));
+        defaults.put("SplitPane.size", Theme.px(8));
+        defaults.put("Table.showGrid", Boolean.FALSE);
+    }
+}
