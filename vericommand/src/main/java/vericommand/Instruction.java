@@ -1,0 +1,73 @@
+package vericommand;
+
+/** One instruction of an order, in the operator's units; instructions out of range cannot be built. */
+public sealed interface Instruction {
+    /** The instruction as keys, without leading zeros: {@code #**20}. */
+    String keys();
+
+    /** An instruction that moves the robot. */
+    sealed interface Motion extends Instruction {
+        /** How far: centimetres of a {@link Forward}, degrees of a {@link Turn}. */
+        int amount();
+    }
+
+    /** Move straight ahead, 1..9999 cm. */
+    record Forward(int centimeters) implements Motion {
+        public static final int MAX_CENTIMETERS = 9999;
+
+        public Forward {
+            requireRange("centimetres", centimeters, MAX_CENTIMETERS);
+        }
+
+        @Override
+        public int amount() {
+            return centimeters;
+        }
+
+        @Override
+        public String keys() {
+            return "#**" + centimeters;
+        }
+    }
+
+    /** Turn on the spot, 1..360 degrees clockwise as seen from above. */
+    record Turn(int clockwiseDegrees) implements Motion {
+        public static final int MAX_DEGREES = 360;
+
+        public Turn {
+            requireRange("degrees", clockwiseDegrees, MAX_DEGREES);
+        }
+
+        @Override
+        public int amount() {
+            return clockwiseDegrees;
+        }
+
+        @Override
+        public String keys() {
+            return "#*#" + clockwiseDegrees;
+        }
+    }
+
+    /** Brake now; as an order by itself it is taken while the robot moves. */
+    record Stop() implements Instruction {
+        @Override
+        public String keys() {
+            return "###";
+        }
+    }
+
+    /** Tell the status. */
+    record Report() implements Instruction {
+        @Override
+        public String keys() {
+            return "#*0";
+        }
+    }
+
+    private static void requireRange(String what, int value, int max) {
+        if (value < 1 || value > max) {
+            throw new IllegalArgumentException(what + " must be 1.." + max + ", not " + value);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package vericommand;
+
+import java.util.Locale;
+
+/** The single DTMF digit by which the robot answers in a call. */
+public enum ReplyTone {
+    CONNECTION_ACCEPTED(true),
+    CONNECTION_DENIED(true),
+    EXECUTED(true),
+    COLLISION(true),
+    INFINITE_LOOP(true),
+    EXECUTING(true),
+    NOT_VALID(false),
+    NOT_POSSIBLE(false);
+
+    private final boolean fromPaper;
+
+    ReplyTone(boolean fromPaper) {
+        this.fromPaper = fromPaper;
+    }
+
+    /** True for the paper's six tones; 7 and 8 are ours. */
+    public boolean fromPaper() {
+        return fromPaper;
+    }
+
+    /** 1..8, the tone's number and its digit. */
+    public int number() {
+        return ordinal() + 1;
+    }
+
+    /** The digit to send, {@code '1'..'8'}. */
+    public char key() {
+        return (char) ('0' + number());
+    }
+
+    /** The meaning, as the operator's phone shows it. */
+    public String words(Locale locale) {
+        return Messages.text(locale, "tone." + number());
+    }
+}

@@ -1,0 +1,27 @@
+package vericommand;
+
+/** What can happen to a robot's status. */
+public enum StatusEvent {
+    POWER_ON("power on"),
+    POWER_OFF("power off"),
+    MOTORS_ON("motors on"),
+    MOTORS_OFF("motors off"),
+    /** An instruction (or an autonomous process) sets the robot in motion. */
+    MOTION_STARTED("motion starts"),
+    /** The robot has come to rest with the way ahead free, or after a forward motion that touched nothing. */
+    MOTION_ENDED("motion ends"),
+    /** The robot touches something while it moves. */
+    TOUCHED("touches something"),
+    /** A turn made in Collision has ended and the way ahead is free for less than 1 cm. */
+    TURN_ENDED_BLOCKED("turn ends, way blocked");
+
+    private final String text;
+
+    StatusEvent(String text) {
+        this.text = text;
+    }
+
+    public String text() {
+        return text;
+    }
+}

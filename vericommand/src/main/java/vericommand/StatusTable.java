@@ -1,0 +1,45 @@
+package vericommand;
+
+import java.util.EnumMap;
+import java.util.Map;
+
+/** Which instruction is executed in which status: the paper's rule that a command is always checked first, as data. */
+public final class StatusTable {
+    /** What becomes of an instruction. */
+    public enum Treatment {
+        EXECUTED,
+        /** Not possible in this status: tone 8. */
+        REFUSED,
+        /** The robot is executing another order: tone 6. */
+        BUSY,
+        /** The robot is off: tone 2. */
+        DENIED
+    }
+
+    private record Row(Treatment forward, Treatment turn, Treatment stop, Treatment report) {}
+
+    private static final Map<RobotStatus, Row> ROWS = new EnumMap<>(Map.of(
+            RobotStatus.COLLISION,
+            new Row(Treatment.REFUSED, Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED),
+            RobotStatus.MOVING,
+            new Row(Treatment.BUSY, Treatment.BUSY, Treatment.EXECUTED, Treatment.EXECUTED),
+            RobotStatus.STOPPED,
+            new Row(Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED),
+            RobotStatus.NO_MOTORS,
+            new Row(Treatment.REFUSED, Treatment.REFUSED, Treatment.REFUSED, Treatment.EXECUTED),
+            RobotStatus.DISCONNECTED,
+            new Row(Treatment.DENIED, Treatment.DENIED, Treatment.DENIED, Treatment.DENIED)));
+
+    private StatusTable() {}
+
+    public static Treatment treatment(RobotStatus status, Instruction instruction) {
+        Row row = ROWS.get(status);
+        if (instruction instanceof Instruction.Forward) {
+            return row.forward();
+        }
+        if (instruction instanceof Instruction.Turn) {
+            return row.turn();
+        }
+        return instruction instanceof Instruction.Stop ? row.stop() : row.report();
+    }
+}
