@@ -16,15 +16,18 @@ public interface AudioOutput extends AutoCloseable {
         public void close() {}
     };
 
-    /** The system's own sound device, or {@link #SILENT} when there is none. */
+    /**
+     * The system's own sound device. Returns at once; until the device is open, and for good when there is none, it is
+     * as silent as {@link #SILENT}.
+     */
     static AudioOutput open() {
-        return SILENT;
+        return new SoundCard();
     }
 
     /** @param samples 8 kHz mono, taken over before the call returns */
     void play(short[] samples);
 
-    /** Whether there is a device. */
+    /** Whether a device is open now. */
     boolean isAudible();
 
     @Override

@@ -1,0 +1,7 @@
+/**
+ * The command-line tools of {@code simgsm-modem.jar}: tones into a file, tones out of files, speech and short-message
+ * codecs.
+ *
+ * <p>Read first: {@link simgsm.modem.tools.Tool}.
+ */
+package simgsm.modem.tools;

@@ -1,0 +1,73 @@
+package simgsm.speech;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/** Writes 8 kHz, 16-bit WAV files: a whole recording at once, or block by block while it lasts. */
+public final class WavWriter implements Closeable {
+    private static final int HEADER_OCTETS = 44;
+
+    private final FileChannel file;
+    private final int channels;
+    private long octets;
+
+    /** Starts a recording whose length is not known yet; the header is put right on closing. */
+    public WavWriter(Path path, int channels) throws IOException {
+        if (channels < 1 || channels > 2) {
+            throw new IllegalArgumentException(channels + " channels (expected 1 or 2)");
+        }
+        this.channels = channels;
+        file = FileChannel.open(
+                path, StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING);
+        writeFully(header(channels, 0));
+    }
+
+    /** Writes a whole mono recording. */
+    public static void write(Path path, short[] samples) throws IOException {
+        byte[] all = new byte[HEADER_OCTETS + 2 * samples.length];
+        ByteBuffer buffer = ByteBuffer.wrap(all).put(header(1, 2L * samples.length));
+        buffer.order(ByteOrder.LITTLE_ENDIAN).asShortBuffer().put(samples);
+        Files.write(path, all);
+    }
+
+    /** @param samples one per channel in turn */
+    public void write(short[] samples) throws IOException {
+        ByteBuffer buffer = ByteBuffer.allocate(2 * samples.length).order(ByteOrder.LITTLE_ENDIAN);
+        buffer.asShortBuffer().put(samples);
+        writeFully(buffer);
+        octets += 2L * samples.length;
+    }
+
+    @Override
+    public void close() throws IOException {
+        try (file) {
+            file.position(0);
+            writeFully(header(channels, octets));
+        }
+    }
+
+    private void writeFully(ByteBuffer buffer) throws IOException {
+        while (buffer.hasRemaining()) {
+            file.write(buffer);
+        }
+    }
+
+    private static ByteBuffer header(int channels, long dataOctets) {
+        int data = (int) Math.min(dataOctets, 0xFFFF_FFFFL - HEADER_OCTETS);
+        ByteBuffer header = ByteBuffer.allocate(HEADER_OCTETS).order(ByteOrder.LITTLE_ENDIAN);
+        header.put("RIFF".getBytes(StandardCharsets.US_ASCII)).putInt(data + HEADER_OCTETS - 8);
+        header.put("WAVEfmt ".getBytes(StandardCharsets.US_ASCII)).putInt(16);
+        header.putShort((short) 1).putShort((short) channels);
+        header.putInt(SpeechCodec.SAMPLES_PER_SECOND).putInt(SpeechCodec.SAMPLES_PER_SECOND * 2 * channels);
+        header.putShort((short) (2 * channels)).putShort((short) 16);
+        header.put("data".getBytes(StandardCharsets.US_ASCII)).putInt(data);
+        return header.flip();
+    }
+}
