@@ -1,0 +1,128 @@
+package simgsm.ui;
+
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.Objects;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import simgsm.ui.Theme.Ink;
+
+/** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
+public final class Lamp extends JComponent {
+    private static final int GAP_UNITS = 6;
+    private static final double RADIUS_UNITS = 6;
+
+    private final String subject;
+    private Mark mark = Mark.RING;
+    private Ink ink = Ink.QUIET;
+    private String word = "";
+    private boolean lit = true;
+
+    /** @param subject what the lamp tells about, for assistive technology: "Link to the centre" */
+    public Lamp(String subject) {
+        this.subject = subject;
+        setFont(Theme.base());
+        setToolTipText(subject);
+    }
+
+    /** Shows a state. A lamp that is not lit shows its shape as an outline of quiet colour. */
+    public void show(Mark newMark, Ink newInk, String newWord) {
+        if (newMark != mark || newInk != ink || !newWord.equals(word)) {
+            String before = accessibleName();
+            mark = newMark;
+            ink = newInk;
+            boolean resized = !newWord.equals(word);
+            word = Objects.requireNonNull(newWord);
+            if (accessibleContext != null) {
+                accessibleContext.firePropertyChange(
+                        AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, accessibleName());
+            }
+            if (resized) {
+                revalidate();
+            }
+            repaint();
+        }
+    }
+
+    public void show(LinkState link, String newWord) {
+        show(link.mark(), link.ink(), newWord);
+    }
+
+    /** For rows of lamps of which one is on. */
+    public void setLit(boolean nowLit) {
+        if (lit != nowLit) {
+            lit = nowLit;
+            repaint();
+        }
+    }
+
+    public boolean isLit() {
+        return lit;
+    }
+
+    /** The word beside the shape. */
+    public String word() {
+        return word;
+    }
+
+    private String accessibleName() {
+        return word.isEmpty() ? subject : subject + ": " + word;
+    }
+
+    @Override
+    public void updateUI() {
+        setFont(Theme.base());
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        FontMetrics metrics = getFontMetrics(lit ? Theme.base() : Theme.base());
+        int textWidth = word.isEmpty() ? 0 : metrics.stringWidth(word) + Theme.px(GAP_UNITS) + 2;
+        return new Dimension(
+                Theme.px(2 * RADIUS_UNITS + 2) + textWidth,
+                Math.max(metrics.getHeight(), Theme.px(2 * RADIUS_UNITS + 4)));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            double r = Theme.exact(RADIUS_UNITS);
+            double middle = getHeight() / 2.0;
+            mark.paint(g, r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
+            g.setFont(getFont());
+            g.setColor((lit ? Ink.TEXT : Ink.QUIET).color());
+            double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
+            String fitted = Drawing.fitted(g.getFontMetrics(), word, getWidth() - x + 1);
+            g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
+        } finally {
+            g.dispose();
+        }
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.LABEL;
+                }
+
+                @Override
+                public String getAccessibleName() {
+                    return accessibleName();
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}
