@@ -1,0 +1,205 @@
+package blackbox;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** One of the programs as a process of its own, driven over its console. Every line must parse as an event. */
+final class RunningProgram implements AutoCloseable {
+    /** How long anything may take before the test fails; a guard against hanging, no statement about speed. */
+    static final int PATIENCE_SECONDS = 60;
+
+    private final String name;
+    private final Process process;
+    private final Writer input;
+    private final Path log;
+    private final List<String> transcript = new ArrayList<>();
+    private final List<ConsoleEvent> events = new ArrayList<>();
+    private int cursor;
+    private boolean ended;
+
+    RunningProgram(String name, List<String> command, Path folder) throws IOException {
+        this.name = name;
+        this.log = folder.resolve(name + ".log");
+        ProcessBuilder builder = new ProcessBuilder(command).redirectError(log.toFile());
+        builder.directory(Dist.root().toFile());
+        builder.environment().remove("DISPLAY");
+        this.process = builder.start();
+        this.input = process.outputWriter(StandardCharsets.UTF_8);
+        Thread reader = new Thread(this::read, name + " output");
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void read() {
+        try (BufferedReader lines =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                add(line);
+            }
+        } catch (IOException e) {
+            add("error text=\"output broke: " + e.getMessage().replace('"', '\'') + "\"");
+        }
+        synchronized (this) {
+            ended = true;
+            notifyAll();
+        }
+    }
+
+    private synchronized void add(String line) {
+        transcript.add(line);
+        events.add(ConsoleEvent.parse(line));
+        notifyAll();
+    }
+
+    /** Types a line. */
+    RunningProgram say(String line) {
+        try {
+            input.write(line + "\n");
+            input.flush();
+            synchronized (this) {
+                transcript.add("> " + line);
+            }
+            return this;
+        } catch (IOException e) {
+            throw new AssertionError(name + " takes no more input: " + this, e);
+        }
+    }
+
+    /** Ends its standard input. */
+    void endInput() throws IOException {
+        input.close();
+    }
+
+    /**
+     * Waits for an event from the last match on; events in between are passed over.
+     *
+     * @param keysAndValues fields that must stand in it, as key, value, key, value
+     */
+    ConsoleEvent expect(String event, String... keysAndValues) {
+        return await(event, fields(keysAndValues), Set.of());
+    }
+
+    /** Like {@link #expect}, but the next event of this name must be the one with these fields. */
+    ConsoleEvent expectNext(String event, String... keysAndValues) {
+        Map<String, String> fields = fields(keysAndValues);
+        ConsoleEvent found = await(event, Map.of(), Set.of());
+        if (!found.matches(event, fields)) {
+            throw new AssertionError("expected " + event + " " + fields + " next, found " + found + "\n" + this);
+        }
+        return found;
+    }
+
+    /** Like {@link #expect}, but none of the named events may come before it. */
+    ConsoleEvent expectBefore(Set<String> forbidden, String event, String... keysAndValues) {
+        return await(event, fields(keysAndValues), forbidden);
+    }
+
+    private synchronized ConsoleEvent await(String event, Map<String, String> fields, Set<String> forbidden) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (true) {
+            while (cursor < events.size()) {
+                ConsoleEvent candidate = events.get(cursor++);
+                if (candidate.matches(event, fields)) {
+                    return candidate;
+                }
+                if (forbidden.contains(candidate.name())) {
+                    throw new AssertionError(
+                            "expected " + event + " " + fields + ", but before it " + candidate + "\n" + this);
+                }
+            }
+            long left = end - System.nanoTime();
+            if (ended || left <= 0) {
+                throw new AssertionError(
+                        name + (ended ? " ended without " : " did not say ") + event + " " + fields + "\n" + this);
+            }
+            try {
+                TimeUnit.NANOSECONDS.timedWait(this, left);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new AssertionError("interrupted", e);
+            }
+        }
+    }
+
+    private static Map<String, String> fields(String... keysAndValues) {
+        Map<String, String> fields = new HashMap<>();
+        for (int i = 0; i < keysAndValues.length; i += 2) {
+            fields.put(keysAndValues[i], keysAndValues[i + 1]);
+        }
+        return fields;
+    }
+
+    /** Asks and waits for the answer. */
+    ConsoleEvent ask(String command, String answer) {
+        say(command);
+        return expect(answer);
+    }
+
+    /** Says {@code quit} and returns the exit status. */
+    int quit() throws InterruptedException {
+        say("quit");
+        return awaitExit();
+    }
+
+    int awaitExit() throws InterruptedException {
+        if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            throw new AssertionError(name + " does not end\n" + this);
+        }
+        return process.exitValue();
+    }
+
+    /** Kills it without a chance to say goodbye. */
+    void kill() throws InterruptedException {
+        process.destroyForcibly().waitFor();
+    }
+
+    /** Asks the process to end by a signal. */
+    void terminate() {
+        process.destroy();
+    }
+
+    long pid() {
+        return process.pid();
+    }
+
+    String name() {
+        return name;
+    }
+
+    String log() throws IOException {
+        return Files.readString(log);
+    }
+
+    @Override
+    public void close() {
+        process.destroyForcibly();
+    }
+
+    /** What was said on both sides, and the end of its log. */
+    @Override
+    public synchronized String toString() {
+        String logged;
+        try (Stream<String> lines = Files.lines(log)) {
+            List<String> all = lines.toList();
+            logged = String.join("\n    ", all.subList(Math.max(0, all.size() - 40), all.size()));
+        } catch (IOException e) {
+            logged = "no log: " + e.getMessage();
+        }
+        return "--- " + name + "\n"
+                + transcript.stream().map(line -> "  " + line).collect(Collectors.joining("\n")) + "\n--- its log\n    "
+                + logged;
+    }
+}

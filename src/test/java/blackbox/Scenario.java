@@ -1,0 +1,134 @@
+package blackbox;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A story with a centre, phones and robots, each a process of its own. It is told on standard output; closing it ends
+ * all processes and clears its folder.
+ */
+final class Scenario implements AutoCloseable {
+    static final String ROBOT = "5550200";
+    static final String PHONE = "5550100";
+
+    private final Path folder;
+    private final List<RunningProgram> programs = new ArrayList<>();
+    private String center = "";
+
+    Scenario(String title) {
+        try {
+            folder = Files.createTempDirectory("simgsm-scenario");
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+        tell("== " + title);
+    }
+
+    /** Says what happens next. */
+    void tell(String step) {
+        System.out.println("  " + step);
+    }
+
+    /** Starts any program. */
+    RunningProgram start(String name, String program, String... arguments) {
+        try {
+            RunningProgram started = new RunningProgram(name, Dist.command(program, List.of(arguments)), folder);
+            programs.add(started);
+            return started;
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private RunningProgram headless(String name, String program, List<String> first, String... more) {
+        List<String> arguments = new ArrayList<>(List.of("--headless", "--lang", "en", "--no-sound"));
+        arguments.addAll(first);
+        arguments.addAll(List.of(more));
+        return start(name, program, arguments.toArray(String[]::new));
+    }
+
+    /** Starts the centre on a free port and waits until it is ready. */
+    RunningProgram center(String... options) {
+        return centerOn("0", options);
+    }
+
+    /** Starts the centre again on the port it had. */
+    RunningProgram centerAgain(String... options) {
+        return centerOn(center.substring(center.lastIndexOf(':') + 1), options);
+    }
+
+    private RunningProgram centerOn(String port, String... options) {
+        Path data = folder.resolve("data");
+        RunningProgram program =
+                headless("centre", "simgsm-center", List.of("--port", port, "--data", data.toString()), options);
+        center = "127.0.0.1:" + program.expect("ready").field("port");
+        return program;
+    }
+
+    /** Starts a phone and waits until it is registered. */
+    RunningProgram phone(String number, String... options) {
+        RunningProgram phone = unregisteredPhone(number, options);
+        phone.expect("registered", "number", number);
+        return phone;
+    }
+
+    /** Starts a phone without waiting for its registration. */
+    RunningProgram unregisteredPhone(String number, String... options) {
+        RunningProgram phone =
+                headless("phone-" + number, "simgsm-phone", List.of("--center", center, "--number", number), options);
+        phone.expect("ready");
+        return phone;
+    }
+
+    /** Starts SimRobot with a world of ours and waits until its modem is registered. */
+    RunningProgram robot(String world, String... options) {
+        RunningProgram robot = headless(
+                "robot",
+                "simrobot",
+                List.of(
+                        "--center",
+                        center,
+                        "--number",
+                        ROBOT,
+                        "--world",
+                        world(world).toString()),
+                options);
+        robot.expect("ready");
+        robot.expect("registered");
+        return robot;
+    }
+
+    static Path world(String name) {
+        return Dist.root().resolve("worlds").resolve(name);
+    }
+
+    /** A call from the phone to the robot, up to the tone that accepts it. */
+    void call(RunningProgram phone) {
+        phone.say("dial " + ROBOT);
+        phone.expect("connected", "number", ROBOT);
+        phone.expectNext("tone", "key", "1");
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    String centerAddress() {
+        return center;
+    }
+
+    @Override
+    public void close() throws IOException {
+        programs.forEach(RunningProgram::close);
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+                Files.deleteIfExists(file);
+            }
+        }
+    }
+}
