@@ -1,0 +1,147 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** How every program answers its command line: help, version, clear usage errors, the right exit status. */
+class CommandLineTest {
+    @ParameterizedTest
+    @ValueSource(strings = {"simgsm-center", "simgsm-phone", "simrobot", "simgsm-modem", "vericommand"})
+    void helpAndVersionGoToStandardOutputWithStatusZero(String program) throws Exception {
+        for (String option : new String[] {"-h", "--help"}) {
+            FinishedProgram help = FinishedProgram.run(program, option);
+            assertEquals(0, help.status(), help.error());
+            assertTrue(help.output().startsWith("Usage: "), help.output());
+        }
+        for (String option : new String[] {"-V", "--version"}) {
+            FinishedProgram version = FinishedProgram.run(program, option);
+            assertEquals(0, version.status());
+            assertTrue(version.output().matches(program + " [0-9]+\\.[0-9]+\\.[0-9]+\\R"), version.output());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "simgsm-center,--bogus",
+        "simgsm-center,--port=x",
+        "simgsm-center,--port=65536",
+        "simgsm-phone,--bogus",
+        "simgsm-phone,--number=abc",
+        "simgsm-phone,--number=12345678901",
+        "simgsm-phone,--center=nowhere",
+        "simgsm-phone,--lang=fr",
+        "simrobot,--bogus",
+        "simrobot,--speed=-1",
+        "simrobot,--on-hangup=maybe",
+        "simrobot,--power=maybe",
+        "simrobot,--operators=5550100;5550101",
+        "simgsm-modem,--bogus",
+        "vericommand,--bogus",
+        "vericommand,--status=Flying"
+    })
+    void aWrongOptionIsNamedWithStatusTwo(String program, String option) throws Exception {
+        FinishedProgram refused = FinishedProgram.run(program, "--headless".equals(option) ? "" : option);
+        assertEquals(2, refused.status(), refused.error());
+        String name = option.contains("=") ? option.substring(0, option.indexOf('=')) : option;
+        assertTrue(refused.error().contains(name), refused.error());
+        assertTrue(refused.error().contains("--help"), refused.error());
+        assertFalse(refused.error().contains("\tat "), refused.error());
+        assertEquals("", refused.output());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"simgsm-center", "simgsm-phone", "simrobot"})
+    void withoutADisplayAndWithoutHeadlessTheStatusIs69(String program, @TempDir Path data) throws Exception {
+        FinishedProgram refused = program.equals("simgsm-center")
+                ? FinishedProgram.run(program, "--port=0", "--data", data.toString())
+                : FinishedProgram.run(program, "--number=5550199");
+        assertEquals(69, refused.status(), refused.error());
+        assertTrue(refused.error().contains("--headless"), refused.error());
+    }
+
+    @Test
+    void aWorldThatIsNotThereIsAnInputOutputError() throws Exception {
+        FinishedProgram refused =
+                FinishedProgram.run("simrobot", "--headless", "--number=5550199", "--world=worlds/nowhere.map");
+        assertEquals(74, refused.status(), refused.error());
+        assertTrue(refused.error().contains("nowhere.map"), refused.error());
+    }
+
+    @Test
+    void aPortThatIsTakenIsAnInputOutputError() throws Exception {
+        try (Scenario scenario = new Scenario("two centres, one port")) {
+            scenario.center();
+            String port =
+                    scenario.centerAddress().substring(scenario.centerAddress().lastIndexOf(':') + 1);
+            FinishedProgram second = FinishedProgram.run(
+                    "simgsm-center",
+                    "--headless",
+                    "--port",
+                    port,
+                    "--data",
+                    scenario.folder().resolve("other").toString());
+            assertEquals(74, second.status(), second.error());
+            assertTrue(second.error().contains(port), second.error());
+        }
+    }
+
+    @Test
+    void twoCentresCannotShareTheirData() throws Exception {
+        try (Scenario scenario = new Scenario("two centres, one folder")) {
+            scenario.center();
+            String data = scenario.folder().resolve("data").toString();
+            FinishedProgram second = FinishedProgram.run("simgsm-center", "--headless", "--port=0", "--data", data);
+            assertEquals(74, second.status(), second.error());
+            assertTrue(second.error().contains(data), second.error());
+        }
+    }
+
+    @Test
+    void aScriptRunsBeforeStandardInputAndAFailedWaitIsStatusOne(@TempDir Path folder) throws Exception {
+        try (Scenario scenario = new Scenario("a script")) {
+            scenario.center();
+            Path script = Files.writeString(
+                    folder.resolve("script.txt"), "wait registered number=5550100\nwait ringing 0.1\nquit\n");
+            FinishedProgram phone = FinishedProgram.run(
+                    "simgsm-phone",
+                    "--headless",
+                    "--number=5550100",
+                    "--center",
+                    scenario.centerAddress(),
+                    "--script",
+                    script.toString());
+            assertEquals(1, phone.status(), phone.error());
+            assertTrue(phone.output().startsWith("ready"), phone.output());
+            assertTrue(phone.output().contains("registered number=5550100"), phone.output());
+            assertTrue(phone.output().contains("error text="), phone.output());
+        }
+    }
+
+    @Test
+    void simRobotPrintsTheWorldItLoaded() throws Exception {
+        FinishedProgram printed = FinishedProgram.run("simrobot", "--print-world", "--world=worlds/empty.map");
+        assertEquals(0, printed.status(), printed.error());
+        assertEquals(
+                4,
+                printed.output()
+                        .lines()
+                        .filter(line -> line.startsWith("line,"))
+                        .count(),
+                printed.output());
+        assertEquals(
+                1,
+                printed.output()
+                        .lines()
+                        .filter(line -> line.startsWith("home,"))
+                        .count());
+    }
+}

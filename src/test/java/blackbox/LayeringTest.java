@@ -1,0 +1,140 @@
+package blackbox;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The house's arrows point down only, and Swing stays in the windows. */
+class LayeringTest {
+    private static final JavaClasses CLASSES = new ClassFileImporter()
+            .importPaths(Stream.of("vericommand", "simgsm-modem", "simgsm-center", "simgsm-phone", "simrobot")
+                    .map(module -> Dist.root().resolve(module).resolve("target").resolve("classes"))
+                    .toList());
+
+    /** Which of our packages each may use, as in the design. */
+    private static final Map<String, Set<String>> MAY_USE = Map.ofEntries(
+            Map.entry("vericommand", Set.of()),
+            Map.entry("simgsm.air", Set.of()),
+            Map.entry("simgsm.console", Set.of()),
+            Map.entry("simgsm.dtmf", Set.of()),
+            Map.entry("simgsm.sms", Set.of("simgsm.air")),
+            Map.entry("simgsm.speech", Set.of()),
+            Map.entry("simgsm.station", Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.speech")),
+            Map.entry(
+                    "simgsm.modem",
+                    Set.of(
+                            "simgsm.air",
+                            "simgsm.sms",
+                            "simgsm.dtmf",
+                            "simgsm.speech",
+                            "simgsm.station",
+                            "simgsm.console")),
+            Map.entry("simgsm.ui", Set.of("simgsm.dtmf", "simgsm.speech")));
+
+    @Test
+    void sharedPackagesUseOnlyWhatLiesBelowThem() {
+        ArchRuleDefinition.classes()
+                .should(new ArchCondition<JavaClass>("use only the packages below them") {
+                    @Override
+                    public void check(JavaClass from, ConditionEvents events) {
+                        Set<String> allowed = MAY_USE.get(from.getPackageName());
+                        if (allowed == null) {
+                            return;
+                        }
+                        from.getDirectDependenciesFromSelf().stream()
+                                .filter(use -> isOurs(use.getTargetClass().getPackageName()))
+                                .filter(use ->
+                                        !use.getTargetClass().getPackageName().equals(from.getPackageName()))
+                                .filter(use ->
+                                        !allowed.contains(use.getTargetClass().getPackageName()))
+                                .forEach(use -> events.add(SimpleConditionEvent.violated(from, use.getDescription())));
+                    }
+                })
+                .check(CLASSES);
+    }
+
+    private static boolean isOurs(String name) {
+        return Stream.of("vericommand", "simgsm", "simrobot")
+                .anyMatch(root -> name.equals(root) || name.startsWith(root + "."));
+    }
+
+    @Test
+    void theProgramsDoNotKnowOneAnother() {
+        for (List<String> pair : List.of(
+                List.of("simgsm.center..", "simgsm.phone.."),
+                List.of("simgsm.center..", "simrobot.."),
+                List.of("simgsm.phone..", "simrobot.."))) {
+            noClasses()
+                    .that()
+                    .resideInAPackage(pair.get(0))
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage(pair.get(1))
+                    .check(CLASSES);
+            noClasses()
+                    .that()
+                    .resideInAPackage(pair.get(1))
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage(pair.get(0))
+                    .check(CLASSES);
+        }
+    }
+
+    @Test
+    void packagesHaveNoCircles() {
+        for (String root : List.of("simgsm.center", "simgsm.phone", "simrobot")) {
+            slices().matching(root + ".(*)..").should().beFreeOfCycles().check(CLASSES);
+        }
+        slices().matching("simgsm.(*)..").should().beFreeOfCycles().check(CLASSES);
+    }
+
+    @Test
+    void swingStaysInTheWindowsAndTheMains() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("..ui..")
+                .and()
+                .haveSimpleNameNotEndingWith("Main")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("javax.swing..", "java.awt", "java.awt.event..", "java.awt.geom..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void coresKnowNoClockNoSocketNoFile() {
+        noClasses()
+                .that()
+                .resideInAnyPackage(
+                        "vericommand", "simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.center.msc", "simrobot.robot")
+                .and()
+                .haveSimpleNameNotEndingWith("Main")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("java.net..", "java.nio.channels..", "java.nio.file..", "java.io")
+                .check(CLASSES);
+        noClasses()
+                .that()
+                .resideInAnyPackage("vericommand", "simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.center.msc")
+                .and()
+                .haveSimpleNameNotEndingWith("Main")
+                .should()
+                .callMethod(System.class, "nanoTime")
+                .orShould()
+                .callMethod(System.class, "currentTimeMillis")
+                .check(CLASSES);
+    }
+}
