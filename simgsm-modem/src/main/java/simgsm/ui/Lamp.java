@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.util.Locale;
 import java.util.Objects;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
@@ -47,8 +48,17 @@ public final class Lamp extends JComponent {
         }
     }
 
-    public void show(LinkState link, String newWord) {
-        show(link.mark(), link.ink(), newWord);
+    /** Shows the link to the centre, in the words that all windows share. */
+    public void show(LinkState link, Locale language) {
+        show(link.mark(), link.ink(), link.word(language));
+    }
+
+    /** The lamp that every window has: the link to the centre. */
+    public static Lamp ofLink(Locale language) {
+        Lamp lamp = new Lamp(Messages.in(language).of("link.name"));
+        lamp.setName("lamp.link");
+        lamp.show(LinkState.SEARCHING, language);
+        return lamp;
     }
 
     /** For rows of lamps of which one is on. */
@@ -79,7 +89,7 @@ public final class Lamp extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        FontMetrics metrics = getFontMetrics(lit ? Theme.base() : Theme.base());
+        FontMetrics metrics = getFontMetrics(Theme.base());
         int textWidth = word.isEmpty() ? 0 : metrics.stringWidth(word) + Theme.px(GAP_UNITS) + 2;
         return new Dimension(
                 Theme.px(2 * RADIUS_UNITS + 2) + textWidth,

@@ -1,5 +1,6 @@
 package simgsm.ui;
 
+import java.util.Locale;
 import simgsm.ui.Theme.Ink;
 
 /** The link to the centre, as every window's lamp shows it. */
@@ -23,6 +24,11 @@ public enum LinkState {
 
     public Mark mark() {
         return mark;
+    }
+
+    /** As in "in service". */
+    public String word(Locale language) {
+        return Messages.in(language).of("link." + name().toLowerCase(Locale.ROOT));
     }
 
     public Ink ink() {

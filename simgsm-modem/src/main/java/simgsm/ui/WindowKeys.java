@@ -5,6 +5,7 @@ import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
@@ -17,12 +18,14 @@ public final class WindowKeys {
      * Binds the keys. The window, if the anchor stands in one by then, grows and shrinks with the zoom.
      *
      * @param anchor a component that stays in the window, such as its root pane
+     * @return the acts, for menus: larger, smaller, normal size, light or dark
      */
-    public static List<Act> install(JComponent anchor) {
-        Act in = new Act("window.zoom.in", "+", () -> zoom(anchor, 1));
-        Act out = new Act("window.zoom.out", "-", () -> zoom(anchor, -1));
-        Act reset = new Act("window.zoom.reset", "0", () -> zoom(anchor, 0));
-        Act appearance = new Act("window.appearance", "L", () -> switchAppearance(anchor));
+    public static List<Act> install(JComponent anchor, Locale language) {
+        Texts texts = Messages.in(language);
+        Act in = new Act("window.zoom.in", texts.of("window.zoom.in"), () -> zoom(anchor, 1));
+        Act out = new Act("window.zoom.out", texts.of("window.zoom.out"), () -> zoom(anchor, -1));
+        Act reset = new Act("window.zoom.reset", texts.of("window.zoom.reset"), () -> zoom(anchor, 0));
+        Act appearance = new Act("window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor));
         in.bindInWindow(anchor, ctrl(KeyEvent.VK_PLUS), ctrl(KeyEvent.VK_ADD), ctrl(KeyEvent.VK_EQUALS), ctrlShift());
         out.bindInWindow(anchor, ctrl(KeyEvent.VK_MINUS), ctrl(KeyEvent.VK_SUBTRACT));
         reset.bindInWindow(anchor, ctrl(KeyEvent.VK_0), ctrl(KeyEvent.VK_NUMPAD0));
