@@ -102,7 +102,8 @@ public final class DtmfGenerator {
             }
             sound |= !current.toneDone();
             samples[i] = current.next();
-            if (current.toneJustDone()) {
+            if (current.toneDone() && !current.told) {
+                current.told = true;
                 toneLeft.accept(current.key);
             }
             if (current != null && current.allDone()) {
@@ -121,6 +122,7 @@ public final class DtmfGenerator {
         private final int rampSamples;
         private long toneSamples;
         private long sent;
+        private boolean told;
 
         Press(DtmfKey key, ToneShape shape, long toneSamples) {
             this.key = key;
@@ -137,10 +139,6 @@ public final class DtmfGenerator {
 
         boolean toneDone() {
             return sent >= toneSamples;
-        }
-
-        boolean toneJustDone() {
-            return sent == toneSamples;
         }
 
         boolean allDone() {
