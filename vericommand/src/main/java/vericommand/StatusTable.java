@@ -5,15 +5,25 @@ import java.util.Map;
 
 /** Which instruction is executed in which status: the paper's rule that a command is always checked first, as data. */
 public final class StatusTable {
-    /** What becomes of an instruction. */
+    /** What becomes of an instruction, and the tone that says so. */
     public enum Treatment {
-        EXECUTED,
-        /** Not possible in this status: tone 8. */
-        REFUSED,
-        /** The robot is executing another order: tone 6. */
-        BUSY,
-        /** The robot is off: tone 2. */
-        DENIED
+        EXECUTED(ReplyTone.EXECUTED),
+        /** Not possible in this status. */
+        REFUSED(ReplyTone.NOT_POSSIBLE),
+        /** The robot is executing another order. */
+        BUSY(ReplyTone.EXECUTING),
+        /** The robot is off. */
+        DENIED(ReplyTone.CONNECTION_DENIED);
+
+        private final ReplyTone tone;
+
+        Treatment(ReplyTone tone) {
+            this.tone = tone;
+        }
+
+        public ReplyTone tone() {
+            return tone;
+        }
     }
 
     private record Row(Treatment forward, Treatment turn, Treatment stop, Treatment report) {}

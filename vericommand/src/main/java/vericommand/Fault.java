@@ -1,0 +1,30 @@
+package vericommand;
+
+import java.util.Objects;
+
+/**
+ * Why a sequence of keys is no order.
+ *
+ * @param keys of a call: up to the offending key; of a short message: all
+ * @param position of the offending key (or of the missing one), counted from 1 at the order's first {@code *}; in a short
+ *     message from the first key of the text; blanks not counted
+ * @param limit the limit that the reply should tell, if one matters
+ */
+public record Fault(String keys, int position, Expected expected, Limit limit, boolean timedOut) {
+    /** What an operator should know beside the position. */
+    public enum Limit {
+        NONE,
+        CENTIMETERS,
+        DEGREES,
+        INSTRUCTIONS
+    }
+
+    public Fault {
+        Objects.requireNonNull(keys);
+        Objects.requireNonNull(expected);
+        Objects.requireNonNull(limit);
+        if (position < 1) {
+            throw new IllegalArgumentException("positions count from 1, not " + position);
+        }
+    }
+}

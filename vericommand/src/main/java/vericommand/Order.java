@@ -1,0 +1,59 @@
+package vericommand;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * One whole order, right in grammar and range.
+ *
+ * @param keys as they came, without blanks
+ */
+public record Order(String keys, List<Instruction> instructions) {
+    public static final int MAX_INSTRUCTIONS = 32;
+
+    public Order {
+        instructions = List.copyOf(instructions);
+        if (instructions.isEmpty() || instructions.size() > MAX_INSTRUCTIONS) {
+            throw new IllegalArgumentException(
+                    "an order has 1.." + MAX_INSTRUCTIONS + " instructions, not " + instructions.size());
+        }
+    }
+
+    /** Whether any of it moves the robot. */
+    public boolean moves() {
+        return instructions.stream().anyMatch(Instruction.Motion.class::isInstance);
+    }
+
+    /** Whether any of it stops the robot. */
+    public boolean stops() {
+        return instructions.stream().anyMatch(Instruction.Stop.class::isInstance);
+    }
+
+    /** The order as people write it: {@code ** #**20 **}. */
+    public String text() {
+        return "** " + instructionKeys() + " **";
+    }
+
+    /** The instructions as people write them: {@code #**100 #*#90}. */
+    String instructionKeys() {
+        return instructions.stream().map(Instruction::keys).collect(Collectors.joining(" "));
+    }
+
+    /** The order in words: "forward 20 cm, turn right 90 degrees". */
+    public String words(Locale locale) {
+        return instructions.stream()
+                .map(instruction -> words(locale, instruction))
+                .collect(Collectors.joining(", "));
+    }
+
+    private static String words(Locale locale, Instruction instruction) {
+        if (instruction instanceof Instruction.Forward forward) {
+            return Messages.text(locale, "order.forward", "" + forward.centimeters());
+        }
+        if (instruction instanceof Instruction.Turn turn) {
+            return Messages.text(locale, "order.turn", "" + turn.clockwiseDegrees());
+        }
+        return Messages.text(locale, instruction instanceof Instruction.Stop ? "order.stop" : "order.report");
+    }
+}

@@ -1,0 +1,45 @@
+package vericommand;
+
+/**
+ * Reads the one order of a short message or a command line, key by key with the same recogniser as a call. What a call
+ * would pass over, keys before the opening and behind the closing, is a fault here.
+ */
+public final class OrderText {
+    private OrderText() {}
+
+    /** The text without the blanks and line breaks between its keys. */
+    public static String keysOf(String text) {
+        return text.codePoints()
+                .filter(character -> !Character.isWhitespace(character) && character != 0xa0)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                .toString();
+    }
+
+    /** @return complete or broken, never pending; a fault holds all keys of the text */
+    public static Recognition read(String text) {
+        String keys = keysOf(text);
+        CommandRecognizer recognizer = new CommandRecognizer();
+        for (int i = 0; i < keys.length(); i++) {
+            char key = keys.charAt(i);
+            if (i < 2 && key != '*') {
+                return broken(keys, i + 1, i == 0 ? Expected.OPENING : Expected.STAR);
+            }
+            Recognition recognition = recognizer.key(key);
+            if (recognition instanceof Recognition.Broken broken) {
+                return broken(keys, broken.fault());
+            }
+            if (recognition instanceof Recognition.Complete) {
+                return i + 1 == keys.length() ? recognition : broken(keys, i + 2, Expected.END);
+            }
+        }
+        return broken(keys, recognizer.missing());
+    }
+
+    private static Recognition broken(String keys, int position, Expected expected) {
+        return new Recognition.Broken(new Fault(keys, position, expected, Fault.Limit.NONE, false));
+    }
+
+    private static Recognition broken(String keys, Fault fault) {
+        return new Recognition.Broken(new Fault(keys, fault.position(), fault.expected(), fault.limit(), false));
+    }
+}

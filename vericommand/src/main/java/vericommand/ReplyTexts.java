@@ -1,0 +1,123 @@
+package vericommand;
+
+import java.util.Locale;
+
+/** What the robot answers, in words. Spanish keeps to letters of the GSM alphabet, which has é and ñ but not á, í, ó, ú. */
+final class ReplyTexts {
+    private final Locale locale;
+
+    ReplyTexts(Locale locale) {
+        this.locale = locale;
+    }
+
+    /** The whole order is executed. */
+    Reply done(Order order, RobotStatus status, Pose pose) {
+        String where = where(status, pose);
+        String text = text("reply.done", order.instructionKeys(), where);
+        if (text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2) {
+            text = text("reply.done.many", "" + order.instructions().size(), where);
+        }
+        return new Reply(ReplyTone.EXECUTED, text);
+    }
+
+    /** The answer to an order that only asks for the status. */
+    Reply report(Order order, RobotStatus status, Pose pose) {
+        String where = where(status, pose);
+        return switch (status) {
+            case STOPPED -> done(order, status, pose);
+            case COLLISION -> new Reply(ReplyTone.COLLISION, where);
+            case MOVING -> new Reply(ReplyTone.EXECUTING, text("reply.executing") + " " + where);
+            case NO_MOTORS -> new Reply(ReplyTone.NOT_POSSIBLE, notPossible(status) + " " + where);
+            case DISCONNECTED -> denied();
+        };
+    }
+
+    /** A motion touched something, went on for ever or was cut short by motors or power. */
+    Reply failed(ReplyTone tone, Progress progress, RobotStatus status) {
+        return switch (tone) {
+            case COLLISION -> new Reply(tone, text("reply.collision", progress.amounts(this), progress.place(this)));
+            case INFINITE_LOOP -> new Reply(tone, text("reply.loop", progress.amounts(this), progress.place(this)));
+            case NOT_POSSIBLE ->
+                new Reply(
+                        tone,
+                        notPossible(status)
+                                + " "
+                                + text("reply.aborted", progress.amounts(this), progress.place(this)));
+            default -> denied();
+        };
+    }
+
+    /** The next instruction of a trip was refused after some were done. */
+    Reply refusedAfter(ReplyTone tone, RobotStatus status, int done, int of) {
+        Reply refusal = refused(tone, status);
+        return done == 0 || tone != ReplyTone.NOT_POSSIBLE
+                ? refusal
+                : new Reply(tone, refusal.text() + " " + text("reply.partly", "" + done, "" + of));
+    }
+
+    Reply stopped(Progress progress) {
+        String text = progress.of() == 1
+                ? text("reply.stopped", progress.amounts(this))
+                : text("reply.stopped.trip", progress.amounts(this), progress.place(this));
+        return new Reply(ReplyTone.NOT_POSSIBLE, text);
+    }
+
+    /** An order that verification refused. */
+    Reply refused(ReplyTone tone, RobotStatus status) {
+        return switch (tone) {
+            case CONNECTION_DENIED -> denied();
+            case EXECUTING -> new Reply(tone, text("reply.executing"));
+            default -> new Reply(tone, notPossible(status));
+        };
+    }
+
+    Reply invalid(Fault fault) {
+        StringBuilder text =
+                new StringBuilder(text("reply.invalid", expected(fault.expected()), "" + fault.position()));
+        if (fault.limit() != Fault.Limit.NONE) {
+            text.append(' ').append(text("limit." + fault.limit()));
+        }
+        if (fault.timedOut()) {
+            text.append(' ').append(text("reply.timeout"));
+        }
+        return new Reply(ReplyTone.NOT_VALID, text.toString());
+    }
+
+    private Reply denied() {
+        return new Reply(ReplyTone.CONNECTION_DENIED, text("reply.denied"));
+    }
+
+    private String expected(Expected expected) {
+        return expected.keys() == null
+                ? text("expected." + expected)
+                : expected.keys().replace(" / ", text("expected.or"));
+    }
+
+    private String notPossible(RobotStatus status) {
+        return text("reply.impossible", text("reason." + status));
+    }
+
+    private String where(RobotStatus status, Pose pose) {
+        return text(
+                "reply.where",
+                text("status." + status),
+                decimal(pose.xMeters(), 3),
+                decimal(pose.yMeters(), 3),
+                heading(pose.headingDegrees()));
+    }
+
+    String text(String key, String... arguments) {
+        return Messages.text(locale, key, arguments);
+    }
+
+    private static String heading(double degrees) {
+        double whole = Math.round(degrees * 10) / 10.0 % 360;
+        return decimal(whole < 0 ? whole + 360 : whole, 1);
+    }
+
+    /** Adding 0 turns a rounded minus zero into zero. */
+    private static String decimal(double value, int places) {
+        double scale = Math.pow(10, places);
+        return String.format(Locale.ROOT, "%." + places + "f", Math.round(value * scale) / scale + 0.0);
+    }
+}

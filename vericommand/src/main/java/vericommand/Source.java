@@ -1,0 +1,38 @@
+package vericommand;
+
+/** Who gave an order and how the answer goes back: one call, or one short message. */
+final class Source {
+    private final String number;
+    private final boolean message;
+    private boolean gone;
+
+    private Source(String number, boolean message) {
+        this.number = number;
+        this.message = message;
+    }
+
+    static Source call(String number) {
+        return new Source(number, false);
+    }
+
+    static Source message(String number) {
+        return new Source(number, true);
+    }
+
+    String number() {
+        return number;
+    }
+
+    boolean isMessage() {
+        return message;
+    }
+
+    /** The call is over: nothing that it ordered is answered any more. */
+    void leave() {
+        gone = true;
+    }
+
+    boolean isGone() {
+        return gone;
+    }
+}

@@ -1,0 +1,81 @@
+package vericommand;
+
+/** What verification says of an order before anything moves. */
+public sealed interface Verdict {
+    /** {@code accepted}, {@code refused} or {@code invalid}, for consoles and logs. */
+    String word();
+
+    /** The keys that were judged, without blanks. */
+    String keys();
+
+    record Accepted(Order order) implements Verdict {
+        @Override
+        public String word() {
+            return "accepted";
+        }
+
+        @Override
+        public String keys() {
+            return order.keys();
+        }
+    }
+
+    /**
+     * Right as an order, but not now.
+     *
+     * @param status in which the robot was
+     * @param tone 8 not possible, 6 executing another, 2 robot off
+     */
+    record Refused(Order order, RobotStatus status, ReplyTone tone) implements Verdict {
+        @Override
+        public String word() {
+            return "refused";
+        }
+
+        @Override
+        public String keys() {
+            return order.keys();
+        }
+    }
+
+    record Invalid(Fault fault) implements Verdict {
+        @Override
+        public String word() {
+            return "invalid";
+        }
+
+        @Override
+        public String keys() {
+            return fault.keys();
+        }
+    }
+
+    /**
+     * Verifies an order against the robot's status: by its first instruction, except while the robot moves, when only an
+     * order that moves nothing is taken.
+     */
+    static Verdict of(Order order, RobotStatus status) {
+        Instruction decisive = order.instructions().get(0);
+        if (status == RobotStatus.MOVING) {
+            decisive = order.instructions().stream()
+                    .filter(Instruction.Motion.class::isInstance)
+                    .findFirst()
+                    .orElse(decisive);
+        }
+        StatusTable.Treatment treatment = StatusTable.treatment(status, decisive);
+        return treatment == StatusTable.Treatment.EXECUTED
+                ? new Accepted(order)
+                : new Refused(order, status, treatment.tone());
+    }
+
+    /** Verifies what a reading has come to; a pending one has no verdict. */
+    static Verdict of(Recognition reading, RobotStatus status) {
+        if (reading instanceof Recognition.Complete complete) {
+            return of(complete.order(), status);
+        }
+        if (reading instanceof Recognition.Broken broken) {
+            return new Invalid(broken.fault());
+        }
+        throw new IllegalArgumentException("the order is not read to its end yet");
+    }
+}
