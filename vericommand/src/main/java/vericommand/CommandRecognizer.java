@@ -52,6 +52,9 @@ public final class CommandRecognizer {
     private char previousKey = NO_KEY;
     private long silentSamples;
 
+    /** Nothing heard yet. */
+    public CommandRecognizer() {}
+
     /** Forgets everything, as at the end of a call. */
     public void reset() {
         state = State.IDLE;
