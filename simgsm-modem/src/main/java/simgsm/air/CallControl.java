@@ -6,6 +6,17 @@ import java.util.Optional;
 public sealed interface CallControl extends Layer3Message {
     TransactionIdentifier transaction();
 
+    /** Whether this is a key of the sixteen: 0-9 * # A-D. */
+    static boolean isKey(char key) {
+        return key >= '0' && key <= '9' || key >= 'A' && key <= 'D' || key == '*' || key == '#';
+    }
+
+    private static void checkKey(char key) {
+        if (!isKey(key)) {
+            throw new IllegalArgumentException("key \"" + key + "\" is none of 0-9 * # A-D");
+        }
+    }
+
     /**
      * Opens a call. The mobile names the called number, the network the calling one. A mobile-originated SETUP also
      * carries the speech bearer capability, which the codec writes and does not show here.
@@ -27,9 +38,17 @@ public sealed interface CallControl extends Layer3Message {
     record ConnectAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
     /** @param key one of 0-9 * # A-D, as its ASCII character */
-    record StartDtmf(TransactionIdentifier transaction, char key) implements CallControl {}
+    record StartDtmf(TransactionIdentifier transaction, char key) implements CallControl {
+        public StartDtmf {
+            checkKey(key);
+        }
+    }
 
-    record StartDtmfAcknowledge(TransactionIdentifier transaction, char key) implements CallControl {}
+    record StartDtmfAcknowledge(TransactionIdentifier transaction, char key) implements CallControl {
+        public StartDtmfAcknowledge {
+            checkKey(key);
+        }
+    }
 
     record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
 
@@ -46,5 +65,11 @@ public sealed interface CallControl extends Layer3Message {
     record StatusEnquiry(TransactionIdentifier transaction) implements CallControl {}
 
     /** @param callState the sender's call state as coded in TS 24.008, 10.5.4.6 (0 to 28) */
-    record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {}
+    record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {
+        public Status {
+            if (callState < 0 || callState > 0x3f) {
+                throw new IllegalArgumentException("call state " + callState + " is not 0 to 63");
+            }
+        }
+    }
 }

@@ -15,6 +15,16 @@ public record IpaFrame(int stream, byte[] payload) {
     public static final int SPEECH = 0xe1;
 
     public static final int HEADER_LENGTH = 3;
-    /** Longest payload that we send or take. The longest real one, a cell broadcast page, has 97 octets. */
+    /** Longest payload that we send or take. The longest real one, an RP-DATA of 248 octets in RSL, has 260. */
     public static final int MAX_PAYLOAD = 1024;
+
+    public IpaFrame {
+        if (stream < 0 || stream > 0xff) {
+            throw new IllegalArgumentException("stream " + stream + " is not 0 to 255");
+        }
+        if (payload.length > MAX_PAYLOAD) {
+            throw new IllegalArgumentException(
+                    "a payload of " + payload.length + " octets is longer than " + MAX_PAYLOAD);
+        }
+    }
 }

@@ -1,7 +1,15 @@
 package simgsm.air;
 
+import java.util.Optional;
+
 /** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 44.018). Knows no socket and keeps no state. */
 public final class Layer3Codec {
+    private static final int TYPE_MASK = 0x3f;
+    private static final int SEND_SEQUENCE_BIT = 0x40;
+    private static final int TI_FLAG = 0x80;
+    /** Reserved for extension (TS 24.007, 11.2.3.1.3). */
+    private static final int TI_EXTENDED = 7;
+
     private Layer3Codec() {}
 
     /**
@@ -9,22 +17,129 @@ public final class Layer3Codec {
      *
      * @param sendSequence N(SD), 0 or 1, set in uplink mobility management and call control messages and ignored in all
      *     others (TS 24.007, 11.2.3.2.3)
+     * @throws IllegalArgumentException for a message that never goes this way
      */
     public static byte[] encode(Layer3Message message, Direction direction, int sendSequence) {
-        throw new UnsupportedOperationException();
+        Layer3Type type = Layer3Type.of(message);
+        if (!type.goes(direction)) {
+            throw new IllegalArgumentException(type.title() + " never goes " + direction);
+        }
+        OctetWriter out = new OctetWriter();
+        out.octet(transactionOrSkip(message) | type.discriminator());
+        boolean sequenced = direction == Direction.UPLINK && hasSendSequence(type.discriminator());
+        out.octet(type.code() | (sequenced ? sendSequence << 6 & SEND_SEQUENCE_BIT : 0));
+        if (message instanceof CallControl callControl) {
+            CallControlCodec.write(out, callControl, direction);
+        } else if (message instanceof MobilityManagement mobility) {
+            MobilityManagementCodec.write(out, mobility);
+        } else if (message instanceof ShortMessageControl shortMessage) {
+            ShortMessageCodec.write(out, shortMessage, direction);
+        } else {
+            RadioResourceCodec.write(out, (RadioResource) message);
+        }
+        return out.toArray();
     }
 
     /**
      * The message in these octets; an uplink message's N(SD) is masked out, see {@link #sendSequence}.
      *
-     * @throws ProtocolViolation for anything that the standard does not allow, with the cause for a STATUS answer
+     * @throws ProtocolViolation for anything that the standard does not allow, with the cause for a STATUS answer; what
+     *     to send, if anything, says {@link ProtocolErrorAnswers}
      */
     public static Layer3Message decode(byte[] octets, Direction direction) throws ProtocolViolation {
-        throw new UnsupportedOperationException();
+        OctetReader in = new OctetReader(octets);
+        Layer3Header header = readHeader(in, direction);
+        try {
+            return readBody(header, in);
+        } catch (ProtocolViolation violation) {
+            throw violation.in(header);
+        }
     }
 
     /** N(SD) of an uplink mobility management or call control message, 0 or 1; -1 for messages that carry none. */
     public static int sendSequence(byte[] octets) {
-        throw new UnsupportedOperationException();
+        if (octets.length < 2 || !hasSendSequence(octets[0] & 0x0f)) {
+            return -1;
+        }
+        return (octets[1] & SEND_SEQUENCE_BIT) >> 6;
+    }
+
+    private static boolean hasSendSequence(int discriminator) {
+        return discriminator == Layer3Header.CALL_CONTROL || discriminator == Layer3Header.MOBILITY_MANAGEMENT;
+    }
+
+    private static int transactionOrSkip(Layer3Message message) {
+        if (message instanceof CallControl callControl) {
+            return nibble(callControl.transaction());
+        }
+        return message instanceof ShortMessageControl shortMessage ? nibble(shortMessage.transaction()) : 0;
+    }
+
+    private static int nibble(TransactionIdentifier transaction) {
+        return (transaction.fromOtherSide() ? TI_FLAG : 0) | transaction.value() << 4;
+    }
+
+    private static Layer3Header readHeader(OctetReader in, Direction direction) throws ProtocolViolation {
+        if (in.remaining() < 2) {
+            throw new ProtocolViolation(Cause.PROTOCOL_ERROR, "a message too short to hold a message type");
+        }
+        int first = in.octet("protocol discriminator");
+        int type = in.octet("message type");
+        int discriminator = first & 0x0f;
+        switch (discriminator) {
+            case Layer3Header.CALL_CONTROL:
+                return header(discriminator, direction, transaction(first), type & TYPE_MASK);
+            case Layer3Header.MOBILITY_MANAGEMENT:
+                checkSkipIndicator(first);
+                return header(discriminator, direction, Optional.empty(), type & TYPE_MASK);
+            case Layer3Header.RADIO_RESOURCE:
+                checkSkipIndicator(first);
+                return header(discriminator, direction, Optional.empty(), type);
+            case Layer3Header.SHORT_MESSAGES:
+                return header(discriminator, direction, transaction(first), type);
+            default:
+                throw new ProtocolViolation(
+                        Cause.MESSAGE_TYPE_NON_EXISTENT, "protocol discriminator " + discriminator + " is not known");
+        }
+    }
+
+    private static Layer3Header header(
+            int discriminator, Direction direction, Optional<TransactionIdentifier> transaction, int type) {
+        return new Layer3Header(discriminator, direction, transaction, type, Optional.empty());
+    }
+
+    private static Optional<TransactionIdentifier> transaction(int first) throws ProtocolViolation {
+        int value = first >> 4 & 0x07;
+        if (value == TI_EXTENDED) {
+            throw new ProtocolViolation(
+                    Cause.INVALID_TRANSACTION_IDENTIFIER, "transaction identifier 7 is reserved for extension");
+        }
+        return Optional.of(new TransactionIdentifier(value, (first & TI_FLAG) != 0));
+    }
+
+    /** A message with another skip indicator is to be ignored (TS 24.007, 11.2.3.1.2). */
+    private static void checkSkipIndicator(int first) throws ProtocolViolation {
+        if (first >> 4 != 0) {
+            throw new ProtocolViolation(
+                    Cause.PROTOCOL_ERROR, "skip indicator " + (first >> 4) + " where 0 was expected");
+        }
+    }
+
+    private static Layer3Message readBody(Layer3Header header, OctetReader in) throws ProtocolViolation {
+        Optional<Layer3Type> known = header.type();
+        if (known.isEmpty()) {
+            throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "not known " + header.direction());
+        }
+        Layer3Type type = known.get();
+        switch (header.discriminator()) {
+            case Layer3Header.CALL_CONTROL:
+                return CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
+            case Layer3Header.MOBILITY_MANAGEMENT:
+                return MobilityManagementCodec.read(type, in);
+            case Layer3Header.RADIO_RESOURCE:
+                return RadioResourceCodec.read(type, in);
+            default:
+                return ShortMessageCodec.read(header, type, in);
+        }
     }
 }

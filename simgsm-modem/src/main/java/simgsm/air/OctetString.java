@@ -16,6 +16,20 @@ public final class OctetString {
         return new OctetString(octets.clone());
     }
 
+    /** Takes the array itself, which nobody may change any more. */
+    static OctetString adopting(byte[] octets) {
+        return new OctetString(octets);
+    }
+
+    void copyTo(byte[] target, int position) {
+        System.arraycopy(octets, 0, target, position, octets.length);
+    }
+
+    /** A reader that starts at the first octet. */
+    public OctetReader reader() {
+        return new OctetReader(octets);
+    }
+
     /** From hexadecimal digits, without blanks; IllegalArgumentException for anything else. */
     public static OctetString ofHex(String hex) {
         return new OctetString(HexFormat.of().parseHex(hex));

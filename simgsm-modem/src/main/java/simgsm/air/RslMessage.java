@@ -36,11 +36,26 @@ public sealed interface RslMessage {
     record ReleaseIndication(Sapi sapi) implements RslMessage {}
 
     /** Up: the link layer refused something. @param cause TS 48.058, 9.3.26 */
-    record ErrorIndication(Sapi sapi, int cause) implements RslMessage {}
+    record ErrorIndication(Sapi sapi, int cause) implements RslMessage {
+        public ErrorIndication {
+            if (cause < 0 || cause > 0x7f) {
+                throw new IllegalArgumentException("link layer cause " + cause + " is not 0 to 127");
+            }
+        }
+    }
 
     /** Down: look for this mobile. */
     record PagingCommand(MobileIdentity identity) implements RslMessage {}
 
     /** Down: one whole cell broadcast page of 88 octets (TS 23.041). */
-    record SmsBroadcastCommand(OctetString page) implements RslMessage {}
+    record SmsBroadcastCommand(OctetString page) implements RslMessage {
+        public static final int PAGE_LENGTH = 88;
+
+        public SmsBroadcastCommand {
+            if (page.length() != PAGE_LENGTH) {
+                throw new IllegalArgumentException(
+                        "a cell broadcast page of " + page.length() + " octets, " + PAGE_LENGTH + " were expected");
+            }
+        }
+    }
 }

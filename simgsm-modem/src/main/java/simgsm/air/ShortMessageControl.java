@@ -11,5 +11,11 @@ public sealed interface ShortMessageControl extends Layer3Message {
     /** @param cause CP cause (TS 24.011, 8.1.4.2): 17 network failure, 22 congestion, 81 invalid transaction identifier,
      *     95 semantically incorrect, 96 invalid mandatory information, 97 message type non-existent, 98 not compatible
      *     with the protocol state, 111 protocol error */
-    record CpError(TransactionIdentifier transaction, int cause) implements ShortMessageControl {}
+    record CpError(TransactionIdentifier transaction, int cause) implements ShortMessageControl {
+        public CpError {
+            if (cause < 0 || cause > 0x7f) {
+                throw new IllegalArgumentException("CP cause " + cause + " is not 0 to 127");
+            }
+        }
+    }
 }

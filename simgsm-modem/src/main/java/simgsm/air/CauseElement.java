@@ -1,0 +1,39 @@
+package simgsm.air;
+
+import java.util.Optional;
+
+/** The call control cause (TS 24.008, 10.5.4.11): coding and location, then the cause with its highest bit set. */
+final class CauseElement {
+    /** Standard defined for GSM, location: user. */
+    private static final int GSM_USER = 0xe0;
+
+    private static final int LAST_OCTET = 0x80;
+
+    private CauseElement() {}
+
+    /** As length and value. */
+    static void write(OctetWriter out, Cause cause) {
+        out.octet(2).octet(GSM_USER).octet(LAST_OCTET | cause.code());
+    }
+
+    static Cause read(OctetReader in) throws ProtocolViolation {
+        return readValue(in.lengthAndValue("cause"));
+    }
+
+    static Cause readValue(OctetReader value) throws ProtocolViolation {
+        int coding = value.octet("cause");
+        if ((coding & LAST_OCTET) == 0) {
+            value.octet("cause's recommendation");
+        }
+        return Cause.ofCode(value.octet("cause value") & 0x7f);
+    }
+
+    /** Empty for a broken one. */
+    static Optional<Cause> readOptional(OctetReader value) {
+        try {
+            return Optional.of(readValue(value));
+        } catch (ProtocolViolation broken) {
+            return Optional.empty();
+        }
+    }
+}

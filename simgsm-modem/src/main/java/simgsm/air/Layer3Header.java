@@ -1,0 +1,38 @@
+package simgsm.air;
+
+import java.util.Optional;
+
+/**
+ * What stands at the head of every layer-3 message, and what an answer to a refused one needs.
+ *
+ * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short messages
+ * @param transaction of call control and short messages
+ * @param messageType without the send sequence number
+ * @param relayReference RP message reference of a refused RP message inside a sound CP-DATA
+ */
+public record Layer3Header(
+        int discriminator,
+        Direction direction,
+        Optional<TransactionIdentifier> transaction,
+        int messageType,
+        Optional<Integer> relayReference) {
+    public static final int CALL_CONTROL = 3;
+    public static final int MOBILITY_MANAGEMENT = 5;
+    public static final int RADIO_RESOURCE = 6;
+    public static final int SHORT_MESSAGES = 9;
+
+    /** The message's type; empty if we do not know it in this direction. */
+    public Optional<Layer3Type> type() {
+        return Layer3Type.of(discriminator, messageType, direction);
+    }
+
+    /** The message's name, or its numbers if we do not know it. */
+    public String name() {
+        return type().map(Layer3Type::title)
+                .orElseGet(() -> String.format("message type 0x%02x of protocol %d", messageType, discriminator));
+    }
+
+    Layer3Header withRelayReference(int reference) {
+        return new Layer3Header(discriminator, direction, transaction, messageType, Optional.of(reference));
+    }
+}

@@ -1,0 +1,113 @@
+package simgsm.air;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.air.CallControl.*;
+import simgsm.air.MobilityManagement.*;
+import simgsm.air.RadioResource.*;
+import simgsm.air.ShortMessageControl.*;
+
+/** Every message kind that we speak: its numbers, its name, the ways it may go (TS 24.008, 10.4; TS 24.011, 8.1.3). */
+public enum Layer3Type {
+    IMSI_DETACH_INDICATION(5, 0x01, Way.UP, ImsiDetachIndication.class, "IMSI Detach Indication"),
+    LOCATION_UPDATING_ACCEPT(5, 0x02, Way.DOWN, LocationUpdatingAccept.class, "Location Updating Accept"),
+    LOCATION_UPDATING_REJECT(5, 0x04, Way.DOWN, LocationUpdatingReject.class, "Location Updating Reject"),
+    LOCATION_UPDATING_REQUEST(5, 0x08, Way.UP, LocationUpdatingRequest.class, "Location Updating Request"),
+    AUTHENTICATION_REJECT(5, 0x11, Way.DOWN, AuthenticationReject.class, "Authentication Reject"),
+    AUTHENTICATION_REQUEST(5, 0x12, Way.DOWN, AuthenticationRequest.class, "Authentication Request"),
+    AUTHENTICATION_RESPONSE(5, 0x14, Way.UP, AuthenticationResponse.class, "Authentication Response"),
+    AUTHENTICATION_FAILURE(5, 0x1c, Way.UP, AuthenticationFailure.class, "Authentication Failure"),
+    IDENTITY_REQUEST(5, 0x18, Way.DOWN, IdentityRequest.class, "Identity Request"),
+    IDENTITY_RESPONSE(5, 0x19, Way.UP, IdentityResponse.class, "Identity Response"),
+    TMSI_REALLOCATION_COMPLETE(5, 0x1b, Way.UP, TmsiReallocationComplete.class, "TMSI Reallocation Complete"),
+    CM_SERVICE_ACCEPT(5, 0x21, Way.DOWN, CmServiceAccept.class, "CM Service Accept"),
+    CM_SERVICE_REJECT(5, 0x22, Way.DOWN, CmServiceReject.class, "CM Service Reject"),
+    CM_SERVICE_REQUEST(5, 0x24, Way.UP, CmServiceRequest.class, "CM Service Request"),
+    MM_STATUS(5, 0x31, Way.BOTH, MmStatus.class, "MM Status"),
+    MM_INFORMATION(5, 0x32, Way.DOWN, MmInformation.class, "MM Information"),
+
+    ALERTING(3, 0x01, Way.BOTH, Alerting.class, "Alerting"),
+    CALL_PROCEEDING(3, 0x02, Way.DOWN, CallProceeding.class, "Call Proceeding"),
+    PROGRESS(3, 0x03, Way.DOWN, Progress.class, "Progress"),
+    SETUP(3, 0x05, Way.BOTH, Setup.class, "Setup"),
+    CONNECT(3, 0x07, Way.BOTH, Connect.class, "Connect"),
+    CALL_CONFIRMED(3, 0x08, Way.UP, CallConfirmed.class, "Call Confirmed"),
+    CONNECT_ACKNOWLEDGE(3, 0x0f, Way.BOTH, ConnectAcknowledge.class, "Connect Acknowledge"),
+    DISCONNECT(3, 0x25, Way.BOTH, Disconnect.class, "Disconnect"),
+    RELEASE_COMPLETE(3, 0x2a, Way.BOTH, ReleaseComplete.class, "Release Complete"),
+    RELEASE(3, 0x2d, Way.BOTH, Release.class, "Release"),
+    STOP_DTMF(3, 0x31, Way.UP, StopDtmf.class, "Stop DTMF"),
+    STOP_DTMF_ACKNOWLEDGE(3, 0x32, Way.DOWN, StopDtmfAcknowledge.class, "Stop DTMF Acknowledge"),
+    STATUS_ENQUIRY(3, 0x34, Way.BOTH, StatusEnquiry.class, "Status Enquiry"),
+    START_DTMF(3, 0x35, Way.UP, StartDtmf.class, "Start DTMF"),
+    START_DTMF_ACKNOWLEDGE(3, 0x36, Way.DOWN, StartDtmfAcknowledge.class, "Start DTMF Acknowledge"),
+    START_DTMF_REJECT(3, 0x37, Way.DOWN, StartDtmfReject.class, "Start DTMF Reject"),
+    STATUS(3, 0x3d, Way.BOTH, Status.class, "Status"),
+
+    CHANNEL_RELEASE(6, 0x0d, Way.DOWN, ChannelRelease.class, "Channel Release"),
+    RR_STATUS(6, 0x12, Way.BOTH, RrStatus.class, "RR Status"),
+    PAGING_RESPONSE(6, 0x27, Way.UP, PagingResponse.class, "Paging Response"),
+
+    CP_DATA(9, 0x01, Way.BOTH, CpData.class, "CP-DATA"),
+    CP_ACK(9, 0x04, Way.BOTH, CpAck.class, "CP-ACK"),
+    CP_ERROR(9, 0x10, Way.BOTH, CpError.class, "CP-ERROR");
+
+    private enum Way {
+        UP,
+        DOWN,
+        BOTH
+    }
+
+    private static final Layer3Type[] BY_NUMBERS = new Layer3Type[16 * 256];
+    private static final Map<Class<?>, Layer3Type> BY_RECORD = new HashMap<>();
+
+    static {
+        for (Layer3Type type : values()) {
+            BY_NUMBERS[type.discriminator << 8 | type.code] = type;
+            BY_RECORD.put(type.record, type);
+        }
+    }
+
+    private final int discriminator;
+    private final int code;
+    private final Way way;
+    private final Class<? extends Layer3Message> record;
+    private final String title;
+
+    Layer3Type(int discriminator, int code, Way way, Class<? extends Layer3Message> record, String title) {
+        this.discriminator = discriminator;
+        this.code = code;
+        this.way = way;
+        this.record = record;
+        this.title = title;
+    }
+
+    public static Layer3Type of(Layer3Message message) {
+        return BY_RECORD.get(message.getClass());
+    }
+
+    /** The type with these numbers; empty if we do not know it or it never goes this way. */
+    public static Optional<Layer3Type> of(int discriminator, int code, Direction direction) {
+        Layer3Type type = BY_NUMBERS[(discriminator & 0x0f) << 8 | code & 0xff];
+        return type == null || !type.goes(direction) ? Optional.empty() : Optional.of(type);
+    }
+
+    public int discriminator() {
+        return discriminator;
+    }
+
+    /** The message type octet, without the send sequence number. */
+    public int code() {
+        return code;
+    }
+
+    /** The message's name in the standard. */
+    public String title() {
+        return title;
+    }
+
+    public boolean goes(Direction direction) {
+        return way == Way.BOTH || (way == Way.UP) == (direction == Direction.UPLINK);
+    }
+}

@@ -1,0 +1,230 @@
+package simgsm.air;
+
+import java.util.Optional;
+import simgsm.air.MobilityManagement.AuthenticationFailure;
+import simgsm.air.MobilityManagement.AuthenticationReject;
+import simgsm.air.MobilityManagement.AuthenticationRequest;
+import simgsm.air.MobilityManagement.AuthenticationResponse;
+import simgsm.air.MobilityManagement.CmServiceAccept;
+import simgsm.air.MobilityManagement.CmServiceReject;
+import simgsm.air.MobilityManagement.CmServiceRequest;
+import simgsm.air.MobilityManagement.IdentityRequest;
+import simgsm.air.MobilityManagement.IdentityResponse;
+import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingReject;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.MmInformation;
+import simgsm.air.MobilityManagement.MmStatus;
+import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.MobilityManagement.TmsiReallocationComplete;
+import simgsm.air.OptionalElements.FixedElements;
+
+/** What follows the message type in mobility management messages (TS 24.008, 9.2). */
+final class MobilityManagementCodec {
+    private static final int MOBILE_IDENTITY = 0x17;
+    private static final int AUTN = 0x20;
+    private static final int RESPONSE_EXTENSION = 0x21;
+    private static final int AUTS = 0x22;
+    private static final int FULL_NETWORK_NAME = 0x43;
+
+    /** Classmark 1: phase 2 mobile, early classmark sending, no A5/1, class 4. */
+    static final int CLASSMARK_1 = 0x33;
+    /** Classmark 2 as length and value: the same, with short messages on SAPI 3 possible. */
+    static final OctetString CLASSMARK_2 = OctetString.ofHex("03331981");
+
+    private static final int SRES_LENGTH = 4;
+
+    private MobilityManagementCodec() {}
+
+    static void write(OctetWriter out, MobilityManagement message) {
+        if (message instanceof LocationUpdatingRequest request) {
+            out.octet(request.keySequence() << 4 | request.updatingType().ordinal());
+            IdentityElements.writeArea(out, request.oldArea());
+            IdentityElements.writeIdentity(out.octet(CLASSMARK_1), request.identity());
+        } else if (message instanceof LocationUpdatingAccept accept) {
+            IdentityElements.writeArea(out, accept.area());
+            accept.newIdentity()
+                    .ifPresent(identity -> IdentityElements.writeIdentity(out.octet(MOBILE_IDENTITY), identity));
+        } else if (message instanceof ImsiDetachIndication detach) {
+            IdentityElements.writeIdentity(out.octet(CLASSMARK_1), detach.identity());
+        } else if (message instanceof IdentityRequest request) {
+            out.octet(request.identityType().code());
+        } else if (message instanceof IdentityResponse response) {
+            IdentityElements.writeIdentity(out, response.identity());
+        } else if (message instanceof CmServiceRequest request) {
+            out.octet(request.keySequence() << 4 | request.service().code()).string(CLASSMARK_2);
+            IdentityElements.writeIdentity(out, request.identity());
+        } else if (message instanceof MmInformation information) {
+            NetworkName.write(out.octet(FULL_NETWORK_NAME), information.networkName());
+        } else {
+            writeSecurity(out, message);
+        }
+    }
+
+    private static void writeSecurity(OctetWriter out, MobilityManagement message) {
+        if (message instanceof AuthenticationRequest request) {
+            out.octet(request.keySequence()).string(request.rand());
+            request.autn().ifPresent(autn -> writeElement(out, AUTN, autn));
+        } else if (message instanceof AuthenticationResponse response) {
+            writeResponse(out, response.response().toArray());
+        } else if (message instanceof AuthenticationFailure failure) {
+            out.octet(failure.cause().code());
+            failure.auts().ifPresent(auts -> writeElement(out, AUTS, auts));
+        } else if (message instanceof LocationUpdatingReject reject) {
+            out.octet(reject.cause().code());
+        } else if (message instanceof CmServiceReject reject) {
+            out.octet(reject.cause().code());
+        } else if (message instanceof MmStatus status) {
+            out.octet(status.cause().code());
+        }
+    }
+
+    private static void writeResponse(OctetWriter out, byte[] response) {
+        for (int i = 0; i < response.length; i++) {
+            if (i == SRES_LENGTH) {
+                out.octet(RESPONSE_EXTENSION).octet(response.length - SRES_LENGTH);
+            }
+            out.octet(response[i]);
+        }
+    }
+
+    private static void writeElement(OctetWriter out, int identifier, OctetString value) {
+        out.octet(identifier).octet(value.length()).string(value);
+    }
+
+    static MobilityManagement read(Layer3Type type, OctetReader in) throws ProtocolViolation {
+        switch (type) {
+            case LOCATION_UPDATING_ACCEPT:
+                return readLocationUpdatingAccept(in);
+            case AUTHENTICATION_REQUEST:
+                int keySequence = in.octet("key sequence") & 0x07;
+                OctetString rand = in.string(AuthenticationRequest.RAND_LENGTH, "RAND");
+                return new AuthenticationRequest(
+                        keySequence, rand, element(in, AUTN, AuthenticationRequest.AUTN_LENGTH));
+            case AUTHENTICATION_RESPONSE:
+                return readAuthenticationResponse(in);
+            case AUTHENTICATION_FAILURE:
+                RejectCause cause = RejectCause.ofCode(in.octet("reject cause"));
+                return new AuthenticationFailure(cause, element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
+            case MM_INFORMATION:
+                return readInformation(in);
+            default:
+                MobilityManagement message = readPlain(type, in);
+                firstElement(in, -1);
+                return message;
+        }
+    }
+
+    private static MobilityManagement readPlain(Layer3Type type, OctetReader in) throws ProtocolViolation {
+        switch (type) {
+            case LOCATION_UPDATING_REQUEST:
+                return readLocationUpdatingRequest(in);
+            case LOCATION_UPDATING_REJECT:
+                return new LocationUpdatingReject(RejectCause.ofCode(in.octet("reject cause")));
+            case IDENTITY_REQUEST:
+                return new IdentityRequest(identityType(in.octet("identity type") & 0x07));
+            case IDENTITY_RESPONSE:
+                return new IdentityResponse(IdentityElements.readIdentity(in));
+            case AUTHENTICATION_REJECT:
+                return new AuthenticationReject();
+            case TMSI_REALLOCATION_COMPLETE:
+                return new TmsiReallocationComplete();
+            case CM_SERVICE_REQUEST:
+                return readCmServiceRequest(in);
+            case CM_SERVICE_ACCEPT:
+                return new CmServiceAccept();
+            case CM_SERVICE_REJECT:
+                return new CmServiceReject(RejectCause.ofCode(in.octet("reject cause")));
+            case IMSI_DETACH_INDICATION:
+                in.octet("classmark 1");
+                return new ImsiDetachIndication(IdentityElements.readIdentity(in));
+            default:
+                return new MmStatus(RejectCause.ofCode(in.octet("reject cause")));
+        }
+    }
+
+    private static LocationUpdatingRequest readLocationUpdatingRequest(OctetReader in) throws ProtocolViolation {
+        int typeAndKey = in.octet("location updating type");
+        int type = typeAndKey & 0x03;
+        if (type >= LocationUpdatingType.values().length) {
+            throw invalid("location updating type " + type + " is not 0 to 2");
+        }
+        LocationArea area = IdentityElements.readArea(in);
+        in.octet("classmark 1");
+        return new LocationUpdatingRequest(
+                LocationUpdatingType.values()[type], typeAndKey >> 4 & 0x07, area, IdentityElements.readIdentity(in));
+    }
+
+    private static LocationUpdatingAccept readLocationUpdatingAccept(OctetReader in) throws ProtocolViolation {
+        LocationArea area = IdentityElements.readArea(in);
+        Optional<OctetReader> identity = firstElement(in, MOBILE_IDENTITY);
+        try {
+            return new LocationUpdatingAccept(
+                    area,
+                    identity.isPresent()
+                            ? Optional.of(IdentityElements.readIdentityValue(identity.get()))
+                            : Optional.empty());
+        } catch (ProtocolViolation broken) {
+            return new LocationUpdatingAccept(area, Optional.empty());
+        }
+    }
+
+    private static CmServiceRequest readCmServiceRequest(OctetReader in) throws ProtocolViolation {
+        int serviceAndKey = in.octet("CM service type");
+        for (ServiceType service : ServiceType.values()) {
+            if (service.code() == (serviceAndKey & 0x0f)) {
+                in.lengthAndValue("classmark 2");
+                return new CmServiceRequest(service, serviceAndKey >> 4 & 0x07, IdentityElements.readIdentity(in));
+            }
+        }
+        throw invalid("CM service type " + (serviceAndKey & 0x0f) + " is none of 1, 2, 4, 8");
+    }
+
+    private static AuthenticationResponse readAuthenticationResponse(OctetReader in) throws ProtocolViolation {
+        OctetString sres = in.string(SRES_LENGTH, "SRES");
+        Optional<OctetReader> extension = firstElement(in, RESPONSE_EXTENSION);
+        OctetWriter all = new OctetWriter().string(sres);
+        if (extension.isPresent() && extension.get().remaining() <= AuthenticationResponse.MAX_LENGTH - SRES_LENGTH) {
+            all.string(extension.get().rest());
+        }
+        return new AuthenticationResponse(OctetString.adopting(all.toArray()));
+    }
+
+    private static MmInformation readInformation(OctetReader in) throws ProtocolViolation {
+        Optional<OctetReader> name = firstElement(in, FULL_NETWORK_NAME);
+        return new MmInformation(name.isPresent() ? NetworkName.read(name.get()) : "");
+    }
+
+    private static MobileIdentity.Type identityType(int code) throws ProtocolViolation {
+        try {
+            return MobileIdentity.Type.ofCode(code);
+        } catch (IllegalArgumentException wrong) {
+            throw invalid(wrong.getMessage());
+        }
+    }
+
+    /** An optional element of exactly this length; one of another length counts as absent. */
+    private static Optional<OctetString> element(OctetReader in, int identifier, int length) throws ProtocolViolation {
+        return firstElement(in, identifier)
+                .filter(value -> value.remaining() == length)
+                .map(OctetReader::rest);
+    }
+
+    /** The first element with this identifier; all others are checked and skipped. */
+    private static Optional<OctetReader> firstElement(OctetReader in, int wanted) throws ProtocolViolation {
+        OctetReader found = null;
+        OptionalElements elements = new OptionalElements(in, FixedElements.MOBILITY_MANAGEMENT);
+        for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
+            if (identifier == wanted && found == null) {
+                found = elements.value();
+            }
+        }
+        return Optional.ofNullable(found);
+    }
+
+    private static ProtocolViolation invalid(String text) {
+        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
+    }
+}

@@ -1,0 +1,53 @@
+package simgsm.air;
+
+import java.util.Optional;
+
+/** Telephone numbers as they stand in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
+final class NumberElements {
+    /** No extension octet, international number, ISDN numbering plan (E.164). */
+    private static final int INTERNATIONAL = 0x91;
+    /** The same, with an octet on presentation and screening to follow. */
+    private static final int INTERNATIONAL_EXTENDED = 0x11;
+    /** Presentation allowed; user provided, verified and passed. */
+    private static final int PRESENTATION = 0x81;
+
+    private static final int NO_EXTENSION = 0x80;
+
+    private NumberElements() {}
+
+    /** As length and value: a called number, or an SMSC's address. */
+    static void writeCalled(OctetWriter out, Msisdn number) {
+        int start = out.openLength();
+        out.octet(INTERNATIONAL);
+        SemiOctets.write(out, number.digits(), 0);
+        out.closeLength(start);
+    }
+
+    static void writeCalling(OctetWriter out, Msisdn number) {
+        int start = out.openLength();
+        out.octet(INTERNATIONAL_EXTENDED).octet(PRESENTATION);
+        SemiOctets.write(out, number.digits(), 0);
+        out.closeLength(start);
+    }
+
+    static Msisdn read(OctetReader value) throws ProtocolViolation {
+        int typeAndPlan = value.octet("number");
+        if ((typeAndPlan & NO_EXTENSION) == 0) {
+            value.octet("number's presentation");
+        }
+        try {
+            return new Msisdn(SemiOctets.read(value));
+        } catch (IllegalArgumentException wrong) {
+            throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, wrong.getMessage());
+        }
+    }
+
+    /** Empty for a number that is none: a broken optional element counts as absent (TS 24.008, 8.7.1). */
+    static Optional<Msisdn> readOptional(OctetReader value) {
+        try {
+            return Optional.of(read(value));
+        } catch (ProtocolViolation broken) {
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package simgsm.air;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a party sends when it has received a layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9). The
+ * answers go the other way than the refused message went.
+ */
+public final class ProtocolErrorAnswers {
+    private ProtocolErrorAnswers() {}
+
+    /**
+     * The messages to send, in order; empty for what is to be ignored: a message without a readable head, and one that
+     * itself reports an error, so that two parties never answer each other for ever.
+     *
+     * @param callState the own state of the transaction's call as TS 24.008, 10.5.4.6 codes it, 0 if there is none
+     */
+    public static List<Layer3Message> to(ProtocolViolation violation, int callState) {
+        return violation
+                .header()
+                .map(header -> answers(header, violation.statusCause(), callState))
+                .orElse(List.of());
+    }
+
+    private static List<Layer3Message> answers(Layer3Header header, Cause cause, int callState) {
+        Optional<Layer3Type> type = header.type();
+        if (type.isPresent() && reportsAnError(type.get())) {
+            return List.of();
+        }
+        switch (header.discriminator()) {
+            case Layer3Header.CALL_CONTROL:
+                return List.of(callControl(header, type, cause, callState));
+            case Layer3Header.MOBILITY_MANAGEMENT:
+                return List.of(mobilityManagement(type, RejectCause.ofCode(cause.code())));
+            case Layer3Header.RADIO_RESOURCE:
+                return List.of(new RadioResource.RrStatus(cause.code()));
+            default:
+                return shortMessage(header, cause);
+        }
+    }
+
+    private static boolean reportsAnError(Layer3Type type) {
+        return type == Layer3Type.STATUS
+                || type == Layer3Type.MM_STATUS
+                || type == Layer3Type.RR_STATUS
+                || type == Layer3Type.CP_ERROR;
+    }
+
+    /** A refused SETUP has made no call, so it is released at once (TS 24.008, 8.5.1). */
+    private static Layer3Message callControl(
+            Layer3Header header, Optional<Layer3Type> type, Cause cause, int callState) {
+        TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
+        if (type.equals(Optional.of(Layer3Type.SETUP))) {
+            return new CallControl.ReleaseComplete(transaction, Optional.of(cause));
+        }
+        return new CallControl.Status(transaction, cause, callState);
+    }
+
+    /** Requests are rejected by their own message (TS 24.008, 4.4.4.9 and 4.5.1.7). */
+    private static Layer3Message mobilityManagement(Optional<Layer3Type> type, RejectCause cause) {
+        if (type.equals(Optional.of(Layer3Type.LOCATION_UPDATING_REQUEST))) {
+            return new MobilityManagement.LocationUpdatingReject(cause);
+        }
+        if (type.equals(Optional.of(Layer3Type.CM_SERVICE_REQUEST))) {
+            return new MobilityManagement.CmServiceReject(cause);
+        }
+        return new MobilityManagement.MmStatus(cause);
+    }
+
+    /** A sound CP-DATA around a broken RP message is acknowledged; the RP layer then refuses. */
+    private static List<Layer3Message> shortMessage(Layer3Header header, Cause cause) {
+        TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
+        return header.relayReference()
+                .map(reference -> List.<Layer3Message>of(
+                        new ShortMessageControl.CpAck(transaction),
+                        new ShortMessageControl.CpData(
+                                transaction, new RelayMessage.RpError(reference, RpCause.ofCode(cause.code())))))
+                .orElseGet(() -> List.of(new ShortMessageControl.CpError(transaction, cause.code())));
+    }
+}
