@@ -15,6 +15,9 @@ public final class IpaFramer {
     private int start;
     private int end;
 
+    /** For a connection from which nothing has come yet. */
+    public IpaFramer() {}
+
     /** The frame as it goes on the wire. */
     public static byte[] encode(IpaFrame frame) {
         byte[] payload = frame.payload();

@@ -10,6 +10,9 @@ public final class OctetWriter {
     private byte[] octets = new byte[INITIAL_CAPACITY];
     private int length;
 
+    /** With nothing written yet. */
+    public OctetWriter() {}
+
     public OctetWriter octet(int value) {
         reserve(1);
         octets[length++] = (byte) value;
