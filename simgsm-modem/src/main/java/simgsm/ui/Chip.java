@@ -1,7 +1,6 @@
 package simgsm.ui;
 
 import java.awt.Dimension;
-import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleContext;
@@ -35,11 +34,9 @@ public final class Chip extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        FontMetrics bold = getFontMetrics(Theme.monoStrong());
-        FontMetrics plain = getFontMetrics(Theme.base());
-        int width = bold.stringWidth(number) + Theme.px(14);
+        int width = Drawing.width(Theme.monoStrong(), number) + Theme.px(14);
         if (!word.isEmpty()) {
-            width += plain.stringWidth(word) + Theme.px(16);
+            width += Drawing.width(Theme.base(), word) + Theme.px(18);
         }
         return new Dimension(width, Theme.px(24));
     }
@@ -67,7 +64,7 @@ public final class Chip extends JComponent {
     private void paint(Graphics2D g, double x, double y, double width, double height) {
         double radius = Theme.exact(Theme.CONTROL_RADIUS);
         var outline = Drawing.round(x + 0.5, y + 0.5, width - 1, height - 1, radius);
-        double numberWidth = g.getFontMetrics(Theme.monoStrong()).stringWidth(number) + Theme.exact(14);
+        double numberWidth = Drawing.width(Theme.monoStrong(), number) + Theme.exact(14);
         g.setColor(Ink.CARD.color());
         g.fill(outline);
         g.setColor(ink.color());
@@ -80,7 +77,7 @@ public final class Chip extends JComponent {
             g.setFont(Theme.base());
             g.setColor(Ink.TEXT.color());
             double room = width - numberWidth - Theme.exact(12);
-            String fitted = Drawing.fitted(g.getFontMetrics(), word, room);
+            String fitted = Drawing.fitted(Theme.base(), word, room);
             double cap = Drawing.capHeight(g, Theme.base());
             g.drawString(fitted, (float) (x + numberWidth + Theme.exact(8)), (float) (y + height / 2 + cap / 2));
         }

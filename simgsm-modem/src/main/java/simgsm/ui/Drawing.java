@@ -1,10 +1,10 @@
 package simgsm.ui;
 
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
@@ -13,6 +13,8 @@ import java.awt.geom.RoundRectangle2D;
 /** How everything is painted: the rendering hints in one place, and the few shapes that all painters need. */
 public final class Drawing {
     private Drawing() {}
+
+    private static final FontRenderContext FRACTIONAL = new FontRenderContext(null, true, true);
 
     /** A copy to paint on, with the house's hints; the caller disposes of it. */
     public static Graphics2D on(Graphics graphics) {
@@ -84,7 +86,7 @@ public final class Drawing {
     /** Text centred on a point, by its cap height rather than its line height, so that it sits in keys. */
     public static void centred(Graphics2D g, String text, Font font, double x, double y) {
         g.setFont(font);
-        double width = g.getFontMetrics().getStringBounds(text, g).getWidth();
+        double width = font.getStringBounds(text, FRACTIONAL).getWidth();
         g.drawString(text, (float) (x - width / 2), (float) (y + capHeight(g, font) / 2));
     }
 
@@ -92,6 +94,11 @@ public final class Drawing {
     public static void rightAligned(Graphics2D g, String text, double x, double y) {
         double width = g.getFontMetrics().getStringBounds(text, g).getWidth();
         g.drawString(text, (float) (x - width), (float) y);
+    }
+
+    /** The width that text takes when it is painted by the house's hints, in whole pixels, rounded up. */
+    public static int width(Font font, String text) {
+        return (int) Math.ceil(font.getStringBounds(text, FRACTIONAL).getWidth());
     }
 
     /** The height of a capital letter, in pixels. */
@@ -102,12 +109,12 @@ public final class Drawing {
     }
 
     /** The text, cut with an ellipsis to fit a width in pixels. */
-    public static String fitted(FontMetrics metrics, String text, double width) {
-        if (metrics.stringWidth(text) <= width) {
+    public static String fitted(Font font, String text, double width) {
+        if (width(font, text) <= width) {
             return text;
         }
         int end = text.length();
-        while (end > 0 && metrics.stringWidth(text.substring(0, end) + "\u2026") > width) {
+        while (end > 0 && width(font, text.substring(0, end) + "\u2026") > width) {
             end--;
         }
         return end == 0 ? "" : text.substring(0, end) + "\u2026";

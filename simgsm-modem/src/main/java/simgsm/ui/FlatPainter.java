@@ -28,6 +28,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         SLIDER_THUMB,
         NOTHING,
         ARROW_DOWN,
+        /** What Synth turns into the direction that an arrow button has. */
         ARROW_LEFT,
         ARROW_UP,
         TAB,
@@ -54,9 +55,11 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         return switch (region) {
             case "Button", "ToggleButton", "ComboBox", "ToolBar:Button", "ToolBar:ToggleButton" ->
                 background ? Kind.BUTTON : null;
-            case "ComboBox:\"ComboBox.arrowButton\"" -> background ? Kind.NOTHING : Kind.ARROW_DOWN;
-            case "ComboBox:\"ComboBox.textField\"", "Spinner:Panel:\"Spinner.formattedTextField\"" -> Kind.NOTHING;
-            case "TextField", "FormattedTextField", "PasswordField", "Spinner:\"Spinner.editor\"" ->
+            case "ComboBox:\"ComboBox.arrowButton\"" -> background ? Kind.NOTHING : Kind.ARROW_LEFT;
+            case "Spinner:\"Spinner.nextButton\"" -> background ? Kind.NOTHING : Kind.ARROW_UP;
+            case "Spinner:\"Spinner.previousButton\"" -> background ? Kind.NOTHING : Kind.ARROW_DOWN;
+            case "ComboBox:\"ComboBox.textField\"", "InternalFrame" -> Kind.NOTHING;
+            case "TextField", "FormattedTextField", "PasswordField", "Spinner:Panel:\"Spinner.formattedTextField\"" ->
                 background ? Kind.FIELD_FILL : Kind.FIELD;
             case "TextArea", "TextPane", "EditorPane" -> Kind.AREA;
             case "ScrollPane" -> Kind.FRAME;

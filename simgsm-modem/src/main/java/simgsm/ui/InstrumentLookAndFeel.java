@@ -80,6 +80,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
             put(item + ":MenuItemAccelerator.textForeground", Ink.QUIET);
         }
         put("Menu[Enabled+Selected].textForeground", Ink.TEXT);
+        put("MenuBar:Menu[Enabled].textForeground", Ink.TEXT);
+        put("MenuBar:Menu[Disabled].textForeground", Ink.DISABLED);
         put("MenuBar:Menu[Selected].textForeground", Ink.TEXT);
         put("CheckBoxMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
         put("RadioButtonMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
@@ -91,9 +93,11 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put("Button[Default+Focused+Pressed].textForeground", Ink.ON_ACCENT);
     }
 
+    /** Synth paints a renderer's background only if the colour does not come from the look and feel: so plain for states. */
     private void put(String key, Ink ink) {
         Color color = ink.color();
-        defaults.put(key, new ColorUIResource(color));
+        boolean plain = key.contains("[") || key.endsWith("RowColor");
+        defaults.put(key, plain ? color : new ColorUIResource(color));
     }
 
     private void fonts() {

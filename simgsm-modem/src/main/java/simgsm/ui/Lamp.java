@@ -89,10 +89,10 @@ public final class Lamp extends JComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        FontMetrics metrics = getFontMetrics(Theme.base());
-        int textWidth = word.isEmpty() ? 0 : metrics.stringWidth(word) + Theme.px(GAP_UNITS) + 2;
+        FontMetrics metrics = getFontMetrics(getFont());
+        int textWidth = word.isEmpty() ? 0 : Drawing.width(getFont(), word) + Theme.px(GAP_UNITS) + 1;
         return new Dimension(
-                Theme.px(2 * RADIUS_UNITS + 2) + textWidth,
+                Theme.px(2 * RADIUS_UNITS + 2) + 1 + textWidth,
                 Math.max(metrics.getHeight(), Theme.px(2 * RADIUS_UNITS + 4)));
     }
 
@@ -111,7 +111,7 @@ public final class Lamp extends JComponent {
             g.setFont(getFont());
             g.setColor((lit ? Ink.TEXT : Ink.QUIET).color());
             double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
-            String fitted = Drawing.fitted(g.getFontMetrics(), word, getWidth() - x + 1);
+            String fitted = Drawing.fitted(getFont(), word, getWidth() - x);
             g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
         } finally {
             g.dispose();

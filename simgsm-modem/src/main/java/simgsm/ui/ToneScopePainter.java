@@ -14,7 +14,7 @@ import simgsm.ui.Theme.Ink;
  *
  * <pre>
  *   +---------------------------+
- *   |  wave, 32 ms              |
+ *   |  wave, 24 ms              |
  *   +------------------+--------+
  *   | 4 rows | 4 cols  | matrix |
  *   +------------------+--------+
@@ -22,7 +22,7 @@ import simgsm.ui.Theme.Ink;
  * </pre>
  */
 public final class ToneScopePainter {
-    private static final int SHOWN_SAMPLES = 256;
+    private static final int SHOWN_SAMPLES = 192;
     private static final double TOP_DBM0 = 0;
     private static final double BOTTOM_DBM0 = -48;
     private static final double FULL_SCALE = 32768;
@@ -176,6 +176,7 @@ public final class ToneScopePainter {
     }
 
     private static String decimal(String format, double value) {
-        return String.format(Locale.ROOT, format, value);
+        String text = String.format(Locale.ROOT, format, value);
+        return text.matches("-0(\\.0*)?") ? "+" + text.substring(1) : text;
     }
 }
