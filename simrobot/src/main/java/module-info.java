@@ -1,5 +1,9 @@
 /** SimRobot: worlds, the Pioneer, the simulation, and on top of them the GSM modem (M2) and VeriCommand. */
 module simrobot {
     requires simgsm.modem;
-    requires vericommand;
+    requires transitive vericommand;
+
+    exports simrobot.world;
+    exports simrobot.robot;
+    exports simrobot.simulation;
 }

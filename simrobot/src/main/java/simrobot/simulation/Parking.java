@@ -1,0 +1,48 @@
+package simrobot.simulation;
+
+import java.util.Optional;
+import simrobot.world.Area;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.World;
+
+/** Finds a place for a robot that nobody has put anywhere. */
+final class Parking {
+    private static final double RASTER_METERS = 0.75;
+    private static final int MAX_RINGS = 400;
+
+    /** True when a robot fits there. */
+    interface Free {
+        boolean at(double xMeters, double yMeters);
+    }
+
+    private Parking() {}
+
+    /** The first free home; else the free place nearest to the origin (MobileSim's start), then to the world's middle. */
+    static Optional<Home> spot(World world, Free free) {
+        for (Home home : world.homes()) {
+            if (free.at(home.position().xMeters(), home.position().yMeters())) {
+                return Optional.of(home);
+            }
+        }
+        Area bounds = world.bounds();
+        Position origin = new Position(0, 0);
+        return ringsAround(bounds.contains(0, 0) ? origin : bounds.center(), free);
+    }
+
+    private static Optional<Home> ringsAround(Position middle, Free free) {
+        for (int ring = 0; ring < MAX_RINGS; ring++) {
+            for (int row = -ring; row <= ring; row++) {
+                boolean edge = Math.abs(row) == ring;
+                for (int column = -ring; column <= ring; column += edge || ring == 0 ? 1 : 2 * ring) {
+                    double x = middle.xMeters() + column * RASTER_METERS;
+                    double y = middle.yMeters() + row * RASTER_METERS;
+                    if (free.at(x, y)) {
+                        return Optional.of(new Home("", new Position(x, y), 0, Optional.empty()));
+                    }
+                }
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,24 @@
+package simrobot.simulation;
+
+import simrobot.robot.Trail;
+import vericommand.RobotStatus;
+
+/**
+ * One robot at one instant; immutable.
+ *
+ * @param headingRadians anticlockwise from +X, not wrapped
+ * @param turnRadiansPerSecond anticlockwise
+ * @param sonarRangesMeters sixteen, sonar 0 first; empty when nobody watches this robot
+ */
+public record RobotSnapshot(
+        String name,
+        RobotStatus status,
+        boolean powered,
+        boolean motors,
+        double xMeters,
+        double yMeters,
+        double headingRadians,
+        double speedMetersPerSecond,
+        double turnRadiansPerSecond,
+        double[] sonarRangesMeters,
+        Trail.Crumbs trail) {}

@@ -1,0 +1,159 @@
+package simrobot.simulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.LongConsumer;
+import simrobot.robot.SimulatedRobot;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.World;
+
+/**
+ * A world, its robots and their time, which moves in fixed steps and knows no clock: the same seed and the same acts at
+ * the same steps give the same poses, bit for bit. One thread owns it; {@link SimulationThread} is that thread where the
+ * simulation runs at a pace, a test drives it by hand.
+ */
+public final class Simulation {
+    public static final long STEP_NANOS = 10_000_000;
+
+    /** With more robots than this, snapshots hold the sonars of those watched only. */
+    private static final int SONARS_FOR_ALL = 16;
+
+    private final List<SimulatedRobot> robots = new ArrayList<>();
+    private final List<LongConsumer> stepListeners = new ArrayList<>();
+    private final Random random;
+    private final Crowd crowd;
+    private World world;
+    private SimulatedRobot watched;
+    private long timeNanos;
+
+    /** An empty floor of this world; the seed feeds {@link #random()}. */
+    public Simulation(World world, long seed) {
+        this.world = world;
+        crowd = new Crowd(world);
+        random = new Random(seed);
+    }
+
+    public World world() {
+        return world;
+    }
+
+    /** Simulated time since the start. */
+    public long timeNanos() {
+        return timeNanos;
+    }
+
+    /** The one source of chance, so that a seed repeats a run. */
+    public Random random() {
+        return random;
+    }
+
+    // ---- robots --------------------------------------------------------------------------------------------------
+
+    /** In the order in which they were added. */
+    public List<SimulatedRobot> robots() {
+        return List.copyOf(robots);
+    }
+
+    public Optional<SimulatedRobot> robot(String name) {
+        return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
+    }
+
+    /** Puts a robot on the first home that is free, or near the middle of the world when none is. */
+    public SimulatedRobot addRobot(String name) {
+        return Parking.spot(world, (x, y) -> crowd.isFree(null, x, y))
+                .map(spot -> addRobot(name, spot.position(), spot.headingRadians()))
+                .orElseThrow(
+                        () -> new IllegalStateException("no free place for robot " + name + " in " + world.name()));
+    }
+
+    /** Puts a robot exactly there. */
+    public SimulatedRobot addRobot(String name, Position position, double headingRadians) {
+        if (robot(name).isPresent()) {
+            throw new IllegalArgumentException("robot " + name + " is there already, expected another name");
+        }
+        if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
+            throw new IllegalArgumentException("no free place for robot " + name + " at " + position);
+        }
+        SimulatedRobot robot = new SimulatedRobot(name, crowd, position.xMeters(), position.yMeters(), headingRadians);
+        robots.add(robot);
+        crowd.moved(robot);
+        return robot;
+    }
+
+    /** Takes a robot off the floor; a motion under way is aborted. */
+    public void removeRobot(SimulatedRobot robot) {
+        robot.setPower(false);
+        robots.remove(robot);
+        crowd.remove(robot);
+    }
+
+    /** Changes the world while running: every robot stands still and goes to a home. */
+    public void load(World next) {
+        robots.forEach(SimulatedRobot::halt);
+        robots.forEach(crowd::remove);
+        world = next;
+        crowd.load(next);
+        for (SimulatedRobot robot : robots) {
+            Home spot = Parking.spot(next, (x, y) -> crowd.isFree(null, x, y))
+                    .orElseThrow(() -> new IllegalStateException("no free place for all robots in " + next.name()));
+            robot.place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
+            robot.trail().clear();
+        }
+    }
+
+    // ---- time ----------------------------------------------------------------------------------------------------
+
+    /** Told the time after each step, on the owner thread. */
+    public void addStepListener(LongConsumer listener) {
+        stepListeners.add(listener);
+    }
+
+    /** Moves everything on by one step. */
+    public void step() {
+        timeNanos += STEP_NANOS;
+        for (SimulatedRobot robot : List.copyOf(robots)) {
+            robot.step(STEP_NANOS);
+        }
+        for (SimulatedRobot robot : robots) {
+            robot.trail().pass(robot.xMeters(), robot.yMeters(), timeNanos);
+        }
+        stepListeners.forEach(listener -> listener.accept(timeNanos));
+    }
+
+    public void run(int steps) {
+        for (int i = 0; i < steps; i++) {
+            step();
+        }
+    }
+
+    // ---- pictures ------------------------------------------------------------------------------------------------
+
+    /** This robot's sonars are in every snapshot, however many robots there are; null watches none. */
+    public void watch(SimulatedRobot robot) {
+        watched = robot;
+    }
+
+    public SimulationSnapshot snapshot() {
+        return new SimulationSnapshot(
+                timeNanos, world, robots.stream().map(this::snapshot).toList());
+    }
+
+    private RobotSnapshot snapshot(SimulatedRobot robot) {
+        boolean sonars = robots.size() <= SONARS_FOR_ALL || robot == watched;
+        return new RobotSnapshot(
+                robot.name(),
+                robot.status(),
+                robot.isPowered(),
+                robot.hasMotors(),
+                robot.xMeters(),
+                robot.yMeters(),
+                robot.headingRadians(),
+                robot.speedMetersPerSecond(),
+                robot.turnRadiansPerSecond(),
+                sonars ? robot.sonarRangesMeters() : new double[0],
+                robot.trail().crumbs());
+    }
+}

@@ -1,0 +1,17 @@
+package simrobot.simulation;
+
+import java.util.List;
+import java.util.Objects;
+import simrobot.world.World;
+
+/**
+ * The whole simulation at one instant; immutable.
+ *
+ * @param timeNanos simulated time since the start
+ */
+public record SimulationSnapshot(long timeNanos, World world, List<RobotSnapshot> robots) {
+    public SimulationSnapshot {
+        Objects.requireNonNull(world);
+        robots = List.copyOf(robots);
+    }
+}

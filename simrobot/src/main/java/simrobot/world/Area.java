@@ -1,0 +1,67 @@
+package simrobot.world;
+
+import java.util.List;
+
+/**
+ * A rectangle on the floor. The four numbers are its corners before it is turned; the turn is about the map's ORIGIN, as
+ * ARIA does it with the areas of its maps.
+ */
+public record Area(double minXMeters, double minYMeters, double maxXMeters, double maxYMeters, double rotationRadians) {
+    public Area {
+        Finite.check("x1", minXMeters);
+        Finite.check("y1", minYMeters);
+        Finite.check("x2", maxXMeters);
+        Finite.check("y2", maxYMeters);
+        Finite.check("rotation", rotationRadians);
+        if (minXMeters > maxXMeters || minYMeters > maxYMeters) {
+            throw new IllegalArgumentException("an area's first corner lies beyond its second");
+        }
+    }
+
+    /** The area between two opposite corners given in any order. */
+    public static Area between(double x1, double y1, double x2, double y2, double rotationRadians) {
+        return new Area(Math.min(x1, x2), Math.min(y1, y2), Math.max(x1, x2), Math.max(y1, y2), rotationRadians);
+    }
+
+    public boolean contains(double xMeters, double yMeters) {
+        double cos = Math.cos(rotationRadians);
+        double sin = Math.sin(rotationRadians);
+        double x = xMeters * cos + yMeters * sin;
+        double y = yMeters * cos - xMeters * sin;
+        return x >= minXMeters && x <= maxXMeters && y >= minYMeters && y <= maxYMeters;
+    }
+
+    public Position center() {
+        return turned((minXMeters + maxXMeters) / 2, (minYMeters + maxYMeters) / 2);
+    }
+
+    /** The four corners, anticlockwise. */
+    public List<Position> corners() {
+        return List.of(
+                turned(minXMeters, minYMeters),
+                turned(maxXMeters, minYMeters),
+                turned(maxXMeters, maxYMeters),
+                turned(minXMeters, maxYMeters));
+    }
+
+    /** The four sides, anticlockwise. */
+    public List<Segment> sides() {
+        List<Position> corners = corners();
+        return List.of(side(corners, 0), side(corners, 1), side(corners, 2), side(corners, 3));
+    }
+
+    private static Segment side(List<Position> corners, int first) {
+        Position from = corners.get(first);
+        Position to = corners.get((first + 1) % 4);
+        return new Segment(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters());
+    }
+
+    private Position turned(double x, double y) {
+        if (rotationRadians == 0) {
+            return new Position(x, y);
+        }
+        double cos = Math.cos(rotationRadians);
+        double sin = Math.sin(rotationRadians);
+        return new Position(x * cos - y * sin, x * sin + y * cos);
+    }
+}

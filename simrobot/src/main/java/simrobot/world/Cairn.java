@@ -1,0 +1,101 @@
+package simrobot.world;
+
+import java.util.Optional;
+
+/** The rest of a {@code Cairn: Type x y theta "desc" ICON "name" [x1 y1 x2 y2]}. */
+final class Cairn {
+    private final LineTokens tokens;
+    private final Position position;
+    private final double headingRadians;
+    private final String name;
+    private final double[] corners;
+
+    Cairn(LineTokens tokens) throws WorldFormatException {
+        this.tokens = tokens;
+        position = new Position(tokens.meters("the cairn's x"), tokens.meters("the cairn's y"));
+        headingRadians = tokens.radians("the cairn's heading");
+        name = nameOf(tokens);
+        corners = tokens.hasMore() ? cornersOf(tokens) : new double[0];
+        tokens.end();
+    }
+
+    /** Old maps leave description, icon and name out. */
+    private static String nameOf(LineTokens tokens) throws WorldFormatException {
+        if (!tokens.hasMore()) {
+            return "";
+        }
+        tokens.word("a description");
+        tokens.word("an icon");
+        return tokens.word("a name in quotes");
+    }
+
+    private static double[] cornersOf(LineTokens tokens) throws WorldFormatException {
+        return new double[] {
+            tokens.meters("the area's x1"),
+            tokens.meters("the area's y1"),
+            tokens.meters("the area's x2"),
+            tokens.meters("the area's y2")
+        };
+    }
+
+    Position position() {
+        return position;
+    }
+
+    double headingRadians() {
+        return headingRadians;
+    }
+
+    String name() {
+        return name;
+    }
+
+    /** Turned by the cairn's heading about the map's origin, as ARIA turns it. */
+    Optional<Area> area() {
+        return corners.length == 0 ? Optional.empty() : Optional.of(areaTurnedBy(headingRadians));
+    }
+
+    Area requiredArea(String type) throws WorldFormatException {
+        requireCorners(type);
+        return areaTurnedBy(headingRadians);
+    }
+
+    /** The heading means something else here (a belt's direction), so the corners are places in the map. */
+    Area requiredUprightArea(String type) throws WorldFormatException {
+        requireCorners(type);
+        return areaTurnedBy(0);
+    }
+
+    /** A line is never turned. */
+    Segment requiredLine() throws WorldFormatException {
+        requireCorners("ForbiddenLine");
+        return new Segment(corners[0], corners[1], corners[2], corners[3]);
+    }
+
+    /** The name of a belt is its speed: {@code v=-300}, in mm/s. */
+    double beltSpeedMetersPerSecond() throws WorldFormatException {
+        String expected = "a belt speed \"v=...\" in mm/s";
+        if (!name.startsWith("v=")) {
+            throw tokens.fault('"' + name + '"', expected);
+        }
+        try {
+            double millimetersPerSecond = Double.parseDouble(name.substring(2).strip());
+            if (Math.abs(millimetersPerSecond) <= 10_000) {
+                return millimetersPerSecond / 1000;
+            }
+        } catch (NumberFormatException notANumber) {
+            // falls through to the same complaint
+        }
+        throw tokens.fault('"' + name + '"', expected + " of at most 10000");
+    }
+
+    private void requireCorners(String type) throws WorldFormatException {
+        if (corners.length == 0) {
+            throw tokens.fault("no corners", "x1 y1 x2 y2 of the " + type);
+        }
+    }
+
+    private Area areaTurnedBy(double radians) {
+        return Area.between(corners[0], corners[1], corners[2], corners[3], radians);
+    }
+}

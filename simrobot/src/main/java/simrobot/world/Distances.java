@@ -1,0 +1,47 @@
+package simrobot.world;
+
+/** Plane geometry between a place, a ray and an obstacle; metres, directions as unit vectors. */
+public final class Distances {
+    private Distances() {}
+
+    /** From a place to the nearest place of a segment. */
+    public static double toSegment(double x, double y, double x1, double y1, double x2, double y2) {
+        double ux = x2 - x1;
+        double uy = y2 - y1;
+        double square = ux * ux + uy * uy;
+        double t = square > 0 ? ((x - x1) * ux + (y - y1) * uy) / square : 0;
+        double inside = Math.max(0, Math.min(1, t));
+        double dx = x1 + inside * ux - x;
+        double dy = y1 + inside * uy - y;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /** Along a ray to a segment; infinite when it is missed. A ray that runs along the segment misses it. */
+    public static double alongRay(
+            double x, double y, double ux, double uy, double x1, double y1, double x2, double y2) {
+        double sx = x2 - x1;
+        double sy = y2 - y1;
+        double cross = ux * sy - uy * sx;
+        if (cross == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double fx = x1 - x;
+        double fy = y1 - y;
+        double t = (fx * sy - fy * sx) / cross;
+        double s = (fx * uy - fy * ux) / cross;
+        return t >= 0 && s >= 0 && s <= 1 ? t : Double.POSITIVE_INFINITY;
+    }
+
+    /** Along a ray to the rim of a disc; 0 from inside, infinite when it is missed. */
+    public static double alongRayToDisc(double x, double y, double ux, double uy, double px, double py, double radius) {
+        double fx = px - x;
+        double fy = py - y;
+        double middle = fx * ux + fy * uy;
+        double c = fx * fx + fy * fy - radius * radius;
+        if (c <= 0) {
+            return 0;
+        }
+        double discriminant = middle * middle - c;
+        return middle > 0 && discriminant >= 0 ? middle - Math.sqrt(discriminant) : Double.POSITIVE_INFINITY;
+    }
+}

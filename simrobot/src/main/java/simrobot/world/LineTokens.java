@@ -1,0 +1,115 @@
+package simrobot.world;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** One line of a world file, cut into words; a word in double quotes may hold blanks and {@code \"}. */
+final class LineTokens {
+    /** Coordinates beyond this, in millimetres (a million kilometres), are slips and would ruin the arithmetic. */
+    private static final double MAX_MILLIMETERS = 1e12;
+
+    private final String source;
+    private final int line;
+    private final List<String> words = new ArrayList<>();
+    private int next;
+
+    LineTokens(String source, int line, String text) throws WorldFormatException {
+        this.source = source;
+        this.line = line;
+        int at = skipBlanks(text, 0);
+        while (at < text.length()) {
+            at = skipBlanks(text, text.charAt(at) == '"' ? quoted(text, at + 1) : bare(text, at));
+        }
+    }
+
+    boolean hasMore() {
+        return next < words.size();
+    }
+
+    /** The next word, which must be there, without taking it. */
+    String peek() {
+        return words.get(next);
+    }
+
+    String word(String expected) throws WorldFormatException {
+        if (!hasMore()) {
+            throw fault("the end of the line", expected);
+        }
+        return words.get(next++);
+    }
+
+    /** The next word as a finite number. */
+    double number(String expected) throws WorldFormatException {
+        String word = word(expected);
+        try {
+            double value = Double.parseDouble(word);
+            if (Math.abs(value) <= MAX_MILLIMETERS && isDecimal(word)) {
+                return value;
+            }
+        } catch (NumberFormatException notANumber) {
+            // falls through to the same complaint
+        }
+        throw fault('"' + word + '"', expected);
+    }
+
+    double meters(String what) throws WorldFormatException {
+        return number(what + " in mm") / 1000;
+    }
+
+    double radians(String what) throws WorldFormatException {
+        return Math.toRadians(number(what + " in degrees"));
+    }
+
+    void end() throws WorldFormatException {
+        if (hasMore()) {
+            throw fault('"' + words.get(next) + '"', "the end of the line");
+        }
+    }
+
+    WorldFormatException fault(String found, String expected) {
+        return new WorldFormatException(source, line, found, expected);
+    }
+
+    /** Java also reads "1f", "0x1p3" or "NaN"; a map never means those. */
+    private static boolean isDecimal(String word) {
+        for (int i = 0; i < word.length(); i++) {
+            if ("0123456789+-.eE".indexOf(word.charAt(i)) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static int skipBlanks(String text, int from) {
+        int at = from;
+        while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
+            at++;
+        }
+        return at;
+    }
+
+    private int bare(String text, int from) {
+        int at = from;
+        while (at < text.length() && !Character.isWhitespace(text.charAt(at))) {
+            at++;
+        }
+        words.add(text.substring(from, at));
+        return at;
+    }
+
+    private int quoted(String text, int from) throws WorldFormatException {
+        StringBuilder word = new StringBuilder();
+        int at = from;
+        while (at < text.length() && text.charAt(at) != '"') {
+            if (text.charAt(at) == '\\' && at + 1 < text.length()) {
+                at++;
+            }
+            word.append(text.charAt(at++));
+        }
+        if (at >= text.length()) {
+            throw fault("a quote that is not closed", "\"");
+        }
+        words.add(word.toString());
+        return at + 1;
+    }
+}

@@ -1,0 +1,170 @@
+package simrobot.world;
+
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * ARIA's {@code .map}: a first line {@code 2D-Map}, headers {@code Key: value} in any order, then {@code LINES} with a
+ * wall per line and {@code DATA} with a point per line, millimetres and degrees.
+ *
+ * <p>Counts and bounds in the headers are not believed, as ARIA does not believe them: what is there is read. Unknown
+ * headers and unknown cairns are skipped.
+ */
+public final class MapReader {
+    private static final String MAGIC = "2D-Map";
+
+    private enum Section {
+        HEADER,
+        LINES,
+        DATA
+    }
+
+    private final String source;
+    private final WorldBuilder world = new WorldBuilder();
+    private Section section = Section.HEADER;
+
+    private MapReader(String source) {
+        this.source = source;
+    }
+
+    /**
+     * The world that the text describes.
+     *
+     * @param source named in errors and as the world's name
+     */
+    public static World read(String source, String text) throws WorldFormatException {
+        List<String> lines = WorldReader.lines(text);
+        if (lines.isEmpty() || !lines.get(0).strip().startsWith(MAGIC)) {
+            String found = lines.isEmpty() ? "an empty file" : '"' + brief(lines.get(0)) + '"';
+            throw new WorldFormatException(source, 1, found, '"' + MAGIC + '"');
+        }
+        MapReader reader = new MapReader(source);
+        for (int i = 1; i < lines.size(); i++) {
+            reader.accept(i + 1, lines.get(i).strip());
+        }
+        return reader.world.build(source);
+    }
+
+    private void accept(int number, String line) throws WorldFormatException {
+        if (line.isEmpty() || line.startsWith("#") || line.startsWith(";")) {
+            return;
+        }
+        if (!opensSection(line)) {
+            LineTokens tokens = new LineTokens(source, number, section == Section.HEADER ? headerValue(line) : line);
+            switch (section) {
+                case HEADER -> header(line, tokens);
+                case LINES -> wall(tokens);
+                case DATA -> point(tokens);
+            }
+        }
+    }
+
+    /** Maps with several kinds of scan name their sections {@code <kind>LINES} and {@code <kind>DATA}. */
+    private boolean opensSection(String line) {
+        if (line.endsWith("LINES") && isWord(line)) {
+            section = Section.LINES;
+            return true;
+        }
+        if (line.endsWith("DATA") && isWord(line)) {
+            section = Section.DATA;
+            return true;
+        }
+        return false;
+    }
+
+    private static boolean isWord(String line) {
+        return line.chars().allMatch(c -> Character.isLetterOrDigit(c) || c == '_');
+    }
+
+    /** The headers that matter; the others may hold whatever they like, open quotes included. */
+    private static String headerValue(String line) {
+        String key = key(line);
+        boolean matters = key.equals("Cairn") || key.equals("Resolution");
+        return matters ? line.substring(line.indexOf(':') + 1) : "";
+    }
+
+    private static String key(String line) {
+        int colon = line.indexOf(':');
+        return colon < 0 ? "" : line.substring(0, colon).strip();
+    }
+
+    private void header(String line, LineTokens tokens) throws WorldFormatException {
+        if (line.indexOf(':') < 0) {
+            throw tokens.fault('"' + brief(line) + '"', "a header \"Key: value\", LINES or DATA");
+        }
+        switch (key(line)) {
+            case "Cairn" -> cairn(tokens);
+            case "Resolution" -> resolution(tokens);
+            default -> {
+                // counts, bounds, origins, infos of other programs
+            }
+        }
+    }
+
+    private void resolution(LineTokens tokens) throws WorldFormatException {
+        double meters = tokens.meters("the resolution");
+        if (meters < 0) {
+            throw tokens.fault("a negative resolution", "0 mm or more");
+        }
+        world.pointDiameterMeters = Math.min(meters, 0.1);
+    }
+
+    private void wall(LineTokens tokens) throws WorldFormatException {
+        world.segments.add(
+                new Segment(tokens.meters("x1"), tokens.meters("y1"), tokens.meters("x2"), tokens.meters("y2")));
+        tokens.end();
+    }
+
+    private void point(LineTokens tokens) throws WorldFormatException {
+        world.points.add(new Position(tokens.meters("x"), tokens.meters("y")));
+        // some maps carry a third column, the reflectance
+        if (tokens.hasMore()) {
+            tokens.number("a point's third number");
+        }
+        tokens.end();
+    }
+
+    private void cairn(LineTokens tokens) throws WorldFormatException {
+        String type = tokens.word("a cairn's type");
+        switch (type.toLowerCase(Locale.ROOT)) {
+            case "robothome" -> home(new Cairn(tokens));
+            case "goal", "goalwithheading", "dock" -> goal(new Cairn(tokens));
+            case "forbiddenline" -> forbiddenLine(new Cairn(tokens));
+            case "forbiddenarea" -> world.forbiddenAreas.add(new Cairn(tokens).requiredArea(type));
+            case "sim.boxobstacle" -> box(new Cairn(tokens), type);
+            case "sim.treadmill" -> treadmill(new Cairn(tokens), type);
+            default -> {
+                // objects of other programs
+            }
+        }
+    }
+
+    private void home(Cairn cairn) {
+        Position at = cairn.position();
+        if (cairn.area().isPresent() && !cairn.area().get().contains(at.xMeters(), at.yMeters())) {
+            at = cairn.area().get().center();
+        }
+        world.homes.add(new Home(cairn.name(), at, cairn.headingRadians(), cairn.area()));
+    }
+
+    private void goal(Cairn cairn) {
+        world.goals.add(new Goal(cairn.name(), cairn.position()));
+    }
+
+    private void forbiddenLine(Cairn cairn) throws WorldFormatException {
+        world.forbiddenLines.add(cairn.requiredLine());
+    }
+
+    private void box(Cairn cairn, String type) throws WorldFormatException {
+        world.boxes.add(new Box(cairn.name(), cairn.requiredArea(type)));
+    }
+
+    private void treadmill(Cairn cairn, String type) throws WorldFormatException {
+        world.treadmills.add(new Treadmill(
+                cairn.requiredUprightArea(type), cairn.beltSpeedMetersPerSecond(), cairn.headingRadians()));
+    }
+
+    private static String brief(String line) {
+        return line.length() > 40 ? line.substring(0, 40) + "..." : line;
+    }
+}

@@ -1,0 +1,315 @@
+package simrobot.world;
+
+import java.util.List;
+
+/**
+ * A world's obstacles in a uniform grid, so that the questions "how far", "how near" and "what is in the way" cost the
+ * same in a cupboard and in a city. Immutable; several threads may ask.
+ *
+ * <p>Each cell lists the obstacles that touch it: {@code items[first[cell] .. first[cell + 1])}; an item below
+ * {@code segmentCount} is a segment, the others are points.
+ */
+public final class ObstacleGrid {
+    private static final double MAX_CELL_METERS = 1;
+    private static final double MIN_CELL_METERS = 0.25;
+
+    /** Worlds beyond this get larger cells instead of more. */
+    private static final int MAX_CELLS = 1 << 21;
+
+    private final int segmentCount;
+    private final int pointCount;
+
+    /** x1, y1, x2, y2 of every segment. */
+    private final double[] segments;
+
+    /** x, y of every point. */
+    private final double[] points;
+
+    private final double pointRadius;
+    private final double minX;
+    private final double minY;
+    private final double cell;
+    private final int columns;
+    private final int rows;
+    private final int[] first;
+    private final int[] items;
+
+    public ObstacleGrid(World world) {
+        List<Segment> walls = world.obstacles();
+        segmentCount = walls.size();
+        pointCount = world.points().size();
+        pointRadius = world.pointDiameterMeters() / 2;
+        segments = new double[4 * segmentCount];
+        points = new double[2 * pointCount];
+        copy(walls, world.points());
+        Area bounds = obstacleBounds();
+        double width = bounds.maxXMeters() - bounds.minXMeters();
+        double height = bounds.maxYMeters() - bounds.minYMeters();
+        cell = cellSize(width, height);
+        // a rim of one cell, so that rounding at the border never leaves the grid
+        minX = bounds.minXMeters() - cell;
+        minY = bounds.minYMeters() - cell;
+        columns = (int) (width / cell) + 3;
+        rows = (int) (height / cell) + 3;
+        first = new int[columns * rows + 1];
+        items = fill();
+    }
+
+    private void copy(List<Segment> walls, List<Position> dots) {
+        for (int i = 0; i < segmentCount; i++) {
+            Segment wall = walls.get(i);
+            segments[4 * i] = wall.x1Meters();
+            segments[4 * i + 1] = wall.y1Meters();
+            segments[4 * i + 2] = wall.x2Meters();
+            segments[4 * i + 3] = wall.y2Meters();
+        }
+        for (int i = 0; i < pointCount; i++) {
+            points[2 * i] = dots.get(i).xMeters();
+            points[2 * i + 1] = dots.get(i).yMeters();
+        }
+    }
+
+    private Area obstacleBounds() {
+        double x1 = Double.POSITIVE_INFINITY;
+        double y1 = Double.POSITIVE_INFINITY;
+        double x2 = Double.NEGATIVE_INFINITY;
+        double y2 = Double.NEGATIVE_INFINITY;
+        for (double[] corners : new double[][] {segments, points}) {
+            for (int i = 0; i < corners.length; i += 2) {
+                x1 = Math.min(x1, corners[i]);
+                x2 = Math.max(x2, corners[i]);
+                y1 = Math.min(y1, corners[i + 1]);
+                y2 = Math.max(y2, corners[i + 1]);
+            }
+        }
+        return x1 > x2 ? new Area(0, 0, 0, 0, 0) : new Area(x1, y1, x2, y2, 0);
+    }
+
+    /** A few obstacles a cell where they are dense, a metre where they are not. */
+    private double cellSize(double width, double height) {
+        double wanted = Math.sqrt(4 * (width + 1) * (height + 1) / (segmentCount + pointCount + 1.0));
+        double size = Math.max(MIN_CELL_METERS, Math.min(MAX_CELL_METERS, wanted));
+        while ((width / size + 3) * (height / size + 3) > MAX_CELLS) {
+            size *= 2;
+        }
+        return size;
+    }
+
+    // ---- filling -------------------------------------------------------------------------------------------------
+
+    /** What is done with each cell that an obstacle touches. */
+    private interface CellVisitor {
+        void visit(int cellIndex, int item);
+    }
+
+    private int[] fill() {
+        int[] counts = new int[columns * rows];
+        eachCell((at, item) -> counts[at]++);
+        for (int i = 0; i < counts.length; i++) {
+            first[i + 1] = first[i] + counts[i];
+        }
+        int[] filled = new int[first[counts.length]];
+        int[] next = first.clone();
+        eachCell((at, item) -> filled[next[at]++] = item);
+        return filled;
+    }
+
+    private void eachCell(CellVisitor visitor) {
+        for (int i = 0; i < segmentCount; i++) {
+            segmentCells(i, visitor);
+        }
+        for (int i = 0; i < pointCount; i++) {
+            discCells(i, visitor);
+        }
+    }
+
+    /** Row by row the columns that the wall crosses there, a hair wider than it is. */
+    private void segmentCells(int i, CellVisitor visitor) {
+        boolean upward = segments[4 * i + 1] <= segments[4 * i + 3];
+        double xa = segments[4 * i + (upward ? 0 : 2)];
+        double ya = segments[4 * i + (upward ? 1 : 3)];
+        double xb = segments[4 * i + (upward ? 2 : 0)];
+        double yb = segments[4 * i + (upward ? 3 : 1)];
+        double hair = 1e-6 * cell;
+        int last = row(yb + hair);
+        for (int r = row(ya - hair); r <= last; r++) {
+            double from = Math.max(ya, minY + r * cell - hair);
+            double to = Math.min(yb, minY + (r + 1) * cell + hair);
+            double x1 = yb > ya ? xa + (xb - xa) * clamp01((from - ya) / (yb - ya)) : xa;
+            double x2 = yb > ya ? xa + (xb - xa) * clamp01((to - ya) / (yb - ya)) : xb;
+            int right = column(Math.max(x1, x2) + hair);
+            for (int c = column(Math.min(x1, x2) - hair); c <= right; c++) {
+                visitor.visit(r * columns + c, i);
+            }
+        }
+    }
+
+    private static double clamp01(double value) {
+        return Math.max(0, Math.min(1, value));
+    }
+
+    private void discCells(int i, CellVisitor visitor) {
+        double reach = pointRadius + 1e-6 * cell;
+        int top = row(points[2 * i + 1] + reach);
+        int right = column(points[2 * i] + reach);
+        for (int r = row(points[2 * i + 1] - reach); r <= top; r++) {
+            for (int c = column(points[2 * i] - reach); c <= right; c++) {
+                visitor.visit(r * columns + c, segmentCount + i);
+            }
+        }
+    }
+
+    private int column(double x) {
+        return Math.max(0, Math.min(columns - 1, (int) Math.floor((x - minX) / cell)));
+    }
+
+    private int row(double y) {
+        return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - minY) / cell)));
+    }
+
+    // ---- asking --------------------------------------------------------------------------------------------------
+
+    /** The first thing that a disc touches on its way by (dx, dy); metres. */
+    public Contact sweep(double x, double y, double dx, double dy, double radiusMeters) {
+        if (dx == 0 && dy == 0) {
+            return Contact.NONE;
+        }
+        MovingDisc disc = new MovingDisc(x, y, dx, dy, radiusMeters);
+        double rim = radiusMeters + 2 * MovingDisc.SKIN_METERS;
+        int right = column(Math.max(x, x + dx) + rim);
+        int top = row(Math.max(y, y + dy) + rim);
+        for (int r = row(Math.min(y, y + dy) - rim); r <= top; r++) {
+            for (int c = column(Math.min(x, x + dx) - rim); c <= right; c++) {
+                meetAll(disc, r * columns + c);
+            }
+        }
+        return disc.contact();
+    }
+
+    private void meetAll(MovingDisc disc, int at) {
+        for (int k = first[at]; k < first[at + 1]; k++) {
+            int i = items[k];
+            if (i < segmentCount) {
+                disc.meetSegment(segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
+            } else {
+                int p = 2 * (i - segmentCount);
+                disc.meetPoint(points[p], points[p + 1]);
+            }
+        }
+    }
+
+    /** The distance from the place to the nearest obstacle, or {@code within} when none is nearer than that; metres. */
+    public double clearance(double x, double y, double within) {
+        double nearest = within;
+        int right = column(x + within);
+        int top = row(y + within);
+        for (int r = row(y - within); r <= top; r++) {
+            for (int c = column(x - within); c <= right; c++) {
+                for (int k = first[r * columns + c]; k < first[r * columns + c + 1]; k++) {
+                    nearest = Math.min(nearest, distance(items[k], x, y));
+                }
+            }
+        }
+        return nearest;
+    }
+
+    private double distance(int i, double x, double y) {
+        if (i < segmentCount) {
+            return Distances.toSegment(
+                    x, y, segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
+        }
+        int p = 2 * (i - segmentCount);
+        return Math.hypot(points[p] - x, points[p + 1] - y);
+    }
+
+    /** The distance at which a cone (a sonar's) first holds an obstacle, or {@code max}; metres and radians. */
+    public double coneRange(Cone cone, double maxMeters) {
+        double nearest = maxMeters;
+        int right = column(cone.maxX(maxMeters));
+        int top = row(cone.maxY(maxMeters));
+        for (int r = row(cone.minY(maxMeters)); r <= top; r++) {
+            for (int c = column(cone.minX(maxMeters)); c <= right; c++) {
+                for (int k = first[r * columns + c]; k < first[r * columns + c + 1]; k++) {
+                    nearest = Math.min(nearest, inCone(items[k], cone));
+                }
+            }
+        }
+        return nearest;
+    }
+
+    private double inCone(int i, Cone cone) {
+        if (i < segmentCount) {
+            return cone.distanceToSegment(
+                    segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
+        }
+        int p = 2 * (i - segmentCount);
+        return cone.distanceToPoint(points[p], points[p + 1]);
+    }
+
+    /**
+     * The distance along a single ray to the first obstacle, or {@code max}. The ray walks the grid cell by cell
+     * (Amanatides and Woo 1987) and stops in the cell that holds its hit.
+     *
+     * @param ux with uy the ray's direction, a unit vector
+     */
+    public double rayRange(double x, double y, double ux, double uy, double maxMeters) {
+        double enter = entry(x, y, ux, uy, maxMeters);
+        if (enter >= maxMeters) {
+            return maxMeters;
+        }
+        int c = column(x + ux * enter);
+        int r = row(y + uy * enter);
+        int stepX = ux < 0 ? -1 : 1;
+        int stepY = uy < 0 ? -1 : 1;
+        double deltaX = ux == 0 ? Double.POSITIVE_INFINITY : cell / Math.abs(ux);
+        double deltaY = uy == 0 ? Double.POSITIVE_INFINITY : cell / Math.abs(uy);
+        double nextX = ux == 0 ? Double.POSITIVE_INFINITY : (minX + (c + (ux > 0 ? 1 : 0)) * cell - x) / ux;
+        double nextY = uy == 0 ? Double.POSITIVE_INFINITY : (minY + (r + (uy > 0 ? 1 : 0)) * cell - y) / uy;
+        double nearest = maxMeters;
+        while (c >= 0 && c < columns && r >= 0 && r < rows) {
+            int at = r * columns + c;
+            for (int k = first[at]; k < first[at + 1]; k++) {
+                nearest = Math.min(nearest, hit(items[k], x, y, ux, uy));
+            }
+            double leave = Math.min(nextX, nextY);
+            if (nearest <= leave) {
+                return nearest;
+            }
+            if (nextX < nextY) {
+                c += stepX;
+                nextX += deltaX;
+            } else {
+                r += stepY;
+                nextY += deltaY;
+            }
+        }
+        return nearest;
+    }
+
+    /** Where a ray from outside comes into the grid; 0 from inside, {@code max} when it never does. */
+    private double entry(double x, double y, double ux, double uy, double max) {
+        double in = 0;
+        double out = max;
+        double[] lows = {(minX - x) / ux, (minY - y) / uy};
+        double[] highs = {(minX + columns * cell - x) / ux, (minY + rows * cell - y) / uy};
+        for (int axis = 0; axis < 2; axis++) {
+            if ((axis == 0 ? ux : uy) != 0) {
+                in = Math.max(in, Math.min(lows[axis], highs[axis]));
+                out = Math.min(out, Math.max(lows[axis], highs[axis]));
+            } else if ((axis == 0 ? x : y) < (axis == 0 ? minX : minY)
+                    || (axis == 0 ? x : y) > (axis == 0 ? minX + columns * cell : minY + rows * cell)) {
+                return max;
+            }
+        }
+        return in <= out ? in : max;
+    }
+
+    private double hit(int i, double x, double y, double ux, double uy) {
+        if (i < segmentCount) {
+            return Distances.alongRay(
+                    x, y, ux, uy, segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
+        }
+        int p = 2 * (i - segmentCount);
+        return Distances.alongRayToDisc(x, y, ux, uy, points[p], points[p + 1], pointRadius);
+    }
+}

@@ -1,0 +1,27 @@
+package simrobot.world;
+
+import java.util.Objects;
+
+/**
+ * A belt in the floor that carries every robot whose centre of rotation is on it. Our own addition to the map format: it
+ * makes wheels slip, and so the paper's "infinite loop" can happen.
+ *
+ * @param area not turned: the file's corners are places in the map
+ * @param speedMetersPerSecond along the direction; negative runs against it
+ * @param directionRadians anticlockwise from +X
+ */
+public record Treadmill(Area area, double speedMetersPerSecond, double directionRadians) {
+    public Treadmill {
+        Objects.requireNonNull(area);
+        Finite.check("belt speed", speedMetersPerSecond);
+        Finite.check("direction", directionRadians);
+    }
+
+    public double velocityX() {
+        return speedMetersPerSecond * Math.cos(directionRadians);
+    }
+
+    public double velocityY() {
+        return speedMetersPerSecond * Math.sin(directionRadians);
+    }
+}

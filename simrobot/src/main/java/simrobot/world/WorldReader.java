@@ -1,0 +1,69 @@
+package simrobot.world;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Reads a world file, ARIA {@code .map} or Saphira {@code .wld}, told apart by its ending. */
+public final class WorldReader {
+    /** Far above the largest real map known (63,311 points, under 1 MB); a file beyond it is no map. */
+    static final long MAX_FILE_BYTES = 64L << 20;
+
+    private WorldReader() {}
+
+    /**
+     * The world that the file describes.
+     *
+     * @throws WorldFormatException naming file, line, what was found and what was expected
+     * @throws IOException when the file cannot be read
+     */
+    public static World read(Path file) throws IOException {
+        long size = Files.size(file);
+        if (size > MAX_FILE_BYTES) {
+            throw new IOException(file + ": " + size + " bytes, expected at most " + MAX_FILE_BYTES);
+        }
+        String text = decode(Files.readAllBytes(file));
+        boolean saphira = file.toString().toLowerCase(Locale.ROOT).endsWith(".wld");
+        String name = String.valueOf(file.getFileName());
+        return saphira ? SaphiraReader.read(name, text) : MapReader.read(name, text);
+    }
+
+    /** UTF-8 when it is valid UTF-8, else Latin-1, which old maps are written in. */
+    static String decode(byte[] bytes) {
+        try {
+            String text = StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(bytes))
+                    .toString();
+            return text.startsWith("\uFEFF") ? text.substring(1) : text;
+        } catch (CharacterCodingException notUtf8) {
+            return new String(bytes, StandardCharsets.ISO_8859_1);
+        }
+    }
+
+    /** The lines of a text with LF, CRLF or CR ends, mixed or not. */
+    static List<String> lines(String text) {
+        List<String> lines = new ArrayList<>();
+        int start = 0;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (c == '\n' || c == '\r') {
+                lines.add(text.substring(start, i));
+                if (c == '\r' && i + 1 < text.length() && text.charAt(i + 1) == '\n') {
+                    i++;
+                }
+                start = i + 1;
+            }
+        }
+        if (start < text.length()) {
+            lines.add(text.substring(start));
+        }
+        return lines;
+    }
+}
