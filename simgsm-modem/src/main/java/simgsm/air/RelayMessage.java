@@ -11,6 +11,11 @@ public sealed interface RelayMessage {
     /** RP message reference, 0 to 255. */
     int reference();
 
+    /** Whether a TPDU may have this many octets. */
+    static boolean isTpduLength(int octets) {
+        return octets > 0 && octets <= MAX_TPDU_LENGTH;
+    }
+
     private static void checkReference(int reference) {
         if (reference < 0 || reference > 0xff) {
             throw new IllegalArgumentException("RP message reference " + reference + " is not 0 to 255");
@@ -18,7 +23,7 @@ public sealed interface RelayMessage {
     }
 
     private static void checkTpdu(OctetString tpdu) {
-        if (tpdu.length() == 0 || tpdu.length() > MAX_TPDU_LENGTH) {
+        if (!isTpduLength(tpdu.length())) {
             throw new IllegalArgumentException(
                     "a TPDU of " + tpdu.length() + " octets, 1 to " + MAX_TPDU_LENGTH + " were expected");
         }

@@ -125,7 +125,8 @@ final class ShortMessageCodec {
     private static Optional<OctetString> readUserData(OctetReader in) throws ProtocolViolation {
         OptionalElements elements = new OptionalElements(in, OptionalElements.FixedElements.NONE);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-            if (identifier == RP_USER_DATA && elements.value().remaining() <= RelayMessage.MAX_TPDU_LENGTH) {
+            if (identifier == RP_USER_DATA
+                    && RelayMessage.isTpduLength(elements.value().remaining())) {
                 return Optional.of(elements.value().rest());
             }
         }
@@ -133,7 +134,7 @@ final class ShortMessageCodec {
     }
 
     private static void checkTpdu(OctetString tpdu) throws ProtocolViolation {
-        if (tpdu.length() == 0 || tpdu.length() > RelayMessage.MAX_TPDU_LENGTH) {
+        if (!RelayMessage.isTpduLength(tpdu.length())) {
             throw new ProtocolViolation(
                     Cause.INVALID_MANDATORY_INFORMATION,
                     "RP user data of " + tpdu.length() + " octets, 1 to " + RelayMessage.MAX_TPDU_LENGTH
