@@ -43,15 +43,13 @@ final class Display {
     }
 
     /**
-     * @param open the keys of the open order, empty if none is open; a fresh opening clears the line of the order before
-     *     it
+     * @param open the keys of the open order, empty if none is open. A new order takes the line over; but as the closing of
+     *     a broken order opens an empty one, a fault stays in view until more than stars have come
      */
     void key(char key, String open) {
-        if (open.equals("**")) {
+        boolean faultStays = failingPosition > 0 && open.chars().allMatch(c -> c == '*');
+        if (!open.isEmpty() && !faultStays) {
             keys(open);
-        } else if (!open.isEmpty()) {
-            keys.setLength(0);
-            keys.append(open);
         } else if (keys.length() < MAX_KEYS) {
             keys.append(key);
         }
@@ -62,9 +60,9 @@ final class Display {
     }
 
     void verdict(Verdict verdict) {
+        keys(verdict.keys());
         verdictWord = verdict.word();
         if (verdict instanceof Verdict.Invalid invalid) {
-            words = "";
             failingPosition = invalid.fault().position();
             verdictText = texts.invalid(invalid.fault()).text();
         } else if (verdict instanceof Verdict.Refused refused) {

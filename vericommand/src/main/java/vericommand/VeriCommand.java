@@ -84,7 +84,6 @@ public final class VeriCommand {
             return;
         }
         display.begin(from, true);
-        display.keys(OrderText.keysOf(text));
         conclude(OrderText.read(text), Source.message(from));
         listener.changed();
     }

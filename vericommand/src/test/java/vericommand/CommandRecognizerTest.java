@@ -1,0 +1,300 @@
+package vericommand;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Keys of a call, one at a time. What they lead to is written {@code ok:INSTRUCTIONS} or {@code POSITION:EXPECTED}. */
+class CommandRecognizerTest {
+    private final CommandRecognizer recognizer = new CommandRecognizer();
+
+    private List<String> press(String keys) {
+        List<String> told = new ArrayList<>();
+        for (char key : OrderText.keysOf(keys).toCharArray()) {
+            tell(recognizer.key(key), told);
+        }
+        return told;
+    }
+
+    private static void tell(Recognition recognition, List<String> told) {
+        if (recognition instanceof Recognition.Complete complete) {
+            told.add("ok:" + complete.order().instructionKeys().replace(" ", ""));
+        } else if (recognition instanceof Recognition.Broken broken) {
+            told.add(broken.fault().position() + ":" + broken.fault().expected());
+        }
+    }
+
+    private List<String> silence(long samples) {
+        List<String> told = new ArrayList<>();
+        tell(recognizer.elapsed(samples), told);
+        return told;
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "** #**20 **|#**20",
+                "** #*#90 **|#*#90",
+                "** ### **|###",
+                "** #*0 **|#*0",
+                "** #**100 #*#90 #**100 **|#**100#*#90#**100",
+                "** #**1 **|#**1",
+                "** #**9999 **|#**9999",
+                "** #*#1 **|#*#1",
+                "** #*#360 **|#*#360",
+                "** #**0001 **|#**1",
+                "** #*#0360 **|#*#360",
+                "** #*0 ### #*0 #**5 **|#*0####*0#**5",
+                "*** #**20 **|#**20",
+                "**** #**20 **|#**20",
+                "******* #**20 **|#**20"
+            })
+    void aRightOrderIsCompleteAtItsLastStar(String keys, String instructions) {
+        String all = OrderText.keysOf(keys);
+        assertEquals(List.of(), press(all.substring(0, all.length() - 1)));
+        assertEquals(List.of("ok:" + instructions), press("*"));
+        assertFalse(recognizer.isOpen());
+    }
+
+    @Test
+    void anOrderKeepsTheKeysAsTheyCame() {
+        press("*** #**0020 *");
+        Recognition.Complete complete = (Recognition.Complete) recognizer.key('*');
+        assertEquals("***#**0020**", complete.order().keys());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "#", "12#45*6", "#*#*#*5", "A*B*", "*#**20"})
+    void keysBeforeAnyOpeningAreIgnored(String keys) {
+        assertEquals(List.of(), press(keys.endsWith("0") ? "*#*" : keys));
+        assertFalse(recognizer.isOpen());
+        assertEquals(List.of("ok:#**20"), press("7 ** #**20 **"));
+    }
+
+    @Test
+    void withNothingBrokenEvenAnOpeningBehindAHashOpens() {
+        assertEquals(List.of("ok:#**20"), press("#** #**20 **"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "** 2|3|HASH",
+                "** A|3|HASH",
+                "** x|3|HASH",
+                "** #0|4|STAR_OR_HASH",
+                "** #A|4|STAR_OR_HASH",
+                "** #*1|5|STAR_HASH_OR_ZERO",
+                "** #*A|5|STAR_HASH_OR_ZERO",
+                "** ##0|5|HASH",
+                "** ##*|5|HASH",
+                "** ###5|6|HASH_OR_STAR",
+                "** #*05|6|HASH_OR_STAR",
+                "** #***|6|NUMBER",
+                "** #**#|6|NUMBER",
+                "** #**A|6|NUMBER",
+                "** #*#*|6|NUMBER",
+                "** #**0*|7|NUMBER",
+                "** #**0000*|10|NUMBER",
+                "** #**00#|8|NUMBER",
+                "** #*#361*|9|NUMBER",
+                "** #*#9999#|10|NUMBER",
+                "** #*#361A|9|NUMBER",
+                "** #**20A|8|DIGIT_HASH_OR_STAR",
+                "** #**1234A|10|HASH_OR_STAR",
+                "** #**12345|10|HASH_OR_STAR",
+                "** #*#00901|10|HASH_OR_STAR",
+                "** #**20 *5|9|STAR",
+                "** #**20 *#|9|STAR",
+                "** #**20 *D|9|STAR",
+                "*** 2|4|HASH",
+                "***** #** #|9|NUMBER"
+            })
+    void aBrokenOrderIsToldAtTheOffendingKey(String keys, int position, Expected expected) {
+        String all = OrderText.keysOf(keys);
+        assertEquals(List.of(), press(all.substring(0, all.length() - 1)));
+        assertEquals(List.of(position + ":" + expected), press(all.substring(all.length() - 1)));
+        assertFalse(recognizer.isOpen());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "** #**|CENTIMETERS",
+                "** #*#|DEGREES",
+                "** #**0|CENTIMETERS",
+                "** #*#361|DEGREES",
+                "** #*#1234|DEGREES",
+                "** #|NONE",
+                "** #**5|NONE"
+            })
+    void theLimitIsToldWhereARangeMatters(String keys, Fault.Limit limit) {
+        press(keys);
+        assertEquals(limit, recognizer.missing().limit());
+        assertEquals(limit, ((Recognition.Broken) recognizer.key('A')).fault().limit());
+    }
+
+    @Test
+    void aFifthDigitTellsTheRangeToo() {
+        press("** #*#1234");
+        assertEquals(
+                Fault.Limit.DEGREES,
+                ((Recognition.Broken) recognizer.key('5')).fault().limit());
+    }
+
+    @Test
+    void theThirtyThirdInstructionBreaksAtItsHash() {
+        press("**" + "###".repeat(32));
+        Fault fault = ((Recognition.Broken) recognizer.key('#')).fault();
+        assertEquals(2 + 96 + 1, fault.position());
+        assertEquals(Expected.CLOSING, fault.expected());
+        assertEquals(Fault.Limit.INSTRUCTIONS, fault.limit());
+    }
+
+    @Test
+    void thirtyTwoInstructionsWithNumbersAreTakenAndOneMoreIsNot() {
+        assertEquals(List.of("ok:" + "#*#1".repeat(32)), press("**" + "#*#1".repeat(32) + "**"));
+        assertEquals(List.of((2 + 128 + 1) + ":CLOSING"), press("**" + "#*#1".repeat(33) + "**"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "** 20 **|3:HASH",
+                "** #5 #**20 **|4:STAR_OR_HASH",
+                "** #**0 **|7:NUMBER",
+                "** #** **|6:NUMBER",
+                "** #*#361 #**5 **|9:NUMBER",
+                "** #**12345 **|10:HASH_OR_STAR",
+                "** #**2A **|7:DIGIT_HASH_OR_STAR",
+                "** #**20 *5 **|9:STAR",
+                "** #**20 *#**20 **|9:STAR",
+                "** ## **|5:HASH",
+                "** ##* **|5:HASH",
+                "** #A** **|4:STAR_OR_HASH",
+                "** 1 #** #*# ### #** 5 **|3:HASH"
+            })
+    void theClosingOfABrokenOrderLeavesNoTraceAndTheNextOrderIsReadRight(String broken, String fault) {
+        assertEquals(List.of(fault), press(broken));
+        assertEquals(List.of("ok:#*#5"), press("** #*#5 **"));
+        assertEquals(List.of(fault), press(broken));
+        assertEquals(1, press(broken).size(), "the second of two broken orders in a row is told once, too");
+        assertEquals(List.of("ok:###"), press("** ### **"));
+    }
+
+    @Test
+    void theOffendingKeyMayBeTheFirstStarOfTheNextOpening() {
+        assertEquals(List.of("7:NUMBER"), press("** #**0*"));
+        assertFalse(recognizer.isOpen());
+        press("*");
+        assertTrue(recognizer.isOpen());
+        assertEquals("**", recognizer.keys());
+        assertEquals(List.of("ok:#**7"), press("#**7 **"));
+    }
+
+    @Test
+    void anOffendingStarBehindAHashIsNoFirstStar() {
+        assertEquals(List.of("5:HASH"), press("** ##*"));
+        press("*");
+        assertFalse(recognizer.isOpen());
+        press("*");
+        assertTrue(recognizer.isOpen());
+    }
+
+    @Test
+    void positionsOfTheNextOrderCountFromItsOwnFirstStar() {
+        assertEquals(List.of("3:HASH"), press("** 9 1 2 3"));
+        assertEquals(List.of("4:STAR_OR_HASH"), press("** #4"));
+    }
+
+    @Test
+    void theClosingOfABrokenOrderIsTheFirstOfTheStarsThatOpenTheNext() {
+        assertEquals(List.of("3:HASH"), press("** 20 **"));
+        assertEquals(List.of("5:HASH"), press("** 20 **"));
+    }
+
+    @Test
+    void tenSecondsWithoutAKeyDropAnOrderOnceAndNotASampleEarlier() {
+        press("** #");
+        assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES - 1));
+        assertEquals(List.of("4:STAR_OR_HASH"), silence(1));
+        assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES));
+        assertFalse(recognizer.isOpen());
+    }
+
+    @Test
+    void aTimeOutSaysSoAndWhatWasMissing() {
+        press("** #**");
+        Fault fault = ((Recognition.Broken) recognizer.elapsed(CommandRecognizer.TIMEOUT_SAMPLES)).fault();
+        assertTrue(fault.timedOut());
+        assertEquals(new Fault("**#**", 6, Expected.NUMBER, Fault.Limit.CENTIMETERS, true), fault);
+    }
+
+    @Test
+    void everyKeyStartsTheTenSecondsAgain() {
+        press("** #");
+        for (char key : "**20*".toCharArray()) {
+            assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES - 1));
+            press("" + key);
+        }
+        assertEquals(List.of("ok:#**20"), press("*"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "*", "**", "****", "12"})
+    void withoutAKeyBehindTheOpeningThereIsNoTimeOut(String keys) {
+        press(keys);
+        assertEquals(List.of(), silence(10 * CommandRecognizer.TIMEOUT_SAMPLES));
+        assertEquals(List.of("ok:#**20"), press("** #**20 **"));
+    }
+
+    @Test
+    void afterATimeOutTheNextOrderIsReadRight() {
+        press("** #");
+        silence(CommandRecognizer.TIMEOUT_SAMPLES);
+        assertEquals(List.of("ok:#**20"), press("** #**20 **"));
+        press("** #**2");
+        silence(CommandRecognizer.TIMEOUT_SAMPLES);
+        assertEquals(List.of(), press("0 **"), "the rest of the dropped order");
+        assertEquals(List.of("ok:#**20"), press("** #**20 **"));
+    }
+
+    @Test
+    void theEndOfACallForgetsAnOpenOrderAndABrokenOne() {
+        press("** #**2");
+        recognizer.reset();
+        assertEquals(List.of(), press("0 **"));
+        recognizer.reset();
+        press("** 5");
+        recognizer.reset();
+        assertEquals(List.of("ok:#**20"), press("#** #**20 **"));
+    }
+
+    @Test
+    void everyPossibleSequenceOfSixKeysLeavesARecogniserThatReadsTheNextOrder() {
+        String alphabet = "*#05";
+        for (int code = 0; code < Math.pow(alphabet.length(), 6); code++) {
+            StringBuilder keys = new StringBuilder("**");
+            for (int rest = code, i = 0; i < 6; i++, rest /= alphabet.length()) {
+                keys.append(alphabet.charAt(rest % alphabet.length()));
+            }
+            recognizer.reset();
+            press(keys.toString());
+            if (!recognizer.isOpen()) {
+                press("1");
+                assertEquals(List.of("ok:#**20"), press("** #**20 **"), keys.toString());
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package vericommand;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** A robot that moves when the test says so. */
+final class HandDrivenRobot implements Robot {
+    final StatusMachine machine;
+    final List<Instruction.Motion> started = new ArrayList<>();
+    Pose pose = new Pose(1.2, 0.5, 90);
+    int brakes;
+    private Consumer<MotionOutcome> ended;
+
+    HandDrivenRobot(RobotStatus status) {
+        machine = new StatusMachine(status);
+    }
+
+    @Override
+    public RobotStatus status() {
+        return machine.status();
+    }
+
+    @Override
+    public void start(Instruction.Motion motion, Consumer<MotionOutcome> whenEnded) {
+        if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
+            throw new IllegalStateException(motion + " in " + status());
+        }
+        machine.apply(StatusEvent.MOTION_STARTED);
+        started.add(motion);
+        ended = whenEnded;
+    }
+
+    @Override
+    public void brake() {
+        brakes++;
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    /** The motion under way ends by this event. */
+    void end(StatusEvent event, MotionOutcome.Kind kind, double amountDone) {
+        machine.apply(event);
+        Consumer<MotionOutcome> told = ended;
+        ended = null;
+        told.accept(new MotionOutcome(kind, amountDone));
+    }
+
+    void reachGoal() {
+        end(
+                StatusEvent.MOTION_ENDED,
+                MotionOutcome.Kind.DONE,
+                started.get(started.size() - 1).amount());
+    }
+
+    void collide(double amountDone) {
+        end(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION, amountDone);
+    }
+
+    /** Braked, it stands. */
+    void stand(double amountDone) {
+        end(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.BRAKED, amountDone);
+    }
+}

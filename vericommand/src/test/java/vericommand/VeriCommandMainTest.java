@@ -1,0 +1,107 @@
+package vericommand;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class VeriCommandMainTest {
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+    private int run(String... args) {
+        return VeriCommandMain.run(
+                List.of(args),
+                new PrintStream(out, true, StandardCharsets.UTF_8),
+                new PrintStream(err, true, StandardCharsets.UTF_8));
+    }
+
+    private String out() {
+        return out.toString(StandardCharsets.UTF_8).replace("\r", "");
+    }
+
+    private String err() {
+        return err.toString(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void anOrderThatCanBeExecutedIsAcceptedInWords() {
+        assertEquals(0, run("--lang", "en", "** #**20 **"));
+        assertEquals("** #**20 **\nforward 20 cm\naccepted\n", out());
+    }
+
+    @Test
+    void aFaultIsMarkedUnderItsKeyWhateverTheBlanks() {
+        assertEquals(1, run("--lang=en", "** #**\n**"));
+        assertEquals(
+                "** #** **\n       ^\n7 Not a valid command: number expected at key 6. Range 1..9999 cm.\n", out());
+    }
+
+    @Test
+    void aMissingKeyIsMarkedBehindTheText() {
+        assertEquals(1, run("--lang=en", "** ###"));
+        assertEquals("** ###\n      ^\n7 Not a valid command: # or * expected at key 6.\n", out());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Stopped|** #**20 **|0|accepted",
+                "Collision|** #**20 **|1|8 Not possible: collision.",
+                "Collision|** #*#90 #**20 **|0|accepted",
+                "No motors|** #*#20 **|1|8 Not possible: no motors.",
+                "No motors|** ### **|1|8 Not possible: no motors.",
+                "No motors|** #*0 **|0|accepted",
+                "Moving|** #**20 **|1|6 Executing a command.",
+                "Moving|** ### #*0 **|0|accepted",
+                "Disconnected|** #*0 **|1|2 Connection denied: the robot is off."
+            })
+    void theStatusDecides(String status, String order, int exit, String words) {
+        assertEquals(exit, run("--lang", "en", "--status", status, order));
+        assertTrue(out().endsWith(words + "\n"), out());
+    }
+
+    @Test
+    void theLastOfTwoEqualOptionsWinsAndSpanishIsSpoken() {
+        assertEquals(1, run("--status=Stopped", "--lang=en", "--lang=es", "--status=Collision", "** #**20 **"));
+        assertTrue(out().endsWith("8 No es posible: choque.\n"), out());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--bogus,unknown option --bogus",
+        "--status=Flying,--status",
+        "--lang=fr,--lang",
+        "--status,--status needs a value"
+    })
+    void aWrongOptionIsNamed(String option, String words) {
+        assertEquals(2, run(option));
+        assertTrue(err().contains(words) && err().contains("--help"), err());
+        assertEquals("", out());
+    }
+
+    @Test
+    void withoutAnOrderThereIsNothingToJudge() {
+        assertEquals(2, run());
+        assertTrue(err().contains("no order"), err());
+    }
+
+    @Test
+    void helpVersionAndDiagramAreAnswersOfTheirOwn() {
+        assertEquals(0, run("--help"));
+        assertTrue(out().startsWith("Usage: "), out());
+        out.reset();
+        assertEquals(0, run("-V"));
+        assertTrue(out().startsWith("vericommand "), out());
+        out.reset();
+        assertEquals(0, run("--diagram"));
+        assertEquals(StatusMachine.plantUml(), out());
+    }
+}

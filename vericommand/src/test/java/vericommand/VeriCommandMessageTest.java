@@ -1,0 +1,182 @@
+package vericommand;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Orders by short message, answered by one short message each. */
+class VeriCommandMessageTest {
+    private static final String TO = "sms 5550101 ";
+
+    @Test
+    void anOrderIsAnsweredOnceWhenItHasEnded() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.sms("** #**20 **");
+        assertEquals(List.of("order **#**20** accepted", "under-way true"), bench.told());
+        bench.robot.reachGoal();
+        assertEquals(
+                List.of(
+                        "ended #**20",
+                        "outcome 3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
+                        TO + "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
+                        "under-way false"),
+                bench.told());
+    }
+
+    @Test
+    void aWholeTripIsNamedInItsReplyOrCountedIfItIsTooLong() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.sms("** #**100 #*#90 #**100 **");
+        for (int i = 0; i < 3; i++) {
+            bench.robot.reachGoal();
+        }
+        assertEquals(
+                List.of(TO + "3 Done: #**100 #*#90 #**100. Stopped at 1.200 0.500 m, heading 90.0."),
+                bench.told("sms"));
+        bench.sms("**" + "#*#123".repeat(32) + "**");
+        for (int i = 0; i < 32; i++) {
+            bench.robot.reachGoal();
+        }
+        assertEquals(
+                List.of(TO + "3 Done: 32 instructions. Stopped at 1.200 0.500 m, heading 90.0."), bench.told("sms"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "STOPPED|** #** **|7 Not a valid command: number expected at key 6. Range 1..9999 cm.",
+                "STOPPED|hello|7 Not a valid command: ** expected at key 1.",
+                "DISCONNECTED|** #**20 **|2 Connection denied: the robot is off.",
+                "DISCONNECTED|** #*0 **|2 Connection denied: the robot is off.",
+                "NO_MOTORS|** #**20 **|8 Not possible: no motors.",
+                "NO_MOTORS|** #*0 **|8 Not possible: no motors. No motors at 1.200 0.500 m, heading 90.0.",
+                "COLLISION|** #**20 **|8 Not possible: collision.",
+                "COLLISION|** #*0 **|4 Collision at 1.200 0.500 m, heading 90.0.",
+                "COLLISION|** ### **|3 Done: ###. Collision at 1.200 0.500 m, heading 90.0.",
+                "STOPPED|** #*0 **|3 Done: #*0. Stopped at 1.200 0.500 m, heading 90.0.",
+                "MOVING|** #**20 **|6 Executing a command.",
+                "MOVING|** #*0 **|6 Executing a command. Moving at 1.200 0.500 m, heading 90.0."
+            })
+    void anOrderThatMovesNothingIsAnsweredAtOnce(RobotStatus status, String order, String reply) {
+        Bench bench = Bench.in(status);
+        bench.sms(order);
+        assertEquals(List.of(TO + reply), bench.told("sms"));
+    }
+
+    @Test
+    void anEmptyMessageIsNoValidCommand() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.sms(" ");
+        assertEquals(
+                List.of(
+                        "order  invalid",
+                        "outcome 7 Not a valid command: ** expected at key 1.",
+                        TO + "7 Not a valid command: ** expected at key 1."),
+                bench.told());
+    }
+
+    @Test
+    void theOrderThatAStopHasStoppedSaysHowFarItGot() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.sms("** #**20 **");
+        bench.veri.message("5550102", "** ### **");
+        bench.robot.stand(12.2);
+        assertEquals(
+                List.of(
+                        TO + "8 Stopped by order after 12 of 20 cm",
+                        "sms 5550102 3 Done: ###. Stopped at 1.200 0.500 m, heading 90.0."),
+                bench.told("sms"));
+    }
+
+    @Test
+    void aStopInACallStopsAMessagesOrderAndEachIsAnsweredOnItsOwnWay() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.sms("** #*#200 **");
+        bench.press("**#**20**");
+        bench.press("**###**");
+        bench.robot.stand(55);
+        assertEquals(
+                List.of("tone 6", TO + "8 Stopped by order after 55 of 200 degrees", "tone 3"),
+                bench.told("tone", "sms"));
+    }
+
+    @Test
+    void theEndOfACallLeavesAMessagesOrderAlone() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.sms("** #**20 **");
+        bench.veri.callEnded();
+        assertEquals(0, bench.robot.brakes);
+        bench.robot.reachGoal();
+        assertEquals(1, bench.told("sms").size());
+    }
+
+    @Test
+    void aSenderWhoMayNotCommandIsNotAnsweredNorObeyed() {
+        Bench bench = Bench.with(Bench.settings(Settings.OnHangup.STOP, "5550100"));
+        bench.sms("** #**20 **");
+        bench.sms("nonsense");
+        assertEquals(List.of("ignored 5550101", "ignored 5550101"), bench.told());
+        assertTrue(bench.robot.started.isEmpty());
+    }
+
+    @Test
+    void repliesCanBeSpanish() {
+        Bench bench = Bench.with(new Settings(Locale.forLanguageTag("es"), Set.of(), Settings.OnHangup.STOP));
+        bench.sms("** #** **");
+        bench.sms("** #**20 **");
+        bench.robot.collide(12);
+        assertEquals(
+                List.of(
+                        TO + "7 La orden no vale: se espera un valor en la tecla 6. Rango 1..9999 cm.",
+                        TO + "4 Choque tras 12 de 20 cm, paso 1 de 1."),
+                bench.told("sms"));
+    }
+
+    @Test
+    void numbersHaveNoNegativeZeroAndHeadingsStayBelow360() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.robot.pose = new Pose(-0.0001, -12.3456, 359.97);
+        bench.sms("** #*0 **");
+        bench.robot.pose = new Pose(0, 0, -90);
+        bench.sms("** #*0 **");
+        assertEquals(
+                List.of(
+                        TO + "3 Done: #*0. Stopped at 0.000 -12.346 m, heading 0.0.",
+                        TO + "3 Done: #*0. Stopped at 0.000 0.000 m, heading 270.0."),
+                bench.told("sms"));
+    }
+
+    @Test
+    void theLongestRepliesStillFitOneMessage() {
+        Pose far = new Pose(-12345.678, -12345.678, 359.9);
+        Instruction.Motion motion = new Instruction.Forward(9999);
+        Progress progress = new Progress(motion, 9998.6, 32, 32);
+        for (Locale locale : List.of(Locale.ENGLISH, Locale.forLanguageTag("es"))) {
+            ReplyTexts texts = new ReplyTexts(locale);
+            for (RobotStatus status : RobotStatus.values()) {
+                Order longest = new Order("**", java.util.Collections.nCopies(32, motion));
+                assertTrue(texts.done(longest, status, far).message().length() <= 160);
+                assertTrue(texts.report(longest, status, far).message().length() <= 160);
+                assertTrue(texts.failed(ReplyTone.NOT_POSSIBLE, progress, status)
+                                .message()
+                                .length()
+                        <= 160);
+            }
+            for (Expected expected : Expected.values()) {
+                for (Fault.Limit limit : Fault.Limit.values()) {
+                    Fault fault = new Fault("", 99999, expected, limit, true);
+                    assertTrue(
+                            texts.invalid(fault).message().length() <= 160,
+                            texts.invalid(fault).message());
+                }
+            }
+        }
+    }
+}
