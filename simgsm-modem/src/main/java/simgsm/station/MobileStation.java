@@ -1,7 +1,10 @@
 package simgsm.station;
 
+import java.lang.System.Logger.Level;
+import java.util.random.RandomGenerator;
 import simgsm.air.Cause;
 import simgsm.air.IpaFrame;
+import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 
 /**
@@ -13,80 +16,218 @@ public final class MobileStation {
     /** {@link #nextDeadlineNanos} of a station that waits for nothing. */
     public static final long NO_DEADLINE = Long.MAX_VALUE;
 
+    private final StationParts parts;
+    private final KeepAlive keepAlive;
+    private final Registration registration;
+    private final ServiceRequests services;
+    private final MobilityMessages mobility;
+    private final SpeechPath speech;
+    private final Call call;
+    private final ShortMessages messages;
+    private final Dispatcher dispatcher;
+    private boolean linkUp;
+    private volatile StationSnapshot snapshot;
+
     /** A station that is switched on and has no link yet. */
     public MobileStation(StationIdentity identity, Sim sim, SpeechSource speech, StationListener listener) {
-        throw new UnsupportedOperationException();
+        this(identity, sim, speech, listener, RandomGenerator.getDefault());
+    }
+
+    /** @param random gives the first message reference and the speech stream its number */
+    public MobileStation(
+            StationIdentity identity, Sim sim, SpeechSource speech, StationListener listener, RandomGenerator random) {
+        parts = new StationParts(identity, listener);
+        registration = new Registration(parts);
+        keepAlive = new KeepAlive(parts, registration::cellFound);
+        services = new ServiceRequests(parts, registration);
+        mobility = new MobilityMessages(parts, registration, services, sim);
+        this.speech = new SpeechPath(parts, speech, random.nextInt());
+        call = new Call(parts, services, this.speech);
+        messages = new ShortMessages(parts, services, random.nextInt(256));
+        services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
+        services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
+        dispatcher = new Dispatcher(parts, registration, services, mobility, call, messages);
+        snapshot = present();
     }
 
     public StationIdentity identity() {
-        throw new UnsupportedOperationException();
+        return parts.identity();
     }
 
     /** A connection to the centre is there. */
     public void linkUp(Uplink uplink, long nowNanos) {
-        throw new UnsupportedOperationException();
+        timePassed(nowNanos);
+        linkUp = true;
+        parts.radio().linkUp(uplink);
+        speech.setUplink(uplink);
+        keepAlive.linkUp(uplink);
+        settle();
     }
 
     /** The connection is lost, or could not be made. */
     public void linkDown(long nowNanos) {
-        throw new UnsupportedOperationException();
+        timePassed(nowNanos);
+        linkUp = false;
+        parts.radio().linkDown();
+        speech.setUplink(Uplink.DISCONNECTED);
+        keepAlive.linkDown();
+        mobility.forgetNetwork();
+        registration.linkLost();
+        messages.linkLost();
+        services.linkLost();
+        settle();
     }
 
     public void frameArrived(IpaFrame frame, long nowNanos) {
-        throw new UnsupportedOperationException();
+        timePassed(nowNanos);
+        keepAlive.heard();
+        switch (frame.stream()) {
+            case IpaFrame.RSL -> dispatcher.arrived(frame.payload());
+            case IpaFrame.SPEECH -> speech.arrived(frame.payload());
+            case IpaFrame.CCM -> keepAlive.arrived(frame.payload());
+            default -> parts.log().trace(Level.DEBUG, "a frame of stream {0} dropped", frame.stream());
+        }
+        settle();
     }
 
     /** Does what is due; calling it early or often is harmless. */
     public void timePassed(long nowNanos) {
-        throw new UnsupportedOperationException();
+        parts.timers().advanceTo(nowNanos);
+        for (var timer = parts.timers().expired();
+                timer.isPresent();
+                timer = parts.timers().expired()) {
+            expired(timer.get());
+            settle();
+        }
     }
 
     /** When {@link #timePassed} is to be called next, or {@link #NO_DEADLINE}. */
     public long nextDeadlineNanos() {
-        throw new UnsupportedOperationException();
+        return parts.timers().nextDeadlineNanos();
     }
 
     public void powerOn() {
-        throw new UnsupportedOperationException();
+        registration.powerOn();
+        settle();
     }
 
     /** Ends a call with cause 16, detaches and says unregistered. */
     public void powerOff() {
-        throw new UnsupportedOperationException();
+        if (registration.isPowered()) {
+            call.powerOff();
+            messages.powerOff();
+            registration.powerOff();
+            settle();
+        }
     }
 
     /** Calls a number. @return false if a call is already under way or the station is off, and nothing happens */
     public boolean dial(Msisdn number) {
-        throw new UnsupportedOperationException();
+        boolean dialled = registration.isPowered() && call.dial(number);
+        settle();
+        return dialled;
     }
 
     /** Takes the ringing call. @return false if none rings */
     public boolean answer() {
-        throw new UnsupportedOperationException();
+        boolean answered = call.answer();
+        settle();
+        return answered;
     }
 
-    /** Ends the call with cause 16. @return false if there is none */
+    /**
+     * Ends the call: {@link StationListener#released} says 16. The caller of a call that rings hears that it was rejected
+     * (21). @return false if there is none
+     */
     public boolean hangUp() {
-        return clear(Cause.NORMAL_CALL_CLEARING);
+        boolean cleared = call.hangUp();
+        settle();
+        return cleared;
     }
 
     /** Ends the call with this cause. @return false if there is none */
     public boolean clear(Cause cause) {
-        throw new UnsupportedOperationException();
+        boolean cleared = call.clear(cause);
+        settle();
+        return cleared;
     }
 
     /**
-     * Queues a text, cut into as many parts as it needs; a status report is asked for.
+     * Queues a text, cut into as many parts as it needs; a status report is asked for. Without service it waits for a while.
      *
      * @return the message reference of the first part, 0 to 255
      * @throws IllegalArgumentException for a text of more than 255 parts
      */
     public int sendMessage(Msisdn to, String text) {
-        throw new UnsupportedOperationException();
+        int id = messages.send(to, text);
+        if (!registration.isPowered()) {
+            messages.powerOff();
+        }
+        settle();
+        return id;
     }
 
     /** The newest state; any thread may ask. */
     public StationSnapshot snapshot() {
-        throw new UnsupportedOperationException();
+        return snapshot;
+    }
+
+    /** Whether nothing is under way that a link should stay for: no call, no detaching. */
+    boolean isDetached() {
+        return registration.state() == RegistrationState.NULL || !linkUp;
+    }
+
+    private void expired(StationTimer timer) {
+        switch (timer) {
+            case T3210 -> registration.t3210Expired();
+            case T3211 -> registration.t3211Expired();
+            case T3220 -> registration.t3220Expired();
+            case T3230 -> services.t3230Expired();
+            case T3240 -> parts.radio().release();
+            case T303 -> call.expired(CallEvent.T303_EXPIRED);
+            case T305 -> call.expired(CallEvent.T305_EXPIRED);
+            case T308 -> call.t308Expired();
+            case T310 -> call.expired(CallEvent.T310_EXPIRED);
+            case T313 -> call.expired(CallEvent.T313_EXPIRED);
+            case TC1_OUTGOING, TC1_INCOMING, TR1M, MESSAGE_WAIT -> messages.expired(timer);
+            case SPEECH -> speech.frameDue();
+            case PING -> keepAlive.pingDue();
+            case IDENTITY -> keepAlive.identityExpired();
+        }
+    }
+
+    /** The state is whole again: look after the idle channel, publish, tell. */
+    private void settle() {
+        watchIdleChannel();
+        StationSnapshot now = present();
+        if (!now.equals(snapshot)) {
+            snapshot = now;
+            parts.notifications().add(listener -> listener.stateChanged(now));
+        }
+        parts.notifications().deliver();
+    }
+
+    private void watchIdleChannel() {
+        boolean idle = parts.radio().isOpen()
+                && !registration.needsRadio()
+                && services.isIdle()
+                && call.state() == CallState.NULL
+                && !messages.isBusy();
+        if (!idle) {
+            parts.timers().stop(StationTimer.T3240);
+        } else if (!parts.timers().isRunning(StationTimer.T3240)) {
+            parts.timers().start(StationTimer.T3240);
+        }
+    }
+
+    private StationSnapshot present() {
+        return new StationSnapshot(
+                registration.isPowered(),
+                linkUp,
+                registration.isRegistered(),
+                registration.rejectCause(),
+                mobility.networkName(),
+                call.state(),
+                call.peer());
     }
 }

@@ -1,25 +1,59 @@
 package simgsm.station;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.Selector;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.TimeUnit;
 
 /**
  * The one thread that gives one or many stations their time and their sockets. It connects each to its centre, at once and
  * then again with pauses that grow from 0.2 s to 5 s, and owns the stations until it is closed.
  */
 public final class StationThread implements AutoCloseable {
-    /** Not started yet. */
+    private static final System.Logger LOGGER = System.getLogger("simgsm.station");
+
+    /** How long the farewell may take. */
+    private static final long CLOSING_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    /** Without any deadline the loop still looks around that often. */
+    private static final long LONGEST_WAIT_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    private static final int BUFFER_LENGTH = 65_536;
+
+    private final Selector selector;
+    private final Thread thread;
+    private final Queue<Runnable> acts = new ConcurrentLinkedQueue<>();
+    private final List<StationLink> links = new ArrayList<>();
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_LENGTH);
+    private volatile long droppedSpeechFrames;
+    private volatile boolean closing;
+
+    /** Not started yet. It is a daemon thread: whoever starts it closes it. */
     public StationThread(String name) {
-        throw new UnsupportedOperationException();
+        try {
+            selector = Selector.open();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        thread = new Thread(this::run, name);
+        thread.setDaemon(true);
     }
 
     /** Starts the thread. */
     public void start() {
-        throw new UnsupportedOperationException();
+        thread.start();
     }
 
     /** Takes over a station and keeps it connected. Any thread may call it, before or after {@link #start}. */
     public void add(MobileStation station, InetSocketAddress center) {
-        throw new UnsupportedOperationException();
+        execute(() -> links.add(new StationLink(station, center, System.nanoTime())));
     }
 
     /**
@@ -27,17 +61,107 @@ public final class StationThread implements AutoCloseable {
      * that throws is logged and the thread goes on. After the close it is dropped.
      */
     public void execute(Runnable act) {
-        throw new UnsupportedOperationException();
+        acts.add(act);
+        if (Thread.currentThread() != thread) {
+            selector.wakeup();
+        }
     }
 
     /** Speech frames that were dropped because the centre did not take them within 200 ms. */
     public long droppedSpeechFrames() {
-        throw new UnsupportedOperationException();
+        return droppedSpeechFrames;
     }
 
     /** Detaches the stations, writes what is still to be written (for at most a second) and ends the thread. */
     @Override
     public void close() {
-        throw new UnsupportedOperationException();
+        closing = true;
+        selector.wakeup();
+        if (Thread.currentThread() == thread || !thread.isAlive()) {
+            return;
+        }
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void run() {
+        try {
+            while (!closing) {
+                turn();
+            }
+            sayFarewell();
+        } catch (IOException e) {
+            LOGGER.log(Level.ERROR, "the stations'' loop ends: {0}", e.getMessage());
+        } finally {
+            links.forEach(StationLink::close);
+            closeSelector();
+        }
+    }
+
+    private void sayFarewell() throws IOException {
+        long end = System.nanoTime() + CLOSING_NANOS;
+        execute(() -> links.forEach(link -> link.station().powerOff()));
+        do {
+            turn();
+        } while (!links.stream().allMatch(StationThread::isDone) && System.nanoTime() < end);
+    }
+
+    private static boolean isDone(StationLink link) {
+        return link.isFlushed() && link.station().isDetached();
+    }
+
+    /** Acts, time, sockets; then waits for the next of these. */
+    private void turn() throws IOException {
+        long now = System.nanoTime();
+        perform(now);
+        long next = now + LONGEST_WAIT_NANOS;
+        long dropped = 0;
+        for (StationLink link : links) {
+            guarded(() -> link.timePassed(selector, now));
+            next = Math.min(next, link.nextDeadlineNanos());
+            dropped += link.droppedSpeechFrames();
+        }
+        droppedSpeechFrames = dropped;
+        select(next);
+    }
+
+    private void perform(long now) {
+        for (Runnable act = acts.poll(); act != null; act = acts.poll()) {
+            links.forEach(link -> link.station().timePassed(now));
+            guarded(act);
+        }
+    }
+
+    private void select(long nextNanos) throws IOException {
+        long waitMillis = TimeUnit.NANOSECONDS.toMillis(nextNanos - System.nanoTime() + 999_999);
+        if (waitMillis > 0 && acts.isEmpty()) {
+            selector.select(key -> ready((StationLink) key.attachment()), waitMillis);
+        } else {
+            selector.selectNow(key -> ready((StationLink) key.attachment()));
+        }
+    }
+
+    private void ready(StationLink link) {
+        guarded(() -> link.ready(buffer, System.nanoTime()));
+    }
+
+    /** A fault in one station must not take the others down. */
+    private static void guarded(Runnable act) {
+        try {
+            act.run();
+        } catch (RuntimeException e) {
+            LOGGER.log(Level.ERROR, "an act failed", e);
+        }
+    }
+
+    private void closeSelector() {
+        try {
+            selector.close();
+        } catch (IOException e) {
+            LOGGER.log(Level.DEBUG, "closing: {0}", e.getMessage());
+        }
     }
 }

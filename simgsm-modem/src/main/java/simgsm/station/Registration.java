@@ -1,0 +1,248 @@
+package simgsm.station;
+
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import simgsm.air.Imsi;
+import simgsm.air.LocationArea;
+import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.TmsiReallocationComplete;
+import simgsm.air.RejectCause;
+import simgsm.air.Tmsi;
+
+/** Keeps the station known to the network: performs what {@link RegistrationTable} says. */
+final class Registration {
+    /** Ciphering key sequence number that means "no key" (TS 24.008, 10.5.1.2). */
+    private static final int NO_KEY = 7;
+
+    /** Ours: the pause after the fifth refusal and all further ones, in first pauses. */
+    private static final int LONGEST_PAUSE = 16;
+
+    private final StationParts parts;
+    private RegistrationState state = RegistrationState.NO_CELL_AVAILABLE;
+    private boolean cellFound;
+    private int keySequence = NO_KEY;
+    private int pause = 1;
+    private Optional<Tmsi> tmsi = Optional.empty();
+    private LocationArea area = LocationArea.TEST;
+    private Optional<MobileIdentity> offeredIdentity = Optional.empty();
+    private Optional<RejectCause> rejectCause = Optional.empty();
+    /** What the user was told last; empty before the first word. */
+    private Optional<String> told = Optional.empty();
+
+    Registration(StationParts parts) {
+        this.parts = parts;
+    }
+
+    RegistrationState state() {
+        return state;
+    }
+
+    boolean isRegistered() {
+        return state == RegistrationState.NORMAL_SERVICE;
+    }
+
+    /** Whether service is there or may be there in a moment. */
+    boolean mayServe() {
+        return isRegistered() || state == RegistrationState.LOCATION_UPDATING_INITIATED;
+    }
+
+    boolean isPowered() {
+        return state != RegistrationState.NULL && state != RegistrationState.IMSI_DETACH_INITIATED;
+    }
+
+    /** Whether registration itself uses the radio connection now. */
+    boolean needsRadio() {
+        return state == RegistrationState.LOCATION_UPDATING_INITIATED
+                || state == RegistrationState.IMSI_DETACH_INITIATED;
+    }
+
+    Optional<RejectCause> rejectCause() {
+        return rejectCause;
+    }
+
+    /** How the station names itself on the air: by the temporary identity, if it has one. */
+    MobileIdentity identity() {
+        return tmsi.<MobileIdentity>map(t -> t).orElse(parts.identity().imsi());
+    }
+
+    boolean isMine(MobileIdentity identity) {
+        return identity.equals(parts.identity().imsi())
+                || tmsi.isPresent() && tmsi.get().equals(identity);
+    }
+
+    Optional<Tmsi> tmsi() {
+        return tmsi;
+    }
+
+    int keySequence() {
+        return keySequence;
+    }
+
+    void setKeySequence(int keySequence) {
+        this.keySequence = keySequence;
+    }
+
+    void cellFound() {
+        if (!cellFound) {
+            cellFound = true;
+            pause = 1;
+            happens(RegistrationEvent.CELL_FOUND);
+        }
+    }
+
+    void linkLost() {
+        cellFound = false;
+        rejectCause = Optional.empty();
+        happens(RegistrationEvent.LINK_LOST);
+    }
+
+    void powerOn() {
+        happens(RegistrationEvent.POWER_ON);
+    }
+
+    void powerOff() {
+        rejectCause = Optional.empty();
+        happens(RegistrationEvent.POWER_OFF);
+    }
+
+    void accepted(LocationUpdatingAccept accept) {
+        if (state == RegistrationState.LOCATION_UPDATING_INITIATED) {
+            area = accept.area();
+            offeredIdentity = accept.newIdentity();
+            rejectCause = Optional.empty();
+            pause = 1;
+        }
+        happens(RegistrationEvent.LOCATION_UPDATING_ACCEPTED);
+    }
+
+    void rejected(RejectCause cause) {
+        if (state == RegistrationState.LOCATION_UPDATING_INITIATED) {
+            rejectCause = Optional.of(cause);
+        }
+        happens(RegistrationEvent.LOCATION_UPDATING_REJECTED);
+    }
+
+    /** The network does not believe our card (TS 24.008, 4.3.2.5). */
+    void authenticationRejected() {
+        rejectCause = Optional.of(RejectCause.ILLEGAL_MS);
+        happens(RegistrationEvent.AUTHENTICATION_REJECTED);
+    }
+
+    void forgottenByNetwork() {
+        happens(RegistrationEvent.FORGOTTEN_BY_NETWORK);
+    }
+
+    void channelReleased() {
+        happens(RegistrationEvent.CHANNEL_RELEASED);
+    }
+
+    void t3210Expired() {
+        happens(RegistrationEvent.T3210_EXPIRED);
+    }
+
+    void t3211Expired() {
+        happens(RegistrationEvent.T3211_EXPIRED);
+    }
+
+    void t3220Expired() {
+        happens(RegistrationEvent.T3220_EXPIRED);
+    }
+
+    private void happens(RegistrationEvent event) {
+        var row = RegistrationTable.ROWS.row(state, event);
+        if (row.isEmpty()) {
+            parts.log().refused(state, event);
+            return;
+        }
+        parts.log().trace(Level.DEBUG, "{0} {1} -> {2}", state, event, row.get().next());
+        state = row.get().next();
+        row.get().actions().forEach(this::perform);
+    }
+
+    private void perform(RegistrationAction action) {
+        switch (action) {
+            case LOOK_FOR_CELL -> lookForCell();
+            case SEND_LOCATION_UPDATING_REQUEST -> sendLocationUpdatingRequest();
+            case TAKE_NEW_IDENTITY -> takeNewIdentity();
+            case FORGET_IDENTITY -> forgetIdentity();
+            case SEND_IMSI_DETACH -> sendImsiDetach();
+            case RELEASE_CHANNEL -> parts.radio().release();
+            case PAUSE -> pause();
+            case STOP_TIMERS -> stopTimers();
+            case TELL_REGISTERED -> tellRegistered();
+            case TELL_UNREGISTERED -> tellUnregistered();
+        }
+    }
+
+    private void lookForCell() {
+        parts.radio().release();
+        if (cellFound) {
+            happens(RegistrationEvent.CELL_FOUND);
+        }
+    }
+
+    /** The first message of a radio connection, so a connection that is still open ends before. */
+    private void sendLocationUpdatingRequest() {
+        parts.radio().release();
+        parts.radio()
+                .send(new LocationUpdatingRequest(LocationUpdatingType.IMSI_ATTACH, keySequence, area, identity()));
+        parts.timers().start(StationTimer.T3210);
+    }
+
+    private void takeNewIdentity() {
+        offeredIdentity.ifPresent(offered -> {
+            if (offered instanceof Tmsi newTmsi) {
+                tmsi = Optional.of(newTmsi);
+                parts.radio().send(new TmsiReallocationComplete());
+            } else if (offered instanceof Imsi) {
+                tmsi = Optional.empty();
+            }
+        });
+    }
+
+    private void forgetIdentity() {
+        tmsi = Optional.empty();
+        keySequence = NO_KEY;
+    }
+
+    private void sendImsiDetach() {
+        parts.radio().send(new ImsiDetachIndication(identity()));
+        parts.timers().start(StationTimer.T3220);
+    }
+
+    private void pause() {
+        parts.timers().start(StationTimer.T3211, pause * StationTimer.T3211.nanos());
+        pause = Math.min(2 * pause, LONGEST_PAUSE);
+    }
+
+    private void stopTimers() {
+        parts.timers().stop(StationTimer.T3210);
+        parts.timers().stop(StationTimer.T3211);
+        parts.timers().stop(StationTimer.T3220);
+    }
+
+    private void tellRegistered() {
+        told = Optional.of("registered");
+        parts.log().trace(Level.INFO, "registered");
+        parts.notifications()
+                .add(listener -> listener.registered(parts.identity().number()));
+    }
+
+    private void tellUnregistered() {
+        Optional<RejectCause> cause = rejectCause;
+        Optional<String> news = Optional.of("unregistered " + cause);
+        if (!news.equals(told)) {
+            told = news;
+            parts.log()
+                    .trace(
+                            Level.INFO,
+                            "unregistered {0}",
+                            cause.map(RejectCause::title).orElse(""));
+            parts.notifications().add(listener -> listener.unregistered(cause));
+        }
+    }
+}

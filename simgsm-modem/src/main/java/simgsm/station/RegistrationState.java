@@ -1,0 +1,15 @@
+package simgsm.station;
+
+/** Mobility management states of a mobile, as far as one cell needs them (TS 24.008, 4.1.2.1). */
+enum RegistrationState {
+    /** Switched off. */
+    NULL,
+    /** No link to a centre, or one that has not said who it is. */
+    NO_CELL_AVAILABLE,
+    LOCATION_UPDATING_INITIATED,
+    /** Refused or unheard; tries again after a pause. */
+    ATTEMPTING_TO_UPDATE,
+    /** Registered. */
+    NORMAL_SERVICE,
+    IMSI_DETACH_INITIATED
+}

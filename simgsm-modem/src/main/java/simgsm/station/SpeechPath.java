@@ -1,0 +1,125 @@
+package simgsm.station;
+
+import java.lang.System.Logger.Level;
+import simgsm.air.IpaFrame;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RtpPacket;
+import simgsm.speech.SpeechCodec;
+
+/** The speech of an active call: a frame up every 20 ms by the station's own time, and what comes down in RTP's order. */
+final class SpeechPath {
+    /** A pause of the owner up to this long is made up for; after a longer one the sender goes on where it was. */
+    private static final long LONGEST_CATCH_UP_NANOS = 200_000_000L;
+
+    /** A larger jump of the sequence numbers is a new stream, not a loss: 1 s. */
+    private static final int LONGEST_LOSS_FRAMES = 50;
+
+    private static final int SEQUENCE_MASK = 0xffff;
+    private static final long TIMESTAMP_MASK = 0xffff_ffffL;
+
+    private final StationParts parts;
+    private final SpeechSource source;
+    private final SpeechCodec coder = SpeechCodec.Kind.A_LAW.open();
+    private final SpeechCodec decoder = SpeechCodec.Kind.A_LAW.open();
+    private final long synchronizationSource;
+    private Uplink uplink = Uplink.DISCONNECTED;
+    private boolean active;
+    private long nextFrameNanos;
+    private int sequence;
+    private long timestamp;
+    private boolean heard;
+    private int expectedSequence;
+    private long heardSource;
+
+    SpeechPath(StationParts parts, SpeechSource source, int synchronizationSource) {
+        this.parts = parts;
+        this.source = source;
+        this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
+    }
+
+    void setUplink(Uplink newUplink) {
+        uplink = newUplink;
+    }
+
+    void start() {
+        active = true;
+        heard = false;
+        nextFrameNanos = parts.timers().nowNanos();
+        parts.timers().startAt(StationTimer.SPEECH, nextFrameNanos);
+    }
+
+    void stop() {
+        active = false;
+        parts.timers().stop(StationTimer.SPEECH);
+    }
+
+    /** The next frame is due. */
+    void frameDue() {
+        if (!active) {
+            return;
+        }
+        send();
+        nextFrameNanos += StationTimer.SPEECH.nanos();
+        if (parts.timers().nowNanos() - nextFrameNanos > LONGEST_CATCH_UP_NANOS) {
+            nextFrameNanos = parts.timers().nowNanos() + StationTimer.SPEECH.nanos();
+        }
+        if (active) {
+            parts.timers().startAt(StationTimer.SPEECH, nextFrameNanos);
+        }
+    }
+
+    private void send() {
+        short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
+        source.read(frame);
+        if (!active) {
+            return;
+        }
+        RtpPacket packet =
+                new RtpPacket(RtpPacket.A_LAW, sequence, timestamp, synchronizationSource, coder.encode(frame));
+        sequence = sequence + 1 & SEQUENCE_MASK;
+        timestamp = timestamp + SpeechCodec.SAMPLES_PER_FRAME & TIMESTAMP_MASK;
+        uplink.send(new IpaFrame(IpaFrame.SPEECH, packet.encode()));
+    }
+
+    void arrived(byte[] payload) {
+        if (!active) {
+            return;
+        }
+        try {
+            take(RtpPacket.decode(payload));
+        } catch (ProtocolViolation e) {
+            parts.log().trace(Level.WARNING, "speech frame dropped: {0}", e.getMessage());
+        }
+    }
+
+    private void take(RtpPacket packet) {
+        if (packet.payloadType() != RtpPacket.A_LAW) {
+            parts.log().trace(Level.DEBUG, "speech of type {0} dropped, A-law expected", packet.payloadType());
+            return;
+        }
+        int lost = framesLostBefore(packet);
+        if (lost < 0) {
+            return;
+        }
+        for (int i = 0; i < lost; i++) {
+            tell(new short[SpeechCodec.SAMPLES_PER_FRAME]);
+        }
+        tell(decoder.decode(packet.payload()));
+        heard = true;
+        heardSource = packet.source();
+        expectedSequence = packet.sequence() + 1 & SEQUENCE_MASK;
+    }
+
+    /** How many frames are missing before this one; negative if its time has passed. */
+    private int framesLostBefore(RtpPacket packet) {
+        if (!heard || packet.source() != heardSource) {
+            return 0;
+        }
+        int ahead = (short) (packet.sequence() - expectedSequence);
+        return Math.abs(ahead) > LONGEST_LOSS_FRAMES ? 0 : ahead;
+    }
+
+    private void tell(short[] samples) {
+        parts.notifications().add(listener -> listener.speechReceived(samples));
+    }
+}
