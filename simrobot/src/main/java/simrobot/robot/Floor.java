@@ -28,6 +28,13 @@ public interface Floor {
     /** How fast the floor itself moves there, metres per second along y. */
     double beltVelocityY(double xMeters, double yMeters);
 
+    /**
+     * The distance along a single ray from (x, y) to something other than this robot, or the range; metres.
+     *
+     * @param ux with uy the ray's direction, a unit vector
+     */
+    double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double rangeMeters);
+
     /** The distance at which the cone first holds something other than this robot, or the range. */
     double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters);
 

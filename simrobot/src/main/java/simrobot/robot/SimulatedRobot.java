@@ -296,7 +296,7 @@ public final class SimulatedRobot implements Robot {
 
     /** Anticlockwise, as the wheels have it. */
     public double turnRadiansPerSecond() {
-        return -turnSpeed;
+        return 0 - turnSpeed;
     }
 
     /** The true pose, its heading in [0, 360); rounding dust below a nanometre and a nanodegree is wiped off. */
@@ -322,14 +322,25 @@ public final class SimulatedRobot implements Robot {
         double cos = StrictMath.cos(heading);
         double sin = StrictMath.sin(heading);
         for (int i = 0; i < ranges.length; i++) {
-            double mouthX = x + SonarRing.mountX(i) * cos - SonarRing.mountY(i) * sin;
-            double mouthY = y + SonarRing.mountX(i) * sin + SonarRing.mountY(i) * cos;
-            Cone cone =
-                    new Cone(mouthX, mouthY, heading + SonarRing.directionRadians(i), Pioneer2Dx.SONAR_CONE_RADIANS);
-            ranges[i] =
-                    Math.max(Pioneer2Dx.SONAR_LEAST_METERS, floor.coneRange(this, cone, Pioneer2Dx.SONAR_RANGE_METERS));
+            double armX = SonarRing.mountX(i) * cos - SonarRing.mountY(i) * sin;
+            double armY = SonarRing.mountX(i) * sin + SonarRing.mountY(i) * cos;
+            ranges[i] = Math.max(Pioneer2Dx.SONAR_LEAST_METERS, sonarRange(i, armX, armY));
         }
         return ranges;
+    }
+
+    /**
+     * One sonar whose mouth is at this offset. The rear mouths stick out of the collision circle, so a wall may stand
+     * between the robot and a mouth; the sonar then presses against it and does not look through it.
+     */
+    private double sonarRange(int sonar, double armX, double armY) {
+        double arm = Math.sqrt(armX * armX + armY * armY);
+        if (floor.rayRange(this, x, y, armX / arm, armY / arm, arm) < arm) {
+            return 0;
+        }
+        double direction = heading + SonarRing.directionRadians(sonar);
+        Cone cone = new Cone(x + armX, y + armY, direction, Pioneer2Dx.SONAR_CONE_RADIANS);
+        return floor.coneRange(this, cone, Pioneer2Dx.SONAR_RANGE_METERS);
     }
 
     /** The same in whole millimetres, 100 to 5000. */

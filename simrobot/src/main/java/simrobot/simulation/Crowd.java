@@ -10,6 +10,7 @@ import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
+import simrobot.world.Distances;
 import simrobot.world.MovingDisc;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Treadmill;
@@ -75,7 +76,7 @@ final class Crowd implements Floor {
     }
 
     private void eachNear(double minX, double minY, double maxX, double maxY, Consumer<SimulatedRobot> visitor) {
-        if (whereabouts.size() < 2) {
+        if (whereabouts.isEmpty()) {
             return;
         }
         for (int row = square(minY); row <= square(maxY); row++) {
@@ -145,6 +146,25 @@ final class Crowd implements Floor {
     }
 
     @Override
+    public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range) {
+        double[] nearest = {obstacles.rayRange(x, y, ux, uy, range)};
+        double endX = x + range * ux;
+        double endY = y + range * uy;
+        eachNear(
+                Math.min(x, endX) - OCTAGON_REACH,
+                Math.min(y, endY) - OCTAGON_REACH,
+                Math.max(x, endX) + OCTAGON_REACH,
+                Math.max(y, endY) + OCTAGON_REACH,
+                other -> {
+                    if (other != robot) {
+                        BodySide hit = (x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2);
+                        nearest[0] = Math.min(nearest[0], toBody(hit, other));
+                    }
+                });
+        return nearest[0];
+    }
+
+    @Override
     public double coneRange(SimulatedRobot robot, Cone cone, double range) {
         double[] nearest = {obstacles.coneRange(cone, range)};
         double reach = range + OCTAGON_REACH;
@@ -155,13 +175,18 @@ final class Crowd implements Floor {
                 cone.maxY(reach) + OCTAGON_REACH,
                 other -> {
                     if (other != robot) {
-                        nearest[0] = Math.min(nearest[0], toBody(cone, other));
+                        nearest[0] = Math.min(nearest[0], toBody(cone::distanceToSegment, other));
                     }
                 });
         return nearest[0];
     }
 
-    private static double toBody(Cone cone, SimulatedRobot other) {
+    /** How far it is to one side of a robot's body. */
+    private interface BodySide {
+        double distance(double x1, double y1, double x2, double y2);
+    }
+
+    private static double toBody(BodySide side, SimulatedRobot other) {
         double cos = Math.cos(other.headingRadians());
         double sin = Math.sin(other.headingRadians());
         double nearest = Double.POSITIVE_INFINITY;
@@ -169,7 +194,7 @@ final class Crowd implements Floor {
         for (double[] to : OCTAGON) {
             nearest = Math.min(
                     nearest,
-                    cone.distanceToSegment(
+                    side.distance(
                             other.xMeters() + from[0] * cos - from[1] * sin,
                             other.yMeters() + from[0] * sin + from[1] * cos,
                             other.xMeters() + to[0] * cos - to[1] * sin,

@@ -18,16 +18,22 @@ final class Parking {
 
     private Parking() {}
 
-    /** The first free home; else the free place nearest to the origin (MobileSim's start), then to the world's middle. */
+    /** The first free home; else a free place near the first home, or near the origin (MobileSim's start). */
     static Optional<Home> spot(World world, Free free) {
         for (Home home : world.homes()) {
             if (free.at(home.position().xMeters(), home.position().yMeters())) {
                 return Optional.of(home);
             }
         }
+        return ringsAround(middle(world), free);
+    }
+
+    private static Position middle(World world) {
+        if (!world.homes().isEmpty()) {
+            return world.homes().get(0).position();
+        }
         Area bounds = world.bounds();
-        Position origin = new Position(0, 0);
-        return ringsAround(bounds.contains(0, 0) ? origin : bounds.center(), free);
+        return bounds.contains(0, 0) ? new Position(0, 0) : bounds.center();
     }
 
     private static Optional<Home> ringsAround(Position middle, Free free) {

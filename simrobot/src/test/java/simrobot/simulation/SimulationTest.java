@@ -1,0 +1,199 @@
+package simrobot.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simrobot.robot.SimulatedRobot;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.Instruction;
+import vericommand.MotionOutcome;
+import vericommand.RobotStatus;
+
+class SimulationTest {
+    private static World office() throws Exception {
+        return WorldReader.read(Path.of("..", "worlds", "office.map"));
+    }
+
+    @Test
+    void timeMovesInStepsOfTenMilliseconds() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        List<Long> told = new ArrayList<>();
+        simulation.addStepListener(told::add);
+        simulation.run(3);
+        assertEquals(30_000_000, simulation.timeNanos());
+        assertEquals(List.of(10_000_000L, 20_000_000L, 30_000_000L), told);
+    }
+
+    @Test
+    void robotsStandOnTheHomesInTheirOrder() throws Exception {
+        World world = office();
+        Simulation simulation = new Simulation(world, 1);
+        for (int i = 0; i < world.homes().size(); i++) {
+            SimulatedRobot robot = simulation.addRobot("r" + i);
+            Position home = world.homes().get(i).position();
+            assertEquals(home, new Position(robot.xMeters(), robot.yMeters()));
+        }
+        SimulatedRobot oneMore = simulation.addRobot("more");
+        assertTrue(world.bounds().contains(oneMore.xMeters(), oneMore.yMeters()));
+    }
+
+    @Test
+    void withoutAHomeTheRobotStandsAtTheOriginOrNextToIt() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        assertEquals(0, simulation.addRobot("a").xMeters());
+        assertEquals(0.75, Math.abs(simulation.addRobot("b").yMeters()));
+    }
+
+    @Test
+    void twoRobotsOfOneNameAreRefusedAndSoIsAnOccupiedPlace() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simulation.addRobot("a");
+        assertThrows(IllegalArgumentException.class, () -> simulation.addRobot("a"));
+        assertThrows(IllegalArgumentException.class, () -> simulation.addRobot("b", new Position(0.1, 0), 0));
+    }
+
+    @Test
+    void aNewWorldAbortsMotionsAndTakesRobotsHome() throws Exception {
+        Bench bench = Bench.onBareFloor().forward(500).seconds(2);
+        bench.simulation.load(office());
+        assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(RobotStatus.STOPPED, bench.robot.status());
+        assertEquals(9, bench.robot.xMeters());
+        assertEquals(MotionOutcome.Kind.DONE, bench.forward(100).untilEnded().kind());
+    }
+
+    // ---- chance and repetition -----------------------------------------------------------------------------------
+
+    private static long[] run(long seed) throws Exception {
+        Simulation simulation = new Simulation(office(), seed);
+        for (int i = 0; i < 8; i++) {
+            simulation.addRobot("r" + i);
+        }
+        for (int step = 0; step < 4000; step++) {
+            for (SimulatedRobot robot : simulation.robots()) {
+                if (robot.status() == RobotStatus.STOPPED || robot.status() == RobotStatus.COLLISION) {
+                    boolean turn = robot.status() == RobotStatus.COLLISION
+                            || simulation.random().nextBoolean();
+                    robot.start(
+                            turn
+                                    ? new Instruction.Turn(
+                                            1 + simulation.random().nextInt(360))
+                                    : new Instruction.Forward(
+                                            1 + simulation.random().nextInt(300)),
+                            ended -> {});
+                }
+            }
+            simulation.step();
+        }
+        return simulation.robots().stream()
+                .flatMapToLong(robot -> java.util.stream.LongStream.of(
+                        Double.doubleToLongBits(robot.xMeters()),
+                        Double.doubleToLongBits(robot.yMeters()),
+                        Double.doubleToLongBits(robot.headingRadians())))
+                .toArray();
+    }
+
+    @Test
+    void theSameSeedAndActsGiveTheSamePosesBitForBit() throws Exception {
+        long[] first = run(42);
+        assertArrayEquals(first, run(42));
+        assertNotEquals(java.util.Arrays.hashCode(first), java.util.Arrays.hashCode(run(43)));
+    }
+
+    // ---- sonar ---------------------------------------------------------------------------------------------------
+
+    @Test
+    void sonarsHearNothingInTheMiddleOfTheEmptyHall() throws Exception {
+        Simulation simulation = new Simulation(WorldReader.read(Path.of("..", "worlds", "empty.map")), 1);
+        for (int range : simulation.addRobot("robot").sonarRangesMillimeters()) {
+            assertEquals(5000, range);
+        }
+    }
+
+    @Test
+    void sonarsMeasureFromWhereTheySit() {
+        Bench bench = Bench.withWalls(new Segment(-9, 1, 9, 1), new Segment(2, -9, 2, 9));
+        int[] ranges = bench.robot.sonarRangesMillimeters();
+        assertEquals(1000 - 136, ranges[0]);
+        assertEquals(1000 - 136, ranges[15]);
+        // sonars 3 and 4 look 10 degrees aside; the cone's edge is 2.5 degrees from the wall's normal
+        assertEquals(Math.round((2000 - 166) / Math.cos(Math.toRadians(2.5))), ranges[3]);
+        assertEquals(ranges[3], ranges[4]);
+        assertEquals(5000, ranges[7]);
+        assertEquals(5000, ranges[11]);
+    }
+
+    @Test
+    void sonarsTurnWithTheRobot() {
+        Bench bench = new Bench(World.ofSegments("wall", List.of(new Segment(-9, -1, 9, -1))), 0, 0, 180);
+        int[] ranges = bench.robot.sonarRangesMillimeters();
+        assertEquals(1000 - 136, ranges[0]);
+        assertEquals(5000, ranges[7]);
+    }
+
+    @Test
+    void whatIsNearerThanTenCentimetresReadsTenCentimetres() {
+        Bench bench = Bench.withWalls(new Segment(-9, 0.2501, 9, 0.2501), new Segment(-0.2501, -9, -0.2501, 9));
+        int[] ranges = bench.robot.sonarRangesMillimeters();
+        assertEquals(114, ranges[0]);
+        // sonars 11 and 12 stick out of the collision circle; a wall behind their mouths is as near as can be
+        assertEquals(100, ranges[11]);
+        assertEquals(100, ranges[12]);
+    }
+
+    @Test
+    void robotsHearEachOthersBodies() {
+        Bench bench = Bench.onBareFloor();
+        bench.simulation.addRobot("other", new Position(0, 1), 0);
+        assertEquals(1000 - 136 - 190, bench.robot.sonarRangesMillimeters()[0], 1);
+        assertEquals(5000, bench.robot.sonarRangesMillimeters()[7]);
+    }
+
+    // ---- pictures ------------------------------------------------------------------------------------------------
+
+    @Test
+    void aSnapshotDoesNotChangeWhenTheRobotMovesOn() {
+        Bench bench = Bench.onBareFloor().forward(100).seconds(2);
+        SimulationSnapshot before = bench.simulation.snapshot();
+        double x = before.robots().get(0).xMeters();
+        int crumbs = before.robots().get(0).trail().size();
+        bench.seconds(1);
+        assertEquals(x, before.robots().get(0).xMeters());
+        assertEquals(crumbs, before.robots().get(0).trail().size());
+        assertTrue(bench.simulation.snapshot().robots().get(0).trail().size() > crumbs);
+    }
+
+    @Test
+    void aTrailForgetsItsOldestCrumbs() {
+        Bench bench = Bench.onBareFloor();
+        for (int i = 0; i < 60; i++) {
+            bench.forward(200).untilEnded();
+        }
+        double[] xy = bench.robot.trail().crumbs().xy();
+        assertEquals(2 * 4000, xy.length);
+        assertEquals(120, xy[xy.length - 2], 0.03);
+        assertTrue(xy[0] > 5);
+    }
+
+    @Test
+    void inACrowdOnlyTheWatchedRobotsSonarsAreInThePicture() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        for (int i = 0; i < 20; i++) {
+            simulation.addRobot("r" + i);
+        }
+        simulation.watch(simulation.robots().get(3));
+        SimulationSnapshot picture = simulation.snapshot();
+        assertEquals(0, picture.robots().get(0).sonarRangesMeters().length);
+        assertEquals(16, picture.robots().get(3).sonarRangesMeters().length);
+    }
+}

@@ -1,0 +1,124 @@
+package simrobot.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** The grid against plain loops over all obstacles. */
+class ObstacleGridTest {
+    private final Random random = new Random(11);
+    private final List<Segment> walls = new ArrayList<>();
+    private final List<Position> points = new ArrayList<>();
+    private ObstacleGrid grid;
+
+    @BeforeEach
+    void aWorldOfManyWallsAndPoints() {
+        for (int i = 0; i < 150; i++) {
+            double x = random.nextDouble() * 40 - 20;
+            double y = random.nextDouble() * 30 - 10;
+            boolean upright = i % 3 == 0;
+            walls.add(new Segment(
+                    x, y, upright ? x : x + random.nextGaussian() * 3, i % 3 == 1 ? y : y + random.nextGaussian() * 3));
+            points.add(new Position(random.nextDouble() * 40 - 20, random.nextDouble() * 30 - 10));
+        }
+        World bare = World.bare();
+        grid = new ObstacleGrid(new World(
+                "random", walls, points, 0.02, List.of(), List.of(), List.of(), List.of(), List.of(), bare.goals()));
+    }
+
+    @Test
+    void raysMeetWhatALoopOverAllMeets() {
+        for (int i = 0; i < 5000; i++) {
+            double x = random.nextDouble() * 60 - 30;
+            double y = random.nextDouble() * 50 - 20;
+            double angle = i % 8 == 0 ? (i / 8 % 4) * Math.PI / 2 : random.nextDouble() * 2 * Math.PI;
+            double ux = i % 16 == 0 ? Math.rint(Math.cos(angle)) : Math.cos(angle);
+            double uy = i % 16 == 0 ? Math.rint(Math.sin(angle)) : Math.sin(angle);
+            double expected = 8;
+            for (Segment s : walls) {
+                expected = Math.min(
+                        expected,
+                        Distances.alongRay(x, y, ux, uy, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            }
+            for (Position p : points) {
+                expected = Math.min(expected, Distances.alongRayToDisc(x, y, ux, uy, p.xMeters(), p.yMeters(), 0.01));
+            }
+            assertEquals(expected, grid.rayRange(x, y, ux, uy, 8), 1e-12);
+        }
+    }
+
+    @Test
+    void conesHearWhatALoopOverAllHears() {
+        for (int i = 0; i < 2000; i++) {
+            Cone cone = new Cone(
+                    random.nextDouble() * 50 - 25,
+                    random.nextDouble() * 40 - 15,
+                    random.nextDouble() * 20 - 10,
+                    Math.toRadians(15));
+            double expected = 5;
+            for (Segment s : walls) {
+                expected = Math.min(
+                        expected, cone.distanceToSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            }
+            for (Position p : points) {
+                expected = Math.min(expected, cone.distanceToPoint(p.xMeters(), p.yMeters()));
+            }
+            assertEquals(expected, grid.coneRange(cone, 5), 1e-12);
+        }
+    }
+
+    @Test
+    void clearanceIsTheLeastDistance() {
+        for (int i = 0; i < 2000; i++) {
+            double x = random.nextDouble() * 50 - 25;
+            double y = random.nextDouble() * 40 - 15;
+            double expected = 0.7;
+            for (Segment s : walls) {
+                expected = Math.min(
+                        expected, Distances.toSegment(x, y, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            }
+            for (Position p : points) {
+                expected = Math.min(expected, Math.hypot(p.xMeters() - x, p.yMeters() - y));
+            }
+            assertEquals(expected, grid.clearance(x, y, 0.7), 1e-12);
+        }
+    }
+
+    @Test
+    void sweepsMeetWhatALoopOverAllMeets() {
+        for (int i = 0; i < 5000; i++) {
+            double x = random.nextDouble() * 50 - 25;
+            double y = random.nextDouble() * 40 - 15;
+            double dx = random.nextGaussian();
+            double dy = random.nextGaussian();
+            MovingDisc disc = new MovingDisc(x, y, dx, dy, 0.25);
+            walls.forEach(s -> disc.meetSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            points.forEach(p -> disc.meetPoint(p.xMeters(), p.yMeters()));
+            assertEquals(
+                    disc.contact().fraction(), grid.sweep(x, y, dx, dy, 0.25).fraction());
+        }
+    }
+
+    @Test
+    void aBareFloorHasNothingToMeet() {
+        ObstacleGrid bare = new ObstacleGrid(World.bare());
+        assertEquals(5, bare.rayRange(0, 0, 1, 0, 5));
+        assertEquals(5, bare.coneRange(new Cone(0, 0, 1, 0.2), 5));
+        assertEquals(1, bare.clearance(3, 3, 1));
+        assertFalse(bare.sweep(0, 0, 100, 0, 0.25).touches());
+    }
+
+    @Test
+    void aWorldOfContinentalSizeStaysWithinItsCells() {
+        ObstacleGrid huge = new ObstacleGrid(
+                World.ofSegments("huge", List.of(new Segment(0, 0, 4e6, 3e6), new Segment(1, 0, 1, 1))));
+        assertEquals(0.5, huge.rayRange(0.5, 0.1, 1, 0, 5), 0.4);
+        assertTrue(huge.sweep(2, 0.9, -1, 0, 0.25).touches());
+    }
+}
