@@ -19,6 +19,7 @@ module simgsm.modem {
     requires transitive java.desktop;
 
     exports simgsm.air;
+    exports simgsm.sms;
     exports simgsm.modem;
     exports simgsm.station;
     exports simgsm.dtmf;

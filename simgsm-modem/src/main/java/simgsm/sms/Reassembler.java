@@ -1,0 +1,98 @@
+package simgsm.sms;
+
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Puts the parts of messages together again, in whatever order and however often they come. Memory is bounded: beyond
+ * {@link #MAX_MESSAGES} unfinished messages the oldest is dropped, and each after a day.
+ */
+public final class Reassembler {
+    /** Unfinished messages of all senders together. */
+    public static final int MAX_MESSAGES = 64;
+
+    static final long PATIENCE_NANOS = 24L * 60 * 60 * 1_000_000_000;
+
+    /** References are only unique for one sender; two messages of different lengths cannot be the same. */
+    private record Key(SmsAddress sender, int reference, int total) {}
+
+    private static final class Unfinished {
+        private final UserData[] parts;
+        private final long sinceNanos;
+        private int missing;
+
+        Unfinished(int total, long sinceNanos) {
+            this.parts = new UserData[total];
+            this.missing = total;
+            this.sinceNanos = sinceNanos;
+        }
+
+        void put(int part, UserData data) {
+            if (parts[part - 1] == null) {
+                parts[part - 1] = data;
+                missing--;
+            }
+        }
+
+        boolean contradicts(int part, UserData data) {
+            return parts[part - 1] != null && !parts[part - 1].equals(data);
+        }
+
+        String text() {
+            StringBuilder text = new StringBuilder();
+            for (UserData part : parts) {
+                text.append(part.text());
+            }
+            return text.toString();
+        }
+    }
+
+    private final Map<Key, Unfinished> unfinished = new LinkedHashMap<>();
+
+    /** With nothing begun. */
+    public Reassembler() {}
+
+    /** The whole text if this part was the last one missing. */
+    public Optional<String> accept(SmsAddress sender, UserData data, long nowNanos) {
+        Optional<Concatenation> place = data.concatenation();
+        if (place.isEmpty() || place.get().total() == 1) {
+            return Optional.of(data.text());
+        }
+        dropTheOld(nowNanos);
+        Key key = new Key(sender, place.get().reference(), place.get().total());
+        Unfinished message = unfinished.get(key);
+        if (message == null || message.contradicts(place.get().part(), data)) {
+            message = begin(key, nowNanos);
+        }
+        message.put(place.get().part(), data);
+        if (message.missing > 0) {
+            return Optional.empty();
+        }
+        unfinished.remove(key);
+        return Optional.of(message.text());
+    }
+
+    /** How many messages have parts missing. */
+    public int unfinishedCount() {
+        return unfinished.size();
+    }
+
+    /** Replaces an unfinished message whose reference has come round again. */
+    private Unfinished begin(Key key, long nowNanos) {
+        unfinished.remove(key);
+        if (unfinished.size() == MAX_MESSAGES) {
+            Iterator<Key> oldest = unfinished.keySet().iterator();
+            oldest.next();
+            oldest.remove();
+        }
+        Unfinished message = new Unfinished(key.total(), nowNanos);
+        unfinished.put(key, message);
+        return message;
+    }
+
+    private void dropTheOld(long nowNanos) {
+        unfinished.values().removeIf(message -> nowNanos - message.sinceNanos > PATIENCE_NANOS);
+    }
+}

@@ -1,0 +1,88 @@
+package simgsm.sms;
+
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetReader;
+import simgsm.air.OctetWriter;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.SemiOctets;
+import simgsm.air.Septets;
+
+/**
+ * TP-OA, TP-DA, TP-RA: a number, or a name in letters (TS 23.040, 9.1.2.5).
+ *
+ * @param type type of number, 0 unknown, 1 international, 5 letters ... 7
+ * @param plan numbering plan, 1 for ISDN (E.164) ... 15
+ * @param value digits of 0-9 * # a-c, at most 20, or at most 11 characters of the GSM alphabet for letters
+ */
+public record SmsAddress(int type, int plan, String value) {
+    public static final int UNKNOWN = 0;
+    public static final int INTERNATIONAL = 1;
+    public static final int LETTERS = 5;
+
+    private static final int ISDN = 1;
+    private static final int MAX_DIGITS = 20;
+    private static final int MAX_SEPTETS = 11;
+    private static final int NO_EXTENSION = 0x80;
+
+    public SmsAddress {
+        if (type < 0 || type > 7 || plan < 0 || plan > 15) {
+            throw new IllegalArgumentException("type of number " + type + " or plan " + plan + " cannot be");
+        }
+        boolean fits = type == LETTERS
+                ? GsmAlphabet.encodes(value) && GsmAlphabet.encode(value).length <= MAX_SEPTETS
+                : value.matches("[0-9*#abc]{0," + MAX_DIGITS + "}");
+        if (!fits) {
+            throw new IllegalArgumentException("\"" + value + "\" is no short message address");
+        }
+    }
+
+    public static SmsAddress of(Msisdn number) {
+        return new SmsAddress(INTERNATIONAL, ISDN, number.digits());
+    }
+
+    /** A sender's name, as of a service. */
+    public static SmsAddress ofLetters(String name) {
+        return new SmsAddress(LETTERS, 0, name);
+    }
+
+    /** The telephone number; empty for letters and for keys that no number has. */
+    public Optional<Msisdn> number() {
+        boolean isNumber = type != LETTERS && value.matches("[0-9]{1," + Msisdn.MAX_DIGITS + "}");
+        return isNumber ? Optional.of(new Msisdn(value)) : Optional.empty();
+    }
+
+    void write(OctetWriter out) {
+        byte[] codes = type == LETTERS ? GsmAlphabet.encode(value) : new byte[0];
+        out.octet(type == LETTERS ? (codes.length * 7 + 3) / 4 : value.length());
+        out.octet(NO_EXTENSION | type << 4 | plan);
+        if (type == LETTERS) {
+            out.bytes(Septets.pack(codes, 0));
+        } else {
+            SemiOctets.write(out, value, 0);
+        }
+    }
+
+    static SmsAddress read(OctetReader in) throws ProtocolViolation {
+        int halfOctets = in.octet("address length");
+        if (halfOctets > MAX_DIGITS) {
+            throw Violations.invalid("an address of " + halfOctets + " digits, at most " + MAX_DIGITS);
+        }
+        int typeAndPlan = in.octet("type of address");
+        int type = typeAndPlan >> 4 & 0x07;
+        OctetReader value = in.part((halfOctets + 1) / 2, "address");
+        String text = type == LETTERS ? letters(value, halfOctets) : SemiOctets.readCounted(value, halfOctets);
+        return new SmsAddress(type, typeAndPlan & 0x0f, text);
+    }
+
+    private static String letters(OctetReader value, int halfOctets) {
+        int septets = Math.min(MAX_SEPTETS, halfOctets * 4 / 7);
+        String text = GsmAlphabet.decode(Septets.unpack(value.rest().toArray(), septets, 0));
+        return GsmAlphabet.encode(text).length > MAX_SEPTETS ? "" : text;
+    }
+
+    @Override
+    public String toString() {
+        return value;
+    }
+}

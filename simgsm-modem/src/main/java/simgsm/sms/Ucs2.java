@@ -1,0 +1,24 @@
+package simgsm.sms;
+
+/** Two octets a character, the higher first; unlike a charset it leaves even half a surrogate pair as it is. */
+final class Ucs2 {
+    private Ucs2() {}
+
+    static byte[] encode(String text) {
+        byte[] octets = new byte[2 * text.length()];
+        for (int i = 0; i < text.length(); i++) {
+            octets[2 * i] = (byte) (text.charAt(i) >> 8);
+            octets[2 * i + 1] = (byte) text.charAt(i);
+        }
+        return octets;
+    }
+
+    /** From {@code start} on; a single octet at the end is dropped. */
+    static String decode(byte[] octets, int start) {
+        StringBuilder text = new StringBuilder((octets.length - start) / 2);
+        for (int i = start; i + 1 < octets.length; i += 2) {
+            text.append((char) ((octets[i] & 0xff) << 8 | octets[i + 1] & 0xff));
+        }
+        return text.toString();
+    }
+}

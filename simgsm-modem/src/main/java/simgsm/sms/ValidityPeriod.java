@@ -1,0 +1,91 @@
+package simgsm.sms;
+
+import java.time.Duration;
+import java.time.Instant;
+import simgsm.air.OctetString;
+
+/** TP-VP: how long the centre shall try (TS 23.040, 9.2.3.12). */
+public sealed interface ValidityPeriod {
+    /** When the centre gives up a message that it took at this moment. */
+    Instant expiry(Instant accepted);
+
+    /** @param octet 0 to 255: steps of 5 min to 12 h, 30 min to 24 h, days to 30, weeks to 63 */
+    record Relative(int octet) implements ValidityPeriod {
+        public static final Relative ONE_DAY = new Relative(167);
+        public static final Relative LONGEST = new Relative(255);
+
+        public Relative {
+            if (octet < 0 || octet > 0xff) {
+                throw new IllegalArgumentException("validity period " + octet + " is not 0 to 255");
+            }
+        }
+
+        /** The shortest that is at least this long; the longest is 63 weeks. */
+        public static Relative ofAtLeast(Duration duration) {
+            for (int octet = 0; octet < 0xff; octet++) {
+                Relative period = new Relative(octet);
+                if (period.duration().compareTo(duration) >= 0) {
+                    return period;
+                }
+            }
+            return LONGEST;
+        }
+
+        public Duration duration() {
+            if (octet <= 143) {
+                return Duration.ofMinutes((octet + 1) * 5L);
+            }
+            if (octet <= 167) {
+                return Duration.ofHours(12).plusMinutes((octet - 143) * 30L);
+            }
+            return Duration.ofDays(octet <= 196 ? octet - 166 : (octet - 192) * 7L);
+        }
+
+        @Override
+        public Instant expiry(Instant accepted) {
+            return accepted.plus(duration());
+        }
+    }
+
+    record Absolute(Timestamp time) implements ValidityPeriod {
+        @Override
+        public Instant expiry(Instant accepted) {
+            return time.toOffsetDateTime().toInstant();
+        }
+    }
+
+    /** The rare third form, kept as its seven octets; the first says what the others mean. */
+    record Enhanced(OctetString octets) implements ValidityPeriod {
+        private static final int RELATIVE = 1;
+        private static final int SECONDS = 2;
+        private static final int HOURS_MINUTES_SECONDS = 3;
+
+        public Enhanced {
+            if (octets.length() != Timestamp.LENGTH) {
+                throw new IllegalArgumentException("an enhanced validity period has 7 octets");
+            }
+        }
+
+        /** An extension or a reserved form counts as no validity period: the longest. */
+        @Override
+        public Instant expiry(Instant accepted) {
+            byte[] fields = octets.toArray();
+            boolean extended = (fields[0] & 0x80) != 0;
+            switch (extended ? 0 : fields[0] & 0x07) {
+                case RELATIVE:
+                    return new Relative(fields[1] & 0xff).expiry(accepted);
+                case SECONDS:
+                    return accepted.plusSeconds(fields[1] & 0xff);
+                case HOURS_MINUTES_SECONDS:
+                    return accepted.plusSeconds(
+                            3600L * swapped(fields[1]) + 60L * swapped(fields[2]) + swapped(fields[3]));
+                default:
+                    return Relative.LONGEST.expiry(accepted);
+            }
+        }
+
+        private static int swapped(byte octet) {
+            return 10 * Math.min(9, octet & 0x0f) + Math.min(9, octet >> 4 & 0x0f);
+        }
+    }
+}
