@@ -1,10 +1,143 @@
 package simrobot;
 
-/** Starts the program from the command line. */
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.HashSet;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.Event;
+import simgsm.console.ExitStatus;
+import simgsm.console.HostPort;
+import simgsm.console.Options;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simrobot.control.ConsoleEvents;
+import simrobot.control.EventPrinter;
+import simrobot.control.PrintedWorld;
+import simrobot.control.RobotConsole;
+import simrobot.control.RobotName;
+import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.world.World;
+import vericommand.Settings;
+
+/** Starts SimRobot, with its window or on a console. */
 public final class SimRobotMain {
+    private static final String NAME = "simrobot";
+    private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
+    private static final double MIN_SPEED = 0.001;
+    private static final double MAX_SPEED = 1000;
+
     private SimRobotMain() {}
 
     public static void main(String[] args) {
-        System.exit(2);
+        new Program(NAME, options()).runAndExit(args, SimRobotMain::run);
+    }
+
+    static Options options() {
+        return Program.commonOptions(
+                        "java -jar simrobot.jar --number 5550200 --world worlds/office.map [options]",
+                        "SimRobot: a simulated Pioneer with a GSM modem (M2); who dials it drives it by keys or SMS.")
+                .value("number", "N", "the modem's number (5550200)")
+                .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
+                .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")
+                .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
+                .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
+                .value("operators", "N,N,...", "the only numbers that may command; else every subscriber may")
+                .value("on-hangup", "stop|finish", "what becomes of a motion whose call is lost (stop)")
+                .value("power", "on|off", "start with the robot switched on or off (on)")
+                .value("motors", "on|off", "start with the motors switched on or off (on)")
+                .value("speed", "N", "simulated seconds per second (1)")
+                .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
+    }
+
+    private static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
+        Settings settings = settings(arguments);
+        World world = WorldFile.read(arguments.path("world"));
+        if (arguments.has("print-world")) {
+            PrintedWorld.print(world, Program.standardOutput());
+            return ExitStatus.OK;
+        }
+        SimRobot simRobot = build(arguments, settings, world);
+        if (arguments.has("headless")) {
+            return headless(arguments, simRobot);
+        }
+        if (GraphicsEnvironment.isHeadless()) {
+            System.err.println(NAME + ": there is no display; --headless runs without one");
+            return ExitStatus.UNAVAILABLE;
+        }
+        System.err.println(NAME + ": there is no window yet; --headless runs without one");
+        return ExitStatus.UNAVAILABLE;
+    }
+
+    private static SimRobot build(Arguments arguments, Settings settings, World world) throws UsageException {
+        HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
+        double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
+        boolean power = arguments.choice("power", "on", "off").equals("on");
+        boolean motors = arguments.choice("motors", "on", "off").equals("on");
+        long seed = seed(arguments);
+        Simulation simulation = new Simulation(world, seed);
+        SimRobot simRobot = new SimRobot(simulation, new InetSocketAddress(center.host(), center.port()), settings);
+        simRobot.simulation().setSpeed(speed);
+        for (RobotName name : Lineup.of(arguments, world)) {
+            SimulatedRobot robot = simulation.addRobot(name.name());
+            robot.setMotors(motors);
+            robot.setPower(power);
+            // With the number, or the robots of one seed would be one piece of equipment.
+            Imei imei =
+                    Imei.random(new Random(seed * 31 + name.number().digits().hashCode()));
+            simRobot.add(robot, name.number(), imei);
+        }
+        return simRobot;
+    }
+
+    private static long seed(Arguments arguments) throws UsageException {
+        return arguments.has("seed")
+                ? arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE)
+                : new Random().nextLong();
+    }
+
+    private static int headless(Arguments arguments, SimRobot built)
+            throws UsageException, IOException, InterruptedException {
+        Console console = new Console(Program.standardOutput());
+        try (EventPrinter printer = new EventPrinter(console);
+                SimRobot simRobot = built) {
+            simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), printer)));
+            Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
+            console.ready(Event.of("ready").with("robots", names(simRobot)));
+            simRobot.start();
+            Program.runConsole(console, arguments, new RobotConsole(simRobot, printer));
+        }
+        return console.exitStatus();
+    }
+
+    private static String names(SimRobot simRobot) {
+        return simRobot.robots().stream().map(TelephoneRobot::name).collect(Collectors.joining(","));
+    }
+
+    static Settings settings(Arguments arguments) throws UsageException {
+        Set<String> operators =
+                arguments.value("operators", SimRobotMain::operators).orElse(Set.of());
+        Settings.OnHangup onHangup =
+                arguments.choice("on-hangup", "stop", "finish").equals("stop")
+                        ? Settings.OnHangup.STOP
+                        : Settings.OnHangup.FINISH;
+        return new Settings(arguments.language(), operators, onHangup);
+    }
+
+    private static Set<String> operators(String list) {
+        Set<String> numbers = new HashSet<>();
+        for (String number : list.split(",", -1)) {
+            numbers.add(Msisdn.parse(number.strip()).digits());
+        }
+        return numbers;
     }
 }

@@ -1,0 +1,96 @@
+package simrobot;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simrobot.control.RobotName;
+import simrobot.world.Home;
+import simrobot.world.World;
+
+/** Which robots a command line asks for. */
+final class Lineup {
+    static final String SINGLE_NAME = "robot";
+    private static final Msisdn DEFAULT_NUMBER = new Msisdn("5550200");
+
+    private Lineup() {}
+
+    /** At least one robot; names and numbers are all different. */
+    static List<RobotName> of(Arguments arguments, World world) throws UsageException {
+        Msisdn number = arguments.value("number", Lineup::number).orElse(DEFAULT_NUMBER);
+        if (arguments.has("robots")) {
+            arguments.choice("robots", "all");
+            return onAllHomes(world, number);
+        }
+        if (!arguments.has("robot")) {
+            return List.of(new RobotName(SINGLE_NAME, number));
+        }
+        List<RobotName> robots = new ArrayList<>();
+        for (String text : arguments.all("robot")) {
+            try {
+                RobotName robot = RobotName.parse(text);
+                number(robot.number().digits());
+                robots.add(robot);
+            } catch (IllegalArgumentException e) {
+                throw new UsageException("--robot: " + e.getMessage());
+            }
+        }
+        requireDifferent(robots);
+        return robots;
+    }
+
+    /** @throws IllegalArgumentException also for a number from which the open network can make no IMSI */
+    private static Msisdn number(String text) {
+        Msisdn number = Msisdn.parse(text);
+        Imsi.ofOpenNumber(number);
+        return number;
+    }
+
+    private static void requireDifferent(List<RobotName> robots) throws UsageException {
+        Set<String> names = new HashSet<>();
+        Set<Msisdn> numbers = new HashSet<>();
+        for (RobotName robot : robots) {
+            if (!names.add(robot.name())) {
+                throw new UsageException("--robot: two robots are called " + robot.name());
+            }
+            if (!numbers.add(robot.number())) {
+                throw new UsageException("--robot: two robots have the number " + robot.number());
+            }
+        }
+    }
+
+    private static List<RobotName> onAllHomes(World world, Msisdn first) throws UsageException {
+        if (world.homes().isEmpty()) {
+            throw new UsageException("--robots: " + world.name() + " has no RobotHome");
+        }
+        List<RobotName> robots = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (Home home : world.homes()) {
+            robots.add(new RobotName(nameOf(home, names), plus(first, robots.size())));
+        }
+        return robots;
+    }
+
+    /** The home's name as one word, made different where two homes are called the same. */
+    private static String nameOf(Home home, Set<String> names) {
+        String word = home.name().strip().replaceAll("[^\\p{L}\\p{N}_.+-]+", "_");
+        String base = word.isEmpty() ? SINGLE_NAME : word;
+        String name = base;
+        for (int i = 2; !names.add(name); i++) {
+            name = base + "-" + i;
+        }
+        return name;
+    }
+
+    private static Msisdn plus(Msisdn first, int count) throws UsageException {
+        try {
+            return number(Long.toString(Long.parseLong(first.digits()) + count));
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--number: too high to count up from: " + e.getMessage());
+        }
+    }
+}

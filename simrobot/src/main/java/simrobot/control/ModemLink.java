@@ -1,0 +1,188 @@
+package simrobot.control;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.LongSupplier;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.CallDecision;
+import simgsm.modem.Modem;
+import simgsm.modem.ModemListener;
+import simgsm.station.Sim;
+import simgsm.station.StationIdentity;
+import vericommand.ReplyTone;
+
+/**
+ * A robot's modem as its control sees it, and the control as the modem sees it. What the modem tells comes on the stations'
+ * thread and is posted to the simulation's; what the control asks goes the other way.
+ */
+final class ModemLink implements ModemListener, ModemPort {
+    private static final Logger LOG = System.getLogger(ModemLink.class.getName());
+    private static final double NANOS_PER_SAMPLE = 1e9 / 8000;
+    /** A key is decided in the speech frame that has just come: 20 ms. */
+    private static final long FRAME_SAMPLES = 160;
+
+    private final Modem modem;
+    private final Executor stations;
+    private final Executor simulation;
+    private final LongSupplier clockNanos;
+    private RobotControl control;
+
+    // of the stations' thread
+    private boolean accepted;
+    private long heardSamples;
+    private int tonesToLeave;
+    private boolean clearWhenSilent;
+
+    ModemLink(StationIdentity identity, Sim sim, Executor stations, Executor simulation, LongSupplier clockNanos) {
+        this.stations = stations;
+        this.simulation = simulation;
+        this.clockNanos = clockNanos;
+        modem = new Modem(identity, sim, this);
+    }
+
+    /** To be told once, before the modem has a link. */
+    void serve(RobotControl robotControl) {
+        control = robotControl;
+    }
+
+    Modem modem() {
+        return modem;
+    }
+
+    // ---- from the modem, on the stations' thread -------------------------------------------------------------------
+
+    @Override
+    public void registered(Msisdn number) {
+        simulation.execute(() -> control.listener().registered(number.digits()));
+    }
+
+    @Override
+    public void unregistered(Optional<RejectCause> cause) {
+        String code = cause.map(reject -> Integer.toString(reject.code())).orElse("");
+        simulation.execute(() -> control.listener().unregistered(code));
+    }
+
+    @Override
+    public CallDecision call(Optional<Msisdn> from) {
+        String caller = digits(from);
+        ReplyTone tone = control.admission(caller);
+        accepted = tone == ReplyTone.CONNECTION_ACCEPTED;
+        heardSamples = 0;
+        tonesToLeave = 1;
+        clearWhenSilent = false;
+        simulation.execute(() -> control.listener().call(caller));
+        return new CallDecision(accepted, key(tone));
+    }
+
+    @Override
+    public void connected(Optional<Msisdn> from) {
+        String caller = digits(from);
+        simulation.execute(() -> control.callBegan(caller));
+    }
+
+    @Override
+    public void key(DtmfDigit digit) {
+        char key = digit.key().symbol();
+        long began = clockNanos.getAsLong() - Math.round(samplesSinceItBegan(digit) * NANOS_PER_SAMPLE);
+        simulation.execute(() -> control.key(key, began));
+    }
+
+    /** The frame has just come whole, so now is its end: some samples behind the one at which the key was decided. */
+    private long samplesSinceItBegan(DtmfDigit digit) {
+        long now = heardSamples + FRAME_SAMPLES;
+        boolean sameCount = now >= digit.decidedAtSample() && now - digit.decidedAtSample() <= FRAME_SAMPLES;
+        return Math.max(0, (sameCount ? now : digit.decidedAtSample()) - digit.startedAtSample());
+    }
+
+    @Override
+    public void speechTime(int samples) {
+        heardSamples += samples;
+        simulation.execute(() -> control.speech(samples));
+    }
+
+    @Override
+    public void toneSent(DtmfKey key) {
+        ReplyTone tone = ReplyTone.values()[key.symbol() - '1'];
+        simulation.execute(() -> control.listener().toneSent(tone));
+        tonesToLeave = Math.max(0, tonesToLeave - 1);
+        clearIfSilent();
+    }
+
+    @Override
+    public void callEnded(Cause cause) {
+        accepted = false;
+        tonesToLeave = 0;
+        clearWhenSilent = false;
+        simulation.execute(() -> control.callEnded(cause.code()));
+    }
+
+    @Override
+    public void sms(String from, String text) {
+        simulation.execute(() -> control.message(from, text));
+    }
+
+    @Override
+    public void smsFailed(int id, Msisdn to, RpCause cause) {
+        LOG.log(Level.WARNING, "reply SMS " + id + " to " + to + " was not taken: cause " + cause.code());
+    }
+
+    // ---- to the modem ----------------------------------------------------------------------------------------------
+
+    @Override
+    public void sendTone(ReplyTone tone) {
+        stations.execute(() -> {
+            if (accepted) {
+                tonesToLeave++;
+                modem.sendTone(key(tone));
+            }
+        });
+    }
+
+    @Override
+    public void clearCall() {
+        stations.execute(() -> {
+            clearWhenSilent = accepted;
+            clearIfSilent();
+        });
+    }
+
+    private void clearIfSilent() {
+        if (clearWhenSilent && tonesToLeave == 0) {
+            clearWhenSilent = false;
+            modem.hangUp();
+        }
+    }
+
+    @Override
+    public boolean sendMessage(String to, String text) {
+        Msisdn number;
+        try {
+            number = Msisdn.parse(to);
+        } catch (IllegalArgumentException notANumber) {
+            LOG.log(Level.INFO, "no reply to \"" + to + "\": " + notANumber.getMessage());
+            return false;
+        }
+        stations.execute(() -> modem.sendSms(number, text));
+        return true;
+    }
+
+    @Override
+    public void setOrderUnderWay(boolean underWay) {
+        stations.execute(() -> modem.setOrderUnderWay(underWay));
+    }
+
+    private static DtmfKey key(ReplyTone tone) {
+        return DtmfKey.of(tone.key());
+    }
+
+    private static String digits(Optional<Msisdn> number) {
+        return number.map(Msisdn::digits).orElse("");
+    }
+}

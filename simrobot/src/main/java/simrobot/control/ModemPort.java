@@ -1,0 +1,17 @@
+package simrobot.control;
+
+import vericommand.ReplyTone;
+
+/** What a robot's control asks of its modem; any thread may ask. */
+interface ModemPort {
+    void sendTone(ReplyTone tone);
+
+    /** Clears the call once the tones asked for so far have left. */
+    void clearCall();
+
+    /** @return false if that is no number that a message can go to */
+    boolean sendMessage(String to, String text);
+
+    /** While an order is under way the modem's count of idle time stands still. */
+    void setOrderUnderWay(boolean underWay);
+}

@@ -1,0 +1,149 @@
+package simrobot.control;
+
+import java.util.List;
+import java.util.function.Consumer;
+import simgsm.console.Command;
+import simgsm.console.CommandException;
+import simgsm.console.Console;
+import simgsm.console.Event;
+import simrobot.robot.Placement;
+import simrobot.robot.SimulatedRobot;
+import vericommand.RobotStatus;
+
+/** SimRobot's console commands; {@code @NAME} in front says which robot is meant, without it the first. */
+public final class RobotConsole implements Console.Commands {
+    private static final double MAX_METERS = 1e6;
+    private static final double MAX_DEGREES = 1e6;
+
+    private final SimRobot simRobot;
+    private final Consumer<Event> out;
+
+    /** @param out any thread may call it */
+    public RobotConsole(SimRobot simRobot, Consumer<Event> out) {
+        this.simRobot = simRobot;
+        this.out = out;
+    }
+
+    @Override
+    public void perform(Command command) throws CommandException {
+        if (command.name().startsWith("@")) {
+            perform(robot(command.name().substring(1)), command.tail());
+        } else {
+            perform(simRobot.robots().get(0), command);
+        }
+    }
+
+    private TelephoneRobot robot(String name) throws CommandException {
+        List<TelephoneRobot> robots = simRobot.robots();
+        return robots.stream()
+                .filter(robot -> robot.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new CommandException("no robot " + name + ", expected one of "
+                        + String.join(
+                                ", ", robots.stream().map(TelephoneRobot::name).toList())));
+    }
+
+    private void perform(TelephoneRobot meant, Command command) throws CommandException {
+        SimulatedRobot robot = meant.robot();
+        ConsoleEvents events = new ConsoleEvents(meant.name(), out);
+        switch (command.name()) {
+            case "status" -> {
+                command.words(0, "nothing after it");
+                onSimulation(() -> events.status(robot.status()));
+            }
+            case "pose" -> {
+                command.words(0, "nothing after it");
+                onSimulation(() -> events.pose(robot.pose()));
+            }
+            case "sonar" -> {
+                command.words(0, "nothing after it");
+                onSimulation(() -> events.sonar(robot.sonarRangesMillimeters()));
+            }
+            case "power" -> power(robot, isOn(command), events);
+            case "motors" -> motors(robot, isOn(command), events);
+            case "place" -> place(robot, command, events);
+            default ->
+                throw new CommandException("unknown command "
+                        + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
+                        + ", expected status, pose, sonar, power, motors, place, wait or quit");
+        }
+    }
+
+    private static boolean isOn(Command command) throws CommandException {
+        String word = command.words(1, "on or off").get(0);
+        if (!word.equals("on") && !word.equals("off")) {
+            throw new CommandException(command.name() + ": expected on or off, found " + word);
+        }
+        return word.equals("on");
+    }
+
+    private void power(SimulatedRobot robot, boolean on, ConsoleEvents events) throws CommandException {
+        onSimulation(() -> answerUnlessToldBy(robot, events, () -> robot.setPower(on)));
+    }
+
+    private void motors(SimulatedRobot robot, boolean on, ConsoleEvents events) throws CommandException {
+        onSimulation(() -> {
+            if (on && !robot.isPowered()) {
+                throw new CommandException("motors on: the robot is off, expected power on first");
+            }
+            answerUnlessToldBy(robot, events, () -> robot.setMotors(on));
+        });
+    }
+
+    /** A change tells the status by itself; without one the answer has still to come. */
+    private static void answerUnlessToldBy(SimulatedRobot robot, ConsoleEvents events, Runnable act) {
+        RobotStatus before = robot.status();
+        act.run();
+        if (robot.status() == before) {
+            events.status(before);
+        }
+    }
+
+    private void place(SimulatedRobot robot, Command command, ConsoleEvents events) throws CommandException {
+        List<String> words = command.words(3, "X Y HEADING");
+        double x = number("X", words.get(0), MAX_METERS);
+        double y = number("Y", words.get(1), MAX_METERS);
+        double heading = number("HEADING", words.get(2), MAX_DEGREES);
+        onSimulation(() -> {
+            Placement placement = robot.place(x, y, Math.toRadians(heading));
+            if (placement != Placement.DONE) {
+                throw new CommandException("place " + command.rest() + ": " + placement.text());
+            }
+            events.pose(robot.pose());
+        });
+    }
+
+    private static double number(String what, String word, double most) throws CommandException {
+        if (word.matches("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]{1,3})?")) {
+            double number = Double.parseDouble(word);
+            if (Math.abs(number) <= most) {
+                return number;
+            }
+        }
+        throw new CommandException("place: expected a number for " + what + ", found " + word);
+    }
+
+    /** What a command does on the simulation's thread. */
+    private interface Act {
+        void run() throws CommandException;
+    }
+
+    private void onSimulation(Act act) throws CommandException {
+        try {
+            CommandException refusal = simRobot.onSimulation(() -> {
+                try {
+                    act.run();
+                    return null;
+                } catch (CommandException e) {
+                    return e;
+                }
+            });
+            if (refusal != null) {
+                throw refusal;
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new CommandException("interrupted");
+        }
+    }
+}

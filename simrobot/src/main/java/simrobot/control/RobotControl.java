@@ -1,0 +1,152 @@
+package simrobot.control;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.function.LongSupplier;
+import simrobot.robot.SimulatedRobot;
+import vericommand.Instruction;
+import vericommand.Reply;
+import vericommand.ReplyTone;
+import vericommand.RobotStatus;
+import vericommand.Settings;
+import vericommand.Verdict;
+import vericommand.VeriCommand;
+import vericommand.VeriCommandListener;
+import vericommand.VeriCommandSnapshot;
+
+/**
+ * One robot with its verifier and what its modem hears. The simulation's thread owns it, so that between looking at the
+ * status and acting on it nothing can happen; only {@link #admission} and {@link #snapshot} are for every thread.
+ */
+final class RobotControl {
+    private static final Logger LOG = System.getLogger(RobotControl.class.getName());
+
+    private final SimulatedRobot robot;
+    private final Settings settings;
+    private final ModemPort modem;
+    private ControlListener listener = new ControlListener() {};
+    private final OrderStopwatch stopwatch;
+    private final VeriCommand veriCommand;
+    private volatile RobotStatus status;
+    private volatile VeriCommandSnapshot snapshot;
+
+    RobotControl(SimulatedRobot robot, Settings settings, ModemPort modem, LongSupplier clockNanos) {
+        this.robot = robot;
+        this.settings = settings;
+        this.modem = modem;
+        stopwatch = new OrderStopwatch(robot.name(), clockNanos);
+        veriCommand = new VeriCommand(robot, settings, new Answers());
+        status = robot.status();
+        snapshot = veriCommand.snapshot();
+        robot.addStatusListener(this::statusChanged);
+        robot.addFirstMotionListener(stopwatch::wheelsMoved);
+    }
+
+    /** The first tone for a caller; any thread may ask, the answer goes by the newest status. */
+    ReplyTone admission(String caller) {
+        return settings.admission(caller, status);
+    }
+
+    /** What a window shows; any thread may ask. */
+    VeriCommandSnapshot snapshot() {
+        return snapshot;
+    }
+
+    SimulatedRobot robot() {
+        return robot;
+    }
+
+    /** Before anything happens. */
+    void listen(ControlListener told) {
+        listener = told;
+    }
+
+    ControlListener listener() {
+        return listener;
+    }
+
+    void callBegan(String caller) {
+        veriCommand.callBegan(caller);
+    }
+
+    /** @param beganNanos when the key's tone began in the received audio, by the clock of this control */
+    void key(char key, long beganNanos) {
+        listener.key(key);
+        stopwatch.keyBegan(beganNanos);
+        veriCommand.key(key);
+        stopwatch.noKey();
+    }
+
+    void speech(long samples) {
+        veriCommand.speech(samples);
+    }
+
+    void callEnded(int cause) {
+        listener.released(cause);
+        veriCommand.callEnded();
+    }
+
+    void message(String from, String text) {
+        listener.message(from, text);
+        veriCommand.message(from, text);
+    }
+
+    private void statusChanged(RobotStatus now) {
+        status = now;
+        listener.status(now);
+        veriCommand.statusChanged();
+    }
+
+    private final class Answers implements VeriCommandListener {
+        @Override
+        public void tone(ReplyTone tone) {
+            modem.sendTone(tone);
+        }
+
+        @Override
+        public void clearCall() {
+            modem.clearCall();
+        }
+
+        @Override
+        public void message(String to, String text) {
+            if (modem.sendMessage(to, text)) {
+                listener.replySent(to, text);
+            }
+        }
+
+        @Override
+        public void underWay(boolean underWay) {
+            modem.setOrderUnderWay(underWay);
+            if (!underWay) {
+                stopwatch.orderEnded();
+            }
+        }
+
+        @Override
+        public void order(String keys, Verdict verdict) {
+            stopwatch.order(verdict);
+            listener.order(verdict);
+        }
+
+        @Override
+        public void instructionEnded(Instruction instruction) {
+            listener.pose(robot.pose());
+        }
+
+        @Override
+        public void outcome(Reply reply) {
+            listener.outcome(reply);
+        }
+
+        @Override
+        public void senderIgnored(String from) {
+            LOG.log(Level.INFO, robot.name() + ": SMS from " + from + " ignored, no operator");
+        }
+
+        @Override
+        public void changed() {
+            snapshot = veriCommand.snapshot();
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package simrobot.control;
+
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.station.Sim;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationThread;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationThread;
+import vericommand.Settings;
+
+/**
+ * The whole program below its console or window: a simulation with its thread, robots with their verifiers, modems with
+ * theirs.
+ */
+public final class SimRobot implements AutoCloseable {
+    private final SimulationThread simulationThread;
+    private final StationThread stationThread = new StationThread("modems");
+    private final InetSocketAddress center;
+    private final Settings settings;
+    private final List<TelephoneRobot> robots = new ArrayList<>();
+
+    /** Nothing runs yet: add robots, then {@link #start}. */
+    public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings) {
+        this.center = center;
+        this.settings = settings;
+        simulationThread = new SimulationThread(simulation);
+    }
+
+    /** Gives a robot its modem and its verifier; before the start. */
+    public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei) {
+        StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM robot");
+        ModemLink link =
+                new ModemLink(identity, Sim.WITHOUT_KEY, stationThread::execute, simulationThread, System::nanoTime);
+        RobotControl control = new RobotControl(robot, settings, link, System::nanoTime);
+        link.serve(control);
+        TelephoneRobot added = new TelephoneRobot(number, control, link);
+        robots.add(added);
+        return added;
+    }
+
+    /** Time begins and the modems look for their centre. */
+    public void start() {
+        simulationThread.start();
+        stationThread.start();
+        robots.forEach(robot -> stationThread.add(robot.station(), center));
+    }
+
+    /** The first robot is the one that is meant when nobody says which. */
+    public List<TelephoneRobot> robots() {
+        return List.copyOf(robots);
+    }
+
+    /** Pace, pause and pictures of the world; acts on robots are posted to it. */
+    public SimulationThread simulation() {
+        return simulationThread;
+    }
+
+    /** Has something done on the simulation's thread and waits for it. */
+    public <T> T onSimulation(Callable<T> act) throws InterruptedException {
+        FutureTask<T> task = new FutureTask<>(act);
+        simulationThread.post(task);
+        try {
+            return task.get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException(e.getCause());
+        }
+    }
+
+    /** Detaches the modems, then ends the simulation. */
+    @Override
+    public void close() {
+        stationThread.close();
+        simulationThread.close();
+    }
+}
