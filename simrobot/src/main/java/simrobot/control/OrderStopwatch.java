@@ -17,6 +17,7 @@ final class OrderStopwatch {
     private final LongSupplier clockNanos;
     private long keyBeganNanos = UNKNOWN;
     private String waiting = "";
+    private long waitingSinceNanos;
 
     OrderStopwatch(String robot, LongSupplier clockNanos) {
         this.robot = robot;
@@ -37,6 +38,7 @@ final class OrderStopwatch {
         String line = "order " + text(verdict) + " " + verdict.word();
         if (verdict instanceof Verdict.Accepted accepted && accepted.order().moves() && keyBeganNanos != UNKNOWN) {
             waiting = line;
+            waitingSinceNanos = keyBeganNanos;
         } else {
             log(line);
         }
@@ -47,7 +49,7 @@ final class OrderStopwatch {
         if (waiting.isEmpty()) {
             return -1;
         }
-        long millis = Math.round((clockNanos.getAsLong() - keyBeganNanos) / 1e6);
+        long millis = Math.round((clockNanos.getAsLong() - waitingSinceNanos) / 1e6);
         log(waiting + "; wheels moved " + millis + " ms after the last key began");
         waiting = "";
         return millis;

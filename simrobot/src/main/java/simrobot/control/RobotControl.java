@@ -67,6 +67,7 @@ final class RobotControl {
 
     void callBegan(String caller) {
         veriCommand.callBegan(caller);
+        modem.setOrderUnderWay(veriCommand.isUnderWay());
     }
 
     /** @param beganNanos when the key's tone began in the received audio, by the clock of this control */

@@ -1,0 +1,144 @@
+package simrobot.control;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Console;
+import simgsm.console.Event;
+import simrobot.simulation.Simulation;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.World;
+import vericommand.Settings;
+
+/** The console's commands on two robots whose modems have no centre and whose simulation stands. */
+class RobotConsoleTest {
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+    private SimRobot simRobot;
+
+    @BeforeEach
+    void twoRobots() {
+        World world = World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2)));
+        Simulation simulation = new Simulation(world, 1);
+        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT);
+        for (int i = 0; i < 2; i++) {
+            simRobot.add(
+                    simulation.addRobot("r" + i, new Position(0, i), 0),
+                    new Msisdn("555020" + i),
+                    Imei.random(new Random(i)));
+        }
+        simRobot.simulation().setPaused(true);
+        simRobot.simulation().start();
+    }
+
+    @AfterEach
+    void close() {
+        simRobot.close();
+    }
+
+    private List<String> answers(String... commands) throws Exception {
+        out.reset();
+        Console console = new Console(new PrintStream(out, true, StandardCharsets.UTF_8));
+        console.ready(Event.of("ready"));
+        simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
+        RobotConsole robotConsole = new RobotConsole(simRobot, console::emit);
+        console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);
+        List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
+        return lines.subList(1, lines.size());
+    }
+
+    @Test
+    void statusPoseAndSonarAreAnswered() throws Exception {
+        List<String> answers = answers("status", "pose", "sonar");
+        assertEquals("status robot=r0 value=Stopped", answers.get(0));
+        assertEquals("pose robot=r0 x=0.0000 y=0.0000 heading=0.00", answers.get(1));
+        assertTrue(answers.get(2).matches("sonar robot=r0 ranges=([0-9]+,){15}[0-9]+"), answers.get(2));
+    }
+
+    @Test
+    void switchesAnswerWithTheStatusOnceWhetherItChangesOrNot() throws Exception {
+        assertEquals(
+                List.of(
+                        "status robot=r0 value=Stopped",
+                        "status robot=r0 value=Disconnected",
+                        "status robot=r0 value=Disconnected",
+                        "status robot=r0 value=Disconnected",
+                        "status robot=r0 value=\"No motors\"",
+                        "status robot=r0 value=Stopped"),
+                answers("power on", "power off", "power off", "motors off", "power on", "motors on"));
+    }
+
+    @Test
+    void theRobotThatIsNamedIsMeantElseTheFirst() throws Exception {
+        assertEquals(
+                List.of(
+                        "pose robot=r1 x=0.0000 y=1.0000 heading=0.00",
+                        "status robot=r1 value=\"No motors\"",
+                        "status robot=r0 value=Stopped"),
+                answers("@r1 pose", "@r1 motors off", "status"));
+    }
+
+    @Test
+    void placePutsTheRobotThereAndTellsItsPose() throws Exception {
+        assertEquals(List.of("pose robot=r0 x=-1.5000 y=0.2500 heading=270.00"), answers("place -1.5 .25 -90"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "place 1 0 0|in the way",
+                "place 0 1 0|in the way",
+                "place 0 0|expected X Y HEADING",
+                "place 0 0 0 0|expected X Y HEADING",
+                "place a 0 0|a number for X, found a",
+                "place 0 NaN 0|a number for Y, found NaN",
+                "place 0 0 1e99|a number for HEADING",
+                "power|expected on or off",
+                "power maybe|found maybe",
+                "motors off now|expected on or off",
+                "status please|expected nothing after it",
+                "bogus|unknown command bogus",
+                "@r9 status|no robot r9, expected one of r0, r1",
+                "@r1|unknown command behind @r1",
+                "@|no robot"
+            })
+    void aCommandThatCannotBeDoneIsAnErrorAndTheProgramGoesOn(String command, String words) throws Exception {
+        List<String> answers = answers(command, "status");
+        assertTrue(answers.get(0).startsWith("error text=") && answers.get(0).contains(words), answers.get(0));
+        assertEquals("status robot=r0 value=Stopped", answers.get(1));
+        assertEquals(2, answers.size());
+    }
+
+    @Test
+    void motorsOfARobotThatIsOffStayOff() throws Exception {
+        List<String> answers = answers("power off", "motors on");
+        assertTrue(answers.get(1).contains("the robot is off"), answers.get(1));
+    }
+
+    @Test
+    void aMovingRobotIsNotPlaced() throws Exception {
+        simRobot.onSimulation(() -> {
+            simRobot.robots().get(0).robot().start(new vericommand.Instruction.Turn(90), outcome -> {});
+            return null;
+        });
+        List<String> answers = answers("place -1 0 0", "status");
+        assertTrue(answers.get(0).contains("moving"), answers.get(0));
+        assertEquals("status robot=r0 value=Moving", answers.get(1));
+    }
+}
