@@ -80,6 +80,7 @@ public final class Theme {
         BODY_LINE(0xB4BCC7, 0x4A515B),
         KEY_FACE(0xFDFDFE, 0x3A4048),
         KEY_LINE(0xAAB3BF, 0x565E69),
+        KEY_HOVER(0xF0F3F7, 0x434A53),
         /** The display of the phone: the same in both appearances, as a real one is. */
         LCD_PAPER(0xB9C9A3, 0xB9C9A3),
         LCD_INK(0x20301A, 0x20301A),

@@ -1,10 +1,91 @@
 package simgsm.phone;
 
-/** Starts the program from the command line. */
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.Locale;
+import java.util.Random;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.Event;
+import simgsm.console.HostPort;
+import simgsm.console.Options;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simgsm.speech.AudioOutput;
+import simgsm.station.StationIdentity;
+import simgsm.ui.Texts;
+
+/** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
+    private static final String DEFAULT_NUMBER = "5550100";
+    private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
+    private static final String UNIT_NAME = "SimGSM phone";
+
     private PhoneMain() {}
 
     public static void main(String[] args) {
-        System.exit(2);
+        new Program("simgsm-phone", options()).runAndExit(args, PhoneMain::run);
+    }
+
+    static Options options() {
+        return Program.commonOptions(
+                        "java -jar simgsm-phone.jar --number 5550101 [options]",
+                        "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
+                .value("number", "N", "the phone's own number, 1 to 15 digits (5550100)")
+                .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
+                .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
+    }
+
+    private static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
+        StationIdentity identity = identity(arguments);
+        HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
+        Locale language = arguments.language();
+        return arguments.has("headless")
+                ? headless(arguments, identity, center, Messages.in(language))
+                : PhoneWindow.run(arguments, identity, address(center), Messages.in(language), language);
+    }
+
+    private static StationIdentity identity(Arguments arguments) throws UsageException {
+        Msisdn number = arguments.value("number", Msisdn::parse).orElse(new Msisdn(DEFAULT_NUMBER));
+        Random random = new Random();
+        if (arguments.has("seed")) {
+            // With the number, or two phones of one seed would be one piece of equipment.
+            random = new Random(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE) * 31
+                    + number.digits().hashCode());
+        }
+        Imei imei = arguments.value("imei", Imei::new).orElse(Imei.random(random));
+        try {
+            return StationIdentity.ofOpenNumber(number, imei, UNIT_NAME);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--number: " + e.getMessage());
+        }
+    }
+
+    static InetSocketAddress address(HostPort center) {
+        return new InetSocketAddress(center.host(), center.port());
+    }
+
+    static AudioOutput sound(Arguments arguments) {
+        return arguments.has("no-sound") ? AudioOutput.SILENT : AudioOutput.open();
+    }
+
+    private static int headless(Arguments arguments, StationIdentity identity, HostPort center, Texts texts)
+            throws IOException, InterruptedException, UsageException {
+        Console console = new Console(Program.standardOutput());
+        Phone phone = new Phone(identity, new EventPrinter(console, texts), AudioOutput.SILENT);
+        PhoneCommands commands = new PhoneCommands(console, phone);
+        Thread lastWill = new Thread(phone::close, "detach");
+        Runtime.getRuntime().addShutdownHook(lastWill);
+        console.ready(Event.of("ready"));
+        phone.start(address(center));
+        try {
+            Program.runConsole(console, arguments, commands);
+            commands.finish();
+        } finally {
+            phone.close();
+        }
+        return console.exitStatus();
     }
 }

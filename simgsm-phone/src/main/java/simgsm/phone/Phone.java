@@ -1,0 +1,88 @@
+package simgsm.phone;
+
+import java.net.InetSocketAddress;
+import java.time.InstantSource;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.HandsetListener;
+import simgsm.phone.handset.StationSide;
+import simgsm.speech.AudioOutput;
+import simgsm.station.MobileStation;
+import simgsm.station.Sim;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationThread;
+
+/** A phone at work: handset, station and the thread that owns both. */
+final class Phone implements AutoCloseable {
+    /** An act takes microseconds; if it takes this long the thread has ended. */
+    private static final long ACT_SECONDS = 5;
+
+    private final StationThread thread = new StationThread("station");
+    private final AudioOutput output;
+    private final Handset handset;
+    private final MobileStation station;
+
+    Phone(StationIdentity identity, HandsetListener listener, AudioOutput output) {
+        this.output = output;
+        handset = new Handset(identity.number(), listener, output, InstantSource.system());
+        station = new MobileStation(identity, Sim.WITHOUT_KEY, handset.mouth(), handset.ears());
+        handset.attach(StationSide.of(station));
+    }
+
+    /** Begins to look for the centre. */
+    void start(InetSocketAddress center) {
+        thread.add(station, center);
+        thread.start();
+    }
+
+    /** For its snapshots only; everything else goes through {@link #execute}. */
+    Handset handset() {
+        return handset;
+    }
+
+    /** Has the owner thread do something. */
+    void execute(Runnable act) {
+        thread.execute(act);
+    }
+
+    /** Has the owner thread do something and waits for its result. */
+    <T> T ask(Function<Handset, T> act) throws InterruptedException {
+        CompletableFuture<T> result = new CompletableFuture<>();
+        thread.execute(() -> {
+            try {
+                result.complete(act.apply(handset));
+            } catch (RuntimeException e) {
+                result.completeExceptionally(e);
+            }
+        });
+        try {
+            return result.get(ACT_SECONDS, TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException e) {
+            throw new IllegalStateException("the phone did not do it: " + e.getMessage(), e);
+        }
+    }
+
+    /** Waits until queued keys have left and messages are acknowledged, but no longer than that. */
+    void settle(long boundNanos) throws InterruptedException {
+        CompletableFuture<Boolean> settled = new CompletableFuture<>();
+        thread.execute(() -> handset.whenSettled(() -> settled.complete(true)));
+        try {
+            settled.get(boundNanos, TimeUnit.NANOSECONDS);
+        } catch (TimeoutException late) {
+            // What the network does not take in time stays undone.
+        } catch (ExecutionException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /** Hangs up, detaches, ends the thread. */
+    @Override
+    public void close() {
+        thread.close();
+        output.close();
+    }
+}

@@ -1,0 +1,153 @@
+package simgsm.phone;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import simgsm.air.Msisdn;
+import simgsm.console.Command;
+import simgsm.console.CommandException;
+import simgsm.console.Console;
+import simgsm.console.Event;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.Refusal;
+import simgsm.phone.handset.StoredMessage;
+
+/** The console's commands. Each is done by the owner thread before the next is read, so errors stand in their order. */
+final class PhoneCommands implements Console.Commands {
+    /** So long the end waits for acknowledgements. */
+    private static final long PATIENCE_SECONDS = 10;
+    /** A queued key takes 100 ms of tone and 100 ms of pause. */
+    private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+
+    private final Console console;
+    private final Phone phone;
+    private long keysPressed;
+
+    PhoneCommands(Console console, Phone phone) {
+        this.console = console;
+        this.phone = phone;
+    }
+
+    @Override
+    public void perform(Command command) throws CommandException {
+        switch (command.name()) {
+            case "dial" -> dial(command);
+            case "answer" -> plain(command, Handset::answer);
+            case "hangup" -> plain(command, Handset::hangUp);
+            case "press" -> press(command);
+            case "sms" -> sms(command);
+            case "inbox" -> inbox(command);
+            case "power" -> power(command);
+            default ->
+                throw new CommandException("unknown command " + command.name()
+                        + ", expected dial, answer, hangup, press, sms, inbox, wait, power or quit");
+        }
+    }
+
+    /** Ends what was begun: queued keys leave, messages are acknowledged, but not for longer than is reasonable. */
+    void finish() throws InterruptedException {
+        phone.settle(TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS) + keysPressed * KEY_NANOS);
+    }
+
+    private void dial(Command command) throws CommandException {
+        Msisdn number = number("dial", command.words(1, "dial NUMBER").get(0));
+        act("dial", handset -> handset.dial(number));
+    }
+
+    private void plain(Command command, Function<Handset, Optional<Refusal>> act) throws CommandException {
+        command.words(0, command.name() + " and nothing after it");
+        act(command.name(), act);
+    }
+
+    private void press(Command command) throws CommandException {
+        List<DtmfKey> keys;
+        try {
+            keys = DtmfKey.sequence(command.rest());
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("press: " + e.getMessage());
+        }
+        if (keys.isEmpty()) {
+            throw new CommandException("press: expected press KEYS, found nothing after it");
+        }
+        act("press", handset -> handset.press(keys));
+        keysPressed += keys.size();
+    }
+
+    private void sms(Command command) throws CommandException {
+        Command tail = command.tail();
+        if (tail.name().isEmpty()) {
+            throw new CommandException("sms: expected sms NUMBER TEXT, found nothing after it");
+        }
+        Msisdn to = number("sms", tail.name());
+        if (tail.rest().isEmpty()) {
+            throw new CommandException("sms: expected sms NUMBER TEXT, found no text");
+        }
+        String text;
+        try {
+            text = tail.text();
+        } catch (CommandException e) {
+            throw new CommandException("sms: " + e.getMessage());
+        }
+        act("sms", handset -> handset.sendMessage(to, text));
+    }
+
+    private void inbox(Command command) throws CommandException {
+        command.words(0, "inbox and nothing after it");
+        // Printed by the owner thread, so that a message that comes meanwhile does not stand in the list's middle.
+        ask(handset -> {
+            List<StoredMessage> messages = handset.readInbox();
+            for (StoredMessage message : messages) {
+                console.emit(Event.of("message")
+                        .with("from", message.party())
+                        .with("text", message.text())
+                        .with("read", message.read()));
+            }
+            console.emit(Event.of("end").with("of", "inbox").with("count", messages.size()));
+            return Optional.empty();
+        });
+    }
+
+    private void power(Command command) throws CommandException {
+        String state = command.words(1, "power on or power off").get(0);
+        switch (state) {
+            case "on" -> run(Handset::powerOn);
+            case "off" -> run(Handset::powerOff);
+            default -> throw new CommandException("power: expected on or off, found " + state);
+        }
+    }
+
+    private static Msisdn number(String command, String text) throws CommandException {
+        try {
+            return Msisdn.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new CommandException(command + ": " + e.getMessage());
+        }
+    }
+
+    private void run(java.util.function.Consumer<Handset> act) throws CommandException {
+        ask(handset -> {
+            act.accept(handset);
+            return Optional.empty();
+        });
+    }
+
+    private void act(String name, Function<Handset, Optional<Refusal>> act) throws CommandException {
+        Optional<Refusal> refusal = ask(act);
+        if (refusal.isPresent()) {
+            throw new CommandException(name + ": " + refusal.get().words());
+        }
+    }
+
+    private Optional<Refusal> ask(Function<Handset, Optional<Refusal>> act) throws CommandException {
+        try {
+            return phone.ask(act);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new CommandException("interrupted");
+        } catch (IllegalStateException e) {
+            throw new CommandException(e.getMessage());
+        }
+    }
+}

@@ -1,0 +1,539 @@
+package simgsm.phone.handset;
+
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.phone.handset.Screen.Note;
+import simgsm.speech.AudioOutput;
+import simgsm.station.SpeechSource;
+import simgsm.station.StationListener;
+import simgsm.station.StationSnapshot;
+
+/**
+ * The phone. The station tells it what happens and asks it for speech; console and window ask it to act; all of that on
+ * the station's owner thread. {@link #snapshot} may be asked by any thread.
+ */
+public final class Handset {
+    private static final int MAX_TYPED = 40;
+    private static final int MAX_KEYED = 200;
+    private static final int FRAMES_PER_SECOND = 50;
+    private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    /** A key held this long does its second task: 1 opens the mailbox, 0 becomes a plus sign. */
+    private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
+    /** So long the scope goes on after a tone, until its picture is quiet. */
+    private static final int TAIL_FRAMES = 8;
+
+    private final Msisdn own;
+    private final HandsetListener listener;
+    private final InstantSource wallClock;
+    private final Earpiece earpiece;
+    private final Mailbox mailbox = new Mailbox();
+    private final Screens screens = new Screens(mailbox, new ScreenDeeds());
+    private final KeySender line;
+    private final KeySender local = new KeySender(keys -> {});
+    private final DtmfReceiver ear = new DtmfReceiver(this::toneHeard);
+    private final short[] localFrame = new short[160];
+
+    private StationSide station;
+    private CallSnapshot call = CallSnapshot.NONE;
+    private long callFrames;
+    private String typed = "";
+    private String lastNumber = "";
+    private PhoneKey heldKey;
+    private long heldSinceNanos;
+    private long nextLocalFrameNanos = Long.MAX_VALUE;
+    private int tailFrames;
+    private Runnable whenSettled;
+    private volatile HandsetSnapshot newest;
+
+    /**
+     * A handset that waits for its station.
+     *
+     * @param wallClock for the time that messages came
+     */
+    public Handset(Msisdn own, HandsetListener listener, AudioOutput output, InstantSource wallClock) {
+        this.own = own;
+        this.listener = listener;
+        this.wallClock = wallClock;
+        this.earpiece = new Earpiece(output);
+        this.line = new KeySender(listener::sent);
+    }
+
+    /** Gives the handset its station, once, before anything else. */
+    public void attach(StationSide newStation) {
+        station = newStation;
+        changed();
+    }
+
+    /** What the station tells the handset. */
+    public StationListener ears() {
+        return new Ears();
+    }
+
+    /** What the handset says in a call. */
+    public SpeechSource mouth() {
+        return this::say;
+    }
+
+    /** The newest state; any thread may ask. Null before {@link #attach}. */
+    public HandsetSnapshot snapshot() {
+        return newest;
+    }
+
+    // What console and window ask for. A refusal says why nothing happens.
+
+    public Optional<Refusal> dial(Msisdn number) {
+        if (call.phase() != CallPhase.NONE) {
+            return Optional.of(Refusal.CALL_UNDER_WAY);
+        }
+        if (!isPowered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
+        lastNumber = number.digits();
+        return station.dial(number) ? Optional.empty() : Optional.of(Refusal.CALL_UNDER_WAY);
+    }
+
+    public Optional<Refusal> answer() {
+        return station.answer() ? Optional.empty() : Optional.of(Refusal.NOTHING_RINGS);
+    }
+
+    public Optional<Refusal> hangUp() {
+        line.drop();
+        return station.hangUp() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
+    }
+
+    /** Queues keys of 100 ms; before the call is connected they wait for it. */
+    public Optional<Refusal> press(List<DtmfKey> keys) {
+        if (call.phase() == CallPhase.NONE) {
+            return Optional.of(Refusal.NO_CALL);
+        }
+        if (call.phase() == CallPhase.RINGING) {
+            return Optional.of(Refusal.NOT_ANSWERED);
+        }
+        line.press(keys);
+        keys.forEach(key -> keyed(key.symbol()));
+        changed();
+        return Optional.empty();
+    }
+
+    public Optional<Refusal> sendMessage(Msisdn to, String text) {
+        if (text.isEmpty()) {
+            return Optional.of(Refusal.EMPTY_TEXT);
+        }
+        if (!isPowered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
+        int id;
+        try {
+            id = station.sendMessage(to, text);
+        } catch (IllegalArgumentException tooLong) {
+            return Optional.of(Refusal.TEXT_TOO_LONG);
+        }
+        mailbox.handedIn(id, to.digits(), text, wallClock.instant());
+        screens.added(Box.OUTBOX);
+        changed();
+        return Optional.empty();
+    }
+
+    public void powerOn() {
+        station.powerOn();
+        changed();
+    }
+
+    public void powerOff() {
+        line.drop();
+        station.powerOff();
+        typed = "";
+        changed();
+    }
+
+    /** The messages that have come, oldest first, as they are before this call marks them as read. */
+    public List<StoredMessage> readInbox() {
+        List<StoredMessage> inbox = mailbox.in(Box.INBOX);
+        mailbox.markAllRead(Box.INBOX);
+        changed();
+        return inbox;
+    }
+
+    /** Runs the act once no key waits to leave and the network has acknowledged every message; perhaps at once. */
+    public void whenSettled(Runnable act) {
+        whenSettled = act;
+        checkSettled();
+    }
+
+    private void checkSettled() {
+        if (whenSettled != null && line.isIdle() && !mailbox.hasUnacknowledged()) {
+            Runnable act = whenSettled;
+            whenSettled = null;
+            act.run();
+        }
+    }
+
+    // Keys of the window.
+
+    /** A key goes down; it sounds until {@link #keyUp}. */
+    public void keyDown(PhoneKey key, long nowNanos) {
+        timePassed(nowNanos);
+        heldKey = key;
+        heldSinceNanos = nowNanos;
+        if (!isPowered()) {
+            if (key == PhoneKey.END) {
+                powerOn();
+            }
+            return;
+        }
+        if (key == PhoneKey.END && call.phase() != CallPhase.NONE) {
+            screens.home();
+            hangUp();
+        } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
+            answer();
+        } else if (screens.isHome()) {
+            pressAtHome(key, nowNanos);
+        } else {
+            screens.press(key, nowNanos);
+        }
+        changed();
+    }
+
+    /** The key goes up again. */
+    public void keyUp(PhoneKey key, long nowNanos) {
+        timePassed(nowNanos);
+        line.up();
+        local.up();
+        if (heldKey == key) {
+            heldKey = null;
+        }
+        changed();
+    }
+
+    /** A character of a keyboard goes down: a letter while writing, else the key of that name. */
+    public void charDown(char character, long nowNanos) {
+        Optional<PhoneKey> key = PhoneKey.ofSymbol(character);
+        if (isPowered() && screens.type(character)) {
+            changed();
+        } else if (isPowered() && character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
+            typed = typed.isEmpty() ? "+" : typed;
+            changed();
+        } else if (key.isPresent()) {
+            keyDown(key.get(), nowNanos);
+        }
+    }
+
+    /** Whatever character was down goes up. */
+    public void charUp(char character, long nowNanos) {
+        PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
+    }
+
+    private void pressAtHome(PhoneKey key, long nowNanos) {
+        call = new CallSnapshot(
+                call.phase(), call.number(), call.seconds(), call.keyed(), call.tone(), Optional.empty());
+        switch (key) {
+            case CALL -> callTyped();
+            case OK -> {
+                if (call.phase() == CallPhase.RINGING) {
+                    answer();
+                } else if (typed.isEmpty()) {
+                    screens.openMenu();
+                } else {
+                    callTyped();
+                }
+            }
+            case END -> typed = "";
+            case LEFT -> typed = typed.isEmpty() ? "" : typed.substring(0, typed.length() - 1);
+            case MENU -> screens.openMenu();
+            case MESSAGE -> screens.write();
+            case DOWN -> screens.open(Box.INBOX);
+            case UP -> screens.open(Box.OUTBOX);
+            case RIGHT -> {}
+            default -> key.tone().ifPresent(tone -> sound(tone, nowNanos));
+        }
+    }
+
+    private void sound(DtmfKey tone, long nowNanos) {
+        if (call.phase() == CallPhase.CONNECTED) {
+            line.down(tone);
+            keyed(tone.symbol());
+            return;
+        }
+        local.down(tone);
+        nextLocalFrameNanos = Math.min(nextLocalFrameNanos, nowNanos);
+        tailFrames = TAIL_FRAMES;
+        if (call.phase() == CallPhase.NONE && typed.length() < MAX_TYPED) {
+            typed += tone.symbol();
+        }
+    }
+
+    private void callTyped() {
+        if (call.phase() != CallPhase.NONE) {
+            return;
+        }
+        if (typed.isEmpty()) {
+            typed = lastNumber;
+        } else {
+            dialText(typed);
+        }
+    }
+
+    private void dialText(String number) {
+        if (!Screens.isNumber(number)) {
+            screens.note(Note.Kind.NOT_A_NUMBER, number);
+        } else if (dial(Msisdn.parse(number)).isPresent()) {
+            screens.note(Note.Kind.REFUSED, number);
+        }
+    }
+
+    // Time, for what happens without a call: key tones, letters, long presses.
+
+    /** Whether {@link #timePassed} is to be called within the next 20 ms. */
+    public boolean wantsTime() {
+        return nextLocalFrameNanos != Long.MAX_VALUE || screens.wantsTime() || canBeLongPress();
+    }
+
+    public void timePassed(long nowNanos) {
+        boolean changed = screens.timePassed(nowNanos);
+        while (nextLocalFrameNanos <= nowNanos) {
+            changed |= localFrame();
+        }
+        if (canBeLongPress() && nowNanos - heldSinceNanos >= LONG_PRESS_NANOS) {
+            longPress();
+            changed = true;
+        }
+        if (changed) {
+            changed();
+        }
+    }
+
+    private boolean localFrame() {
+        if (call.phase() == CallPhase.CONNECTED) {
+            local.drop();
+            nextLocalFrameNanos = Long.MAX_VALUE;
+            return true;
+        }
+        DtmfKey before = local.sounding();
+        local.read(localFrame);
+        earpiece.said(localFrame);
+        tailFrames = local.isIdle() ? tailFrames - 1 : TAIL_FRAMES;
+        nextLocalFrameNanos = tailFrames > 0 ? nextLocalFrameNanos + FRAME_NANOS : Long.MAX_VALUE;
+        return earpiece.pollChanged() || before != local.sounding();
+    }
+
+    private boolean canBeLongPress() {
+        return screens.isHome()
+                && call.phase() == CallPhase.NONE
+                && (heldKey == PhoneKey.ONE && typed.equals("1") || heldKey == PhoneKey.ZERO && typed.equals("0"));
+    }
+
+    private void longPress() {
+        local.up();
+        if (heldKey == PhoneKey.ONE) {
+            typed = "";
+            screens.open(Box.INBOX);
+        } else {
+            typed = "+";
+        }
+        heldKey = null;
+    }
+
+    // Speech.
+
+    private void say(short[] frame) {
+        if (call.phase() != CallPhase.CONNECTED) {
+            SpeechSource.SILENCE.read(frame);
+            return;
+        }
+        DtmfKey before = line.sounding();
+        line.read(frame);
+        earpiece.said(frame);
+        callFrames++;
+        if (earpiece.pollChanged() || before != line.sounding() || callFrames % FRAMES_PER_SECOND == 0) {
+            changed();
+        }
+        checkSettled();
+    }
+
+    private void toneHeard(DtmfDigit digit) {
+        call = new CallSnapshot(
+                call.phase(), call.number(), call.seconds(), call.keyed(), Optional.of(digit.key()), call.ended());
+        listener.toneHeard(digit.key());
+        changed();
+    }
+
+    private void keyed(char symbol) {
+        String keyed = call.keyed() + symbol;
+        if (keyed.length() > MAX_KEYED) {
+            keyed = keyed.substring(keyed.length() - MAX_KEYED);
+        }
+        call = new CallSnapshot(call.phase(), call.number(), call.seconds(), keyed, call.tone(), call.ended());
+    }
+
+    private boolean isPowered() {
+        return station.snapshot().powered();
+    }
+
+    private void changed() {
+        StationSnapshot state = station.snapshot();
+        DtmfKey sounding = call.phase() == CallPhase.CONNECTED ? line.sounding() : local.sounding();
+        int seconds = (int) (callFrames / FRAMES_PER_SECOND);
+        call = new CallSnapshot(call.phase(), call.number(), seconds, call.keyed(), call.tone(), call.ended());
+        newest = new HandsetSnapshot(
+                own,
+                state,
+                call,
+                typed,
+                screens.current(),
+                mailbox.in(Box.INBOX),
+                mailbox.in(Box.OUTBOX),
+                mailbox.in(Box.BROADCASTS),
+                Optional.ofNullable(sounding),
+                earpiece.trace(),
+                earpiece.isAudible());
+    }
+
+    private void beginCall(CallPhase phase, String number) {
+        call = new CallSnapshot(phase, number, 0, "", Optional.empty(), Optional.empty());
+        callFrames = 0;
+        typed = "";
+        line.drop();
+        screens.home();
+        changed();
+    }
+
+    private void advanceCall(CallPhase phase, String number) {
+        call = new CallSnapshot(phase, number, call.seconds(), call.keyed(), call.tone(), call.ended());
+        changed();
+    }
+
+    private final class ScreenDeeds implements Screens.Deeds {
+        @Override
+        public void dial(String number) {
+            dialText(number);
+        }
+
+        @Override
+        public boolean send(Msisdn to, String text) {
+            boolean refused = sendMessage(to, text).isPresent();
+            if (refused) {
+                screens.note(Note.Kind.REFUSED, to.digits());
+            }
+            return !refused;
+        }
+
+        @Override
+        public void switchOff() {
+            powerOff();
+        }
+    }
+
+    private final class Ears implements StationListener {
+        @Override
+        public void registered(Msisdn number) {
+            listener.registered(number);
+            changed();
+        }
+
+        @Override
+        public void unregistered(Optional<RejectCause> cause) {
+            listener.unregistered(cause);
+            changed();
+        }
+
+        @Override
+        public void calling(Msisdn number) {
+            beginCall(CallPhase.CALLING, number.digits());
+            listener.calling(number);
+        }
+
+        @Override
+        public void alerting() {
+            advanceCall(CallPhase.ALERTING, call.number());
+            listener.alerting();
+        }
+
+        @Override
+        public void ringing(Optional<Msisdn> from) {
+            String number = from.map(Msisdn::digits).orElse("");
+            beginCall(CallPhase.RINGING, number);
+            lastNumber = number.isEmpty() ? lastNumber : number;
+            listener.ringing(from);
+        }
+
+        @Override
+        public void connected(Optional<Msisdn> peer) {
+            ear.reset();
+            advanceCall(CallPhase.CONNECTED, peer.map(Msisdn::digits).orElse(call.number()));
+            listener.connected(peer);
+        }
+
+        @Override
+        public void released(Cause cause) {
+            line.drop();
+            earpiece.callEnded();
+            tailFrames = TAIL_FRAMES;
+            call = new CallSnapshot(
+                    CallPhase.NONE, call.number(), call.seconds(), call.keyed(), call.tone(), Optional.of(cause));
+            listener.released(cause);
+            changed();
+            checkSettled();
+        }
+
+        @Override
+        public void speechReceived(short[] samples) {
+            if (call.phase() == CallPhase.CONNECTED) {
+                earpiece.heard(samples);
+                ear.accept(samples);
+            }
+        }
+
+        @Override
+        public void messageSent(int id, Msisdn to, int parts) {
+            mailbox.sent(id, parts);
+            listener.messageSent(to, parts, id);
+            changed();
+            checkSettled();
+        }
+
+        @Override
+        public void messageFailed(int id, Msisdn to, RpCause cause) {
+            mailbox.failed(id);
+            listener.messageFailed(to, cause);
+            changed();
+            checkSettled();
+        }
+
+        @Override
+        public void messageReceived(String from, String text) {
+            mailbox.received(from, text, wallClock.instant());
+            screens.added(Box.INBOX);
+            listener.messageReceived(from, text);
+            changed();
+        }
+
+        @Override
+        public void messageDelivered(int id, Msisdn to) {
+            mailbox.delivered(id);
+            listener.messageDelivered(to, id);
+            changed();
+        }
+
+        @Override
+        public void broadcastReceived(int channel, int pages, String text) {
+            mailbox.broadcast(channel, pages, text, wallClock.instant());
+            screens.added(Box.BROADCASTS);
+            listener.broadcastReceived(channel, pages, text);
+            changed();
+        }
+
+        @Override
+        public void stateChanged(StationSnapshot snapshot) {
+            changed();
+        }
+    }
+}

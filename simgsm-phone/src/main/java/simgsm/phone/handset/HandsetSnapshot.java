@@ -1,0 +1,43 @@
+package simgsm.phone.handset;
+
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneTrace;
+import simgsm.station.StationSnapshot;
+
+/**
+ * Everything a view needs, immutable.
+ *
+ * @param own the phone's own number
+ * @param typed the number being typed
+ * @param inbox oldest first, as the other boxes
+ * @param sounding the key whose tone sounds now
+ * @param audible whether a sound device plays
+ */
+public record HandsetSnapshot(
+        Msisdn own,
+        StationSnapshot station,
+        CallSnapshot call,
+        String typed,
+        Screen screen,
+        List<StoredMessage> inbox,
+        List<StoredMessage> outbox,
+        List<StoredMessage> broadcasts,
+        Optional<DtmfKey> sounding,
+        ToneTrace trace,
+        boolean audible) {
+
+    public List<StoredMessage> in(Box box) {
+        return switch (box) {
+            case INBOX -> inbox;
+            case OUTBOX -> outbox;
+            case BROADCASTS -> broadcasts;
+        };
+    }
+
+    public int unread() {
+        return (int) inbox.stream().filter(message -> !message.read()).count();
+    }
+}

@@ -1,0 +1,10 @@
+package simgsm.phone.handset;
+
+/** The entries of the phone's menu, in their order. */
+public enum MenuItem {
+    INBOX,
+    WRITE,
+    OUTBOX,
+    BROADCASTS,
+    SWITCH_OFF
+}

@@ -1,0 +1,62 @@
+package simgsm.phone.handset;
+
+import java.util.Optional;
+import simgsm.dtmf.DtmfKey;
+
+/** The keys of the handset. Twelve of them sound; the letters are those of ITU-T E.161. */
+public enum PhoneKey {
+    ONE('1', ""),
+    TWO('2', "abc"),
+    THREE('3', "def"),
+    FOUR('4', "ghi"),
+    FIVE('5', "jkl"),
+    SIX('6', "mno"),
+    SEVEN('7', "pqrs"),
+    EIGHT('8', "tuv"),
+    NINE('9', "wxyz"),
+    STAR('*', ""),
+    ZERO('0', "+"),
+    HASH('#', ""),
+    CALL,
+    END,
+    UP,
+    DOWN,
+    LEFT,
+    RIGHT,
+    OK,
+    MESSAGE,
+    MENU;
+
+    private final Optional<DtmfKey> tone;
+    private final String letters;
+
+    PhoneKey() {
+        tone = Optional.empty();
+        letters = "";
+    }
+
+    PhoneKey(char symbol, String letters) {
+        tone = Optional.of(DtmfKey.of(symbol));
+        this.letters = letters;
+    }
+
+    /** The tone that the key makes, if it is one of the twelve. */
+    public Optional<DtmfKey> tone() {
+        return tone;
+    }
+
+    /** The letters printed on the key. */
+    public String letters() {
+        return letters;
+    }
+
+    /** The key for a symbol of {@code 0-9*#}, if it is one. */
+    public static Optional<PhoneKey> ofSymbol(char symbol) {
+        for (PhoneKey key : values()) {
+            if (key.tone.isPresent() && key.tone.get().symbol() == symbol) {
+                return Optional.of(key);
+            }
+        }
+        return Optional.empty();
+    }
+}

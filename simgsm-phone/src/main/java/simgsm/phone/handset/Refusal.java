@@ -1,0 +1,23 @@
+package simgsm.phone.handset;
+
+/** Why the handset does not do what it was asked. */
+public enum Refusal {
+    CALL_UNDER_WAY("a call is under way; hang up first"),
+    NO_CALL("there is no call; dial or answer first"),
+    NOTHING_RINGS("no call rings"),
+    NOT_ANSWERED("the call is not answered; answer first"),
+    SWITCHED_OFF("the phone is switched off; power on first"),
+    EMPTY_TEXT("the message has no text"),
+    TEXT_TOO_LONG("the text needs more than 255 messages");
+
+    private final String words;
+
+    Refusal(String words) {
+        this.words = words;
+    }
+
+    /** In English, for console and log. */
+    public String words() {
+        return words;
+    }
+}

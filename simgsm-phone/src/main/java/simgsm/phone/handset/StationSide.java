@@ -1,0 +1,66 @@
+package simgsm.phone.handset;
+
+import simgsm.air.Msisdn;
+import simgsm.station.MobileStation;
+import simgsm.station.StationSnapshot;
+
+/** What the handset asks of the mobile station inside it; called on the station's owner thread. */
+public interface StationSide {
+    /** @return false if nothing happens because a call is under way or the station is off */
+    boolean dial(Msisdn number);
+
+    /** @return false if no call rings */
+    boolean answer();
+
+    /** @return false if there is no call */
+    boolean hangUp();
+
+    /** @return the message reference of the first part */
+    int sendMessage(Msisdn to, String text);
+
+    void powerOn();
+
+    void powerOff();
+
+    StationSnapshot snapshot();
+
+    /** The real thing. */
+    static StationSide of(MobileStation station) {
+        return new StationSide() {
+            @Override
+            public boolean dial(Msisdn number) {
+                return station.dial(number);
+            }
+
+            @Override
+            public boolean answer() {
+                return station.answer();
+            }
+
+            @Override
+            public boolean hangUp() {
+                return station.hangUp();
+            }
+
+            @Override
+            public int sendMessage(Msisdn to, String text) {
+                return station.sendMessage(to, text);
+            }
+
+            @Override
+            public void powerOn() {
+                station.powerOn();
+            }
+
+            @Override
+            public void powerOff() {
+                station.powerOff();
+            }
+
+            @Override
+            public StationSnapshot snapshot() {
+                return station.snapshot();
+            }
+        };
+    }
+}

@@ -1,0 +1,165 @@
+package simgsm.phone.handset;
+
+import java.util.concurrent.TimeUnit;
+import simgsm.dtmf.DtmfKey;
+
+/**
+ * Writing with twelve keys: each press of the same key within a second takes the next of its letters. Only letters of the
+ * GSM alphabet are on the keys, so that a text keyed here stays short; a keyboard may write any.
+ */
+public final class TextEntry {
+    /** So long the last letter may still be changed by the same key. */
+    public static final long TAP_NANOS = TimeUnit.MILLISECONDS.toNanos(1000);
+    /** Longer than any message may be: 255 parts of 153 letters. */
+    static final int MAX_CHARACTERS = 39_015;
+
+    /** How keys become letters. */
+    public enum Mode {
+        LOWER,
+        /** The next letter is a capital, then as LOWER. */
+        CAPITAL,
+        UPPER,
+        NUMBERS;
+
+        Mode next() {
+            return values()[(ordinal() + 1) % values().length];
+        }
+    }
+
+    private static final String[] LETTERS = {
+        " 0\n",
+        ".,?!'-:@1",
+        "abc2\u00e0\u00e5\u00e4\u00e6",
+        "def3\u00e9\u00e8",
+        "ghi4\u00ec",
+        "jkl5",
+        "mno6\u00f1\u00f2\u00f6\u00f8",
+        "pqrs7\u00df",
+        "tuv8\u00fc\u00f9",
+        "wxyz9"
+    };
+    private static final String STAR_LETTERS = "*+/=%&()<>";
+    private static final String HASH_LETTERS = "#_$\"\u00bf\u00a1;";
+
+    private final StringBuilder text = new StringBuilder();
+    private Mode mode = Mode.CAPITAL;
+    private DtmfKey tapped;
+    private int taps;
+    private long tappedNanos;
+
+    /** A key of the twelve, pressed. */
+    void tap(DtmfKey key, long nowNanos) {
+        settle(nowNanos);
+        if (mode == Mode.NUMBERS) {
+            append(key.symbol());
+            return;
+        }
+        String letters = lettersOf(key);
+        if (key == tapped) {
+            taps++;
+            text.setLength(text.length() - 1);
+        } else {
+            tapped = null;
+            taps = 0;
+        }
+        if (text.length() == MAX_CHARACTERS) {
+            return;
+        }
+        text.append(cased(letters.charAt(taps % letters.length())));
+        tapped = key;
+        tappedNanos = nowNanos;
+    }
+
+    /** A character from a keyboard. */
+    void type(char character) {
+        commit();
+        append(character);
+    }
+
+    private void append(char character) {
+        if (text.length() < MAX_CHARACTERS) {
+            text.append(character);
+        }
+    }
+
+    void erase() {
+        commit();
+        if (text.length() > 0) {
+            text.setLength(text.length() - (endsWithSurrogates() ? 2 : 1));
+        }
+    }
+
+    private boolean endsWithSurrogates() {
+        return text.length() > 1
+                && Character.isSurrogatePair(text.charAt(text.length() - 2), text.charAt(text.length() - 1));
+    }
+
+    void nextMode() {
+        commit();
+        mode = mode.next();
+    }
+
+    void setMode(Mode newMode) {
+        commit();
+        mode = newMode;
+    }
+
+    /** The letter that could still change stands now. */
+    void commit() {
+        if (tapped != null && mode == Mode.CAPITAL && Character.isLetter(text.charAt(text.length() - 1))) {
+            mode = Mode.LOWER;
+        }
+        tapped = null;
+        taps = 0;
+    }
+
+    /** Lets a letter stand whose second is over. @return whether that happened */
+    boolean settle(long nowNanos) {
+        if (tapped != null && nowNanos - tappedNanos >= TAP_NANOS) {
+            commit();
+            return true;
+        }
+        return false;
+    }
+
+    void clear() {
+        text.setLength(0);
+        tapped = null;
+        taps = 0;
+        mode = Mode.CAPITAL;
+    }
+
+    private char cased(char letter) {
+        // The capital of sharp s is two letters, and some capitals are not in the GSM alphabet.
+        boolean upper = mode == Mode.UPPER || mode == Mode.CAPITAL;
+        return upper && (letter < 0x80 || "\u00e5\u00e4\u00e6\u00e9\u00f1\u00f6\u00f8\u00fc".indexOf(letter) >= 0)
+                ? Character.toUpperCase(letter)
+                : letter;
+    }
+
+    private static String lettersOf(DtmfKey key) {
+        return switch (key.symbol()) {
+            case '*' -> STAR_LETTERS;
+            case '#' -> HASH_LETTERS;
+            default -> LETTERS[key.symbol() - '0'];
+        };
+    }
+
+    String text() {
+        return text.toString();
+    }
+
+    Mode mode() {
+        return mode;
+    }
+
+    /** Whether the last letter may still change. */
+    boolean isPending() {
+        return tapped != null;
+    }
+
+    /** The letters among which the pending one is chosen, empty if none is pending. */
+    String choices() {
+        return tapped == null ? "" : lettersOf(tapped);
+    }
+}

@@ -1,0 +1,15 @@
+package simgsm.phone.ui;
+
+import simgsm.phone.handset.PhoneKey;
+
+/** Where the window's acts go: into the handset, on its own thread. */
+public interface HandsetControls {
+    void keyDown(PhoneKey key);
+
+    void keyUp(PhoneKey key);
+
+    /** A character of the keyboard goes down. */
+    void charDown(char character);
+
+    void charUp(char character);
+}

@@ -1,0 +1,151 @@
+package simgsm.phone.ui;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.LayoutManager2;
+import java.awt.geom.Rectangle2D;
+import java.util.HashMap;
+import java.util.Map;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.Theme;
+
+/**
+ * Lays the handset out on a drawing of 320 units' width and scales it as a whole to the panel, centred. The constraint of
+ * a child is its rectangle on the drawing.
+ */
+final class HandsetLayout implements LayoutManager2 {
+    static final double WIDTH = 320;
+    static final double CLOSED_HEIGHT = 624;
+    static final double OPEN_HEIGHT = 800;
+
+    static final Rectangle2D LINK = new Rectangle2D.Double(24, 14, 110, 22);
+    static final Rectangle2D BRAND = new Rectangle2D.Double(110, 14, 100, 22);
+    static final Rectangle2D SIGNAL = new Rectangle2D.Double(270, 16, 26, 18);
+    static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
+    static final Rectangle2D PAD = new Rectangle2D.Double(112, 236, 96, 84);
+    static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
+    static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
+    static final Rectangle2D SCOPE = new Rectangle2D.Double(20, 612, 280, 172);
+
+    private static final double KEY_TOP = 332;
+    private static final double KEY_WIDTH = 88;
+    private static final double KEY_HEIGHT = 54;
+    private static final double KEY_GAP = 8;
+    private static final double SIDE_HEIGHT = 38;
+
+    private final Map<Component, Rectangle2D> places = new HashMap<>();
+    private boolean open;
+
+    void setOpen(boolean nowOpen) {
+        open = nowOpen;
+    }
+
+    boolean isOpen() {
+        return open;
+    }
+
+    double height() {
+        return open ? OPEN_HEIGHT : CLOSED_HEIGHT;
+    }
+
+    static double heightOf(PhoneKey key) {
+        return placeOf(key).getHeight();
+    }
+
+    static Rectangle2D placeOf(PhoneKey key) {
+        return switch (key) {
+            case CALL -> new Rectangle2D.Double(20, 236, 80, SIDE_HEIGHT);
+            case MESSAGE -> new Rectangle2D.Double(20, 282, 80, SIDE_HEIGHT);
+            case END -> new Rectangle2D.Double(220, 236, 80, SIDE_HEIGHT);
+            case MENU -> new Rectangle2D.Double(220, 282, 80, SIDE_HEIGHT);
+            case UP -> new Rectangle2D.Double(140, 238, 40, 25);
+            case DOWN -> new Rectangle2D.Double(140, 293, 40, 25);
+            case LEFT -> new Rectangle2D.Double(114, 263, 26, 30);
+            case RIGHT -> new Rectangle2D.Double(180, 263, 26, 30);
+            case OK -> new Rectangle2D.Double(141, 264, 38, 28);
+            default -> digitPlace(key);
+        };
+    }
+
+    private static Rectangle2D digitPlace(PhoneKey key) {
+        int index = key.ordinal();
+        return new Rectangle2D.Double(
+                20 + index % 3 * (KEY_WIDTH + KEY_GAP),
+                KEY_TOP + index / 3 * (KEY_HEIGHT + KEY_GAP),
+                KEY_WIDTH,
+                KEY_HEIGHT);
+    }
+
+    /** Pixels a unit. */
+    double scale(Component parent) {
+        return Math.min(parent.getWidth() / WIDTH, parent.getHeight() / height());
+    }
+
+    /** Where a rectangle of the drawing comes to lie. */
+    Rectangle2D onPanel(Component parent, Rectangle2D place) {
+        double scale = scale(parent);
+        double left = (parent.getWidth() - WIDTH * scale) / 2;
+        double top = (parent.getHeight() - height() * scale) / 2;
+        return new Rectangle2D.Double(
+                left + place.getX() * scale,
+                top + place.getY() * scale,
+                place.getWidth() * scale,
+                place.getHeight() * scale);
+    }
+
+    @Override
+    public void layoutContainer(Container parent) {
+        for (Component child : parent.getComponents()) {
+            Rectangle2D box = onPanel(parent, places.get(child));
+            int x = (int) Math.round(box.getX());
+            int y = (int) Math.round(box.getY());
+            child.setBounds(x, y, (int) Math.round(box.getMaxX()) - x, (int) Math.round(box.getMaxY()) - y);
+        }
+    }
+
+    @Override
+    public void addLayoutComponent(Component child, Object place) {
+        places.put(child, (Rectangle2D) place);
+    }
+
+    @Override
+    public void addLayoutComponent(String name, Component child) {
+        throw new IllegalArgumentException("expected the child's rectangle on the drawing");
+    }
+
+    @Override
+    public void removeLayoutComponent(Component child) {
+        places.remove(child);
+    }
+
+    @Override
+    public Dimension preferredLayoutSize(Container parent) {
+        return new Dimension(Theme.px(WIDTH), Theme.px(height()));
+    }
+
+    @Override
+    public Dimension minimumLayoutSize(Container parent) {
+        return new Dimension((int) (WIDTH / 2), (int) (height() / 2));
+    }
+
+    @Override
+    public Dimension maximumLayoutSize(Container target) {
+        return new Dimension(Integer.MAX_VALUE, Integer.MAX_VALUE);
+    }
+
+    @Override
+    public float getLayoutAlignmentX(Container target) {
+        return 0.5f;
+    }
+
+    @Override
+    public float getLayoutAlignmentY(Container target) {
+        return 0.5f;
+    }
+
+    @Override
+    public void invalidateLayout(Container target) {
+        // Nothing is cached.
+    }
+}

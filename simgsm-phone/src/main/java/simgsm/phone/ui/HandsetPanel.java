@@ -1,0 +1,201 @@
+package simgsm.phone.ui;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Window;
+import java.awt.geom.Rectangle2D;
+import java.time.Clock;
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.Act;
+import simgsm.ui.Drawing;
+import simgsm.ui.Lamp;
+import simgsm.ui.LinkState;
+import simgsm.ui.Named;
+import simgsm.ui.SignalBars;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.ToneScope;
+
+/** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */
+public final class HandsetPanel extends JPanel {
+    private final HandsetLayout layout = new HandsetLayout();
+    private final Locale language;
+    private final Texts texts;
+    private final Lcd lcd;
+    private final Lamp link;
+    private final SignalBars signal;
+    private final ToneScope scope;
+    private final JButton scopeSwitch;
+    private final JLabel sound = new JLabel();
+    private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
+    private HandsetSnapshot shown;
+
+    /**
+     * A handset that shows the given snapshot until it gets a newer one.
+     *
+     * @param clock for the time of day on the display
+     */
+    public HandsetPanel(Texts texts, Locale language, Clock clock, HandsetSnapshot first, HandsetControls controls) {
+        this.texts = texts;
+        this.language = language;
+        setLayout(layout);
+        lcd = new Lcd(texts, clock, first);
+        add(lcd, HandsetLayout.LCD);
+        link = Lamp.ofLink(language);
+        add(link, HandsetLayout.LINK);
+        signal = Named.name(new SignalBars(texts.of("signal.name")), "signal", texts.of("signal.name"));
+        add(signal, HandsetLayout.SIGNAL);
+        for (PhoneKey key : PhoneKey.values()) {
+            PhoneKeyButton button = new PhoneKeyButton(key, texts, controls);
+            keys.put(key, button);
+            add(button, HandsetLayout.placeOf(key));
+        }
+        scope = new ToneScope(language);
+        scope.setVisible(false);
+        add(scope, HandsetLayout.SCOPE);
+        scopeSwitch = new JButton(new Act("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));
+        scopeSwitch.setContentAreaFilled(false);
+        scopeSwitch.setHorizontalAlignment(JButton.LEADING);
+        scopeSwitch.setRequestFocusEnabled(false);
+        add(Named.name(scopeSwitch, "scope.switch", texts.of("scope.open")), HandsetLayout.SCOPE_SWITCH);
+        sound.setHorizontalAlignment(JLabel.TRAILING);
+        add(Named.name(sound, "sound", texts.of("sound.off")), HandsetLayout.SOUND);
+        Keyboard.install(this, controls);
+        setScopeOpen(false);
+        dress();
+        shown = null;
+        show(first);
+    }
+
+    /** Shows the newest snapshot. */
+    public void show(HandsetSnapshot snapshot) {
+        lcd.show(snapshot);
+        scope.show(snapshot.trace());
+        if (shown == null || !snapshot.station().equals(shown.station())) {
+            link.show(linkState(snapshot.station()), language);
+            signal.show(snapshot.station().registered() ? SignalBars.BARS : 0);
+        }
+        if (shown == null || !snapshot.sounding().equals(shown.sounding())) {
+            keys.forEach((key, button) ->
+                    button.setSounding(key.tone().isPresent() && key.tone().equals(snapshot.sounding())));
+        }
+        if (shown == null || snapshot.audible() != shown.audible()) {
+            sound.setIcon((snapshot.audible() ? Symbol.SPEAKER : Symbol.SPEAKER_OFF).icon());
+            sound.setText(snapshot.audible() ? "" : texts.of("sound.off"));
+            sound.setToolTipText(texts.of(snapshot.audible() ? "sound.on" : "sound.off"));
+        }
+        shown = snapshot;
+    }
+
+    /** Lets the display's clock go on; called about once a second. */
+    public void lookAtClock() {
+        lcd.lookAtClock();
+    }
+
+    private static LinkState linkState(StationSnapshot station) {
+        if (!station.powered()) {
+            return LinkState.OFF;
+        }
+        if (station.registered()) {
+            return LinkState.UP;
+        }
+        return station.rejectCause().isPresent() ? LinkState.REFUSED : LinkState.SEARCHING;
+    }
+
+    public boolean isScopeOpen() {
+        return layout.isOpen();
+    }
+
+    /** Folds the tone scope open or away; a window that holds the panel grows or shrinks with it. */
+    public void setScopeOpen(boolean open) {
+        double before = layout.height();
+        layout.setOpen(open);
+        scope.setVisible(open);
+        scopeSwitch.setText(texts.of(open ? "scope.close" : "scope.open"));
+        scopeSwitch.setIcon((open ? Symbol.UP : Symbol.DOWN).icon(12));
+        scopeSwitch.getAccessibleContext().setAccessibleName(scopeSwitch.getText());
+        Window window = SwingUtilities.getWindowAncestor(this);
+        if (window != null && before != layout.height() && getWidth() > 0) {
+            double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
+            int grown = (int) Math.round((layout.height() - before) * scale);
+            window.setSize(window.getWidth(), window.getHeight() + grown);
+        }
+        revalidate();
+        repaint();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (sound != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        setBackground(Ink.SURFACE.color());
+        for (JLabel label : new JLabel[] {sound}) {
+            label.setFont(Theme.small());
+            label.setForeground(Ink.QUIET.color());
+        }
+        scopeSwitch.setFont(Theme.small());
+        scopeSwitch.setForeground(Ink.QUIET.color());
+        scopeSwitch.setBorder(Theme.padding(2));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            double unit = layout.scale(this);
+            body(g, unit);
+            brand(g, unit);
+            pad(g, unit);
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private void body(Graphics2D g, double unit) {
+        var box = layout.onPanel(this, new Rectangle2D.Double(4, 4, HandsetLayout.WIDTH - 8, layout.height() - 8));
+        var body = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), 30 * unit);
+        g.setColor(Ink.BODY.color());
+        g.fill(body);
+        g.setColor(Ink.BODY_LINE.color());
+        g.setStroke(Theme.stroke(1.2 * unit / Theme.zoom()));
+        g.draw(body);
+    }
+
+    private void brand(Graphics2D g, double unit) {
+        Rectangle2D box = layout.onPanel(this, HandsetLayout.BRAND);
+        g.setColor(Ink.TEXT.color());
+        Drawing.centred(
+                g,
+                texts.of("window.title"),
+                Theme.sans(12.5 * unit / Theme.zoom(), true),
+                box.getCenterX(),
+                box.getCenterY());
+    }
+
+    private void pad(Graphics2D g, double unit) {
+        Rectangle2D box = layout.onPanel(this, HandsetLayout.PAD);
+        double radius = Theme.KEY_RADIUS * 1.5 * unit;
+        g.setColor(Ink.KEY_LINE.color());
+        g.fill(Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), radius));
+        g.setColor(Ink.KEY_FACE.color());
+        g.fill(Drawing.round(
+                box.getX() + 1, box.getY() + 1, box.getWidth() - 2, box.getHeight() - 2 - 2 * unit, radius - 1));
+    }
+}

@@ -1,0 +1,115 @@
+package simgsm.phone.ui;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.AbstractAction;
+import javax.swing.ActionMap;
+import javax.swing.InputMap;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import javax.swing.Timer;
+import simgsm.phone.handset.PhoneKey;
+
+/**
+ * The computer's keyboard as the handset's: what is typed goes in as characters, whatever layout makes them; Enter, Escape
+ * and the arrows are keys. A character is down until a key is let go; a keyboard that repeats lets go and presses again
+ * within a few milliseconds, which is bridged.
+ */
+final class Keyboard {
+    private static final int REPEAT_GAP_MILLIS = 15;
+    private static final char NONE = '\0';
+
+    private final HandsetControls controls;
+    private final Timer letGo = new Timer(REPEAT_GAP_MILLIS, event -> release());
+    private char down = NONE;
+
+    private Keyboard(HandsetControls controls) {
+        this.controls = controls;
+        letGo.setRepeats(false);
+    }
+
+    /** Binds the keyboard to a panel and everything in it that has the focus. */
+    static void install(JComponent panel, HandsetControls controls) {
+        Keyboard keyboard = new Keyboard(controls);
+        InputMap inputs = new Inputs();
+        inputs.setParent(panel.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT));
+        ActionMap actions = panel.getActionMap();
+        actions.put("typed", action(keyboard::typed));
+        actions.put("released", action(event -> keyboard.letGo.restart()));
+        bind(inputs, actions, controls, PhoneKey.CALL, KeyEvent.VK_ENTER);
+        bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
+        bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
+        bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_BACK_SPACE);
+        bind(inputs, actions, controls, PhoneKey.RIGHT, KeyEvent.VK_RIGHT);
+        bind(inputs, actions, controls, PhoneKey.UP, KeyEvent.VK_UP);
+        bind(inputs, actions, controls, PhoneKey.DOWN, KeyEvent.VK_DOWN);
+        bind(inputs, actions, controls, PhoneKey.MESSAGE, KeyEvent.VK_F2);
+        bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_F3);
+        bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
+        panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
+        panel.setFocusable(true);
+    }
+
+    private static void bind(InputMap inputs, ActionMap actions, HandsetControls controls, PhoneKey key, int code) {
+        String name = PhoneKeyButton.nameOf(key);
+        inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
+        inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
+        actions.put(name + ".down", action(event -> controls.keyDown(key)));
+        actions.put(name + ".up", action(event -> controls.keyUp(key)));
+    }
+
+    private void typed(ActionEvent event) {
+        boolean commanded = (event.getModifiers() & (ActionEvent.CTRL_MASK | ActionEvent.META_MASK)) != 0;
+        String text = event.getActionCommand();
+        if (commanded || text == null || text.length() != 1) {
+            return;
+        }
+        char character = text.charAt(0);
+        boolean repeated = letGo.isRunning() && character == down;
+        letGo.stop();
+        if (repeated || character == down && PhoneKey.ofSymbol(character).isPresent()) {
+            return;
+        }
+        release();
+        down = character;
+        controls.charDown(character);
+    }
+
+    private void release() {
+        letGo.stop();
+        if (down != NONE) {
+            controls.charUp(down);
+            down = NONE;
+        }
+    }
+
+    private interface Deed {
+        void on(ActionEvent event);
+    }
+
+    private static AbstractAction action(Deed deed) {
+        return new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                deed.on(event);
+            }
+        };
+    }
+
+    /** Answers "typed" for every character and "released" for every key let go that has no binding of its own. */
+    private static final class Inputs extends InputMap {
+        @Override
+        public Object get(KeyStroke stroke) {
+            Object bound = super.get(stroke);
+            if (bound != null) {
+                return bound;
+            }
+            if (stroke.getKeyEventType() == KeyEvent.KEY_TYPED) {
+                boolean command = (stroke.getModifiers() & InputEvent.CTRL_DOWN_MASK) != 0;
+                return command || Character.isISOControl(stroke.getKeyChar()) ? null : "typed";
+            }
+            return stroke.isOnKeyRelease() ? "released" : null;
+        }
+    }
+}

@@ -1,0 +1,153 @@
+package simgsm.phone.ui;
+
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.handset.CallPhase;
+import simgsm.phone.handset.CallSnapshot;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.ToneMeaning;
+import simgsm.ui.Drawing;
+import simgsm.ui.Mark;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+
+/** The display at rest, with a number being typed, and in a call. */
+final class LcdHome {
+    private static final int KEYED_SHOWN = 26;
+
+    private final Texts texts;
+
+    LcdHome(Texts texts) {
+        this.texts = texts;
+    }
+
+    void paint(LcdPen pen, HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
+        if (call.phase() != CallPhase.NONE) {
+            call(pen, call);
+        } else if (!phone.typed().isEmpty()) {
+            typed(pen, phone.typed());
+        } else if (call.ended().isPresent()) {
+            ended(pen, call);
+        } else {
+            rest(pen, phone);
+        }
+    }
+
+    private void rest(LcdPen pen, HandsetSnapshot phone) {
+        pen.ink(Ink.LCD_QUIET);
+        pen.centred(texts.of("lcd.own"), pen.sans(12, false), 66);
+        pen.ink(Ink.LCD_INK);
+        pen.centred(phone.own().digits(), pen.mono(28, true), 98);
+        int unread = phone.unread();
+        if (unread > 0) {
+            pen.centred(texts.of("lcd.unread", unread), pen.sans(13, true), 128);
+        } else if (!phone.station().registered()) {
+            pen.centred(reason(phone), pen.sans(12.5, false), 128);
+        }
+        hint(pen, texts.of("lcd.hint.rest"));
+    }
+
+    private String reason(HandsetSnapshot phone) {
+        return phone.station()
+                .rejectCause()
+                .map(cause -> texts.of("lcd.refused", cause.code()))
+                .orElseGet(() -> texts.of(phone.station().linkUp() ? "lcd.registering" : "lcd.nocenter"));
+    }
+
+    private void typed(LcdPen pen, String number) {
+        double size = number.length() <= 13 ? 30 : number.length() <= 20 ? 20 : 14;
+        var font = pen.mono(size, true);
+        String shown = number.length() <= 28 ? number : number.substring(number.length() - 28);
+        pen.right(shown, font, LcdPen.WIDTH - LcdPen.MARGIN - 4, 100);
+        double caret = LcdPen.WIDTH - LcdPen.MARGIN - 2;
+        pen.fill(caret, 100 - size * 0.78, 2, size * 0.9);
+        hint(pen, texts.of("lcd.hint.typed"));
+    }
+
+    private void ended(LcdPen pen, CallSnapshot call) {
+        pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66);
+        pen.centred(causeInWords(call.ended().orElseThrow()), pen.sans(13, false), 88);
+        pen.ink(Ink.LCD_QUIET);
+        String line = call.number() + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
+        pen.centred(line.strip(), pen.mono(13, false), 112);
+        pen.ink(Ink.LCD_INK);
+        tone(pen, call.tone(), 140);
+    }
+
+    private String causeInWords(Cause cause) {
+        String key = "cause." + cause.code();
+        String words = texts.of(key);
+        return words.equals(key) ? cause.title() + " (" + cause.code() + ")" : words;
+    }
+
+    private void call(LcdPen pen, CallSnapshot call) {
+        String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
+        symbolOf(call.phase()).paint(pen.graphics(), 19 * pen.unit(), 48 * pen.unit(), 6 * pen.unit(), Ink.LCD_INK);
+        pen.left(phase, pen.sans(13, true), 32, 53, 150);
+        if (call.phase() == CallPhase.CONNECTED) {
+            pen.right(time(call.seconds()), pen.mono(14, true), LcdPen.WIDTH - LcdPen.MARGIN, 53);
+        }
+        String number = call.number().isEmpty() ? texts.of("lcd.unknown") : call.number();
+        pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        if (call.phase() == CallPhase.CONNECTED) {
+            keyed(pen, call.keyed());
+            tone(pen, call.tone(), 146);
+        }
+        hint(pen, texts.of("lcd.hint.call." + call.phase().name().toLowerCase(Locale.ROOT)));
+    }
+
+    private static Mark symbolOf(CallPhase phase) {
+        return switch (phase) {
+            case CONNECTED -> Mark.DISC;
+            case RINGING -> Mark.DIAMOND;
+            default -> Mark.HALF_DISC;
+        };
+    }
+
+    private void keyed(LcdPen pen, String keys) {
+        String shown = keys.length() <= KEYED_SHOWN ? keys : "\u2026" + keys.substring(keys.length() - KEYED_SHOWN);
+        var font = pen.mono(keys.length() <= 15 ? 20 : 15, true);
+        pen.left(shown, font, LcdPen.MARGIN, 112);
+        if (keys.isEmpty()) {
+            pen.ink(Ink.LCD_QUIET);
+            pen.left(texts.of("lcd.nokeys"), pen.sans(12, false), LcdPen.MARGIN, 112);
+            pen.ink(Ink.LCD_INK);
+        }
+    }
+
+    /** The key that came back, as on a keycap, and its meaning. */
+    private void tone(LcdPen pen, Optional<DtmfKey> tone, double baseline) {
+        if (tone.isEmpty()) {
+            return;
+        }
+        String symbol = String.valueOf(tone.get().symbol());
+        pen.symbol(Symbol.LEFT, LcdPen.MARGIN + 4, baseline - 5, 13);
+        pen.inverse(symbol, pen.mono(15, true), LcdPen.MARGIN + 14, baseline, 20);
+        String meaning =
+                ToneMeaning.textKey(tone.get()).map(key -> texts.of(key)).orElse("");
+        var font = pen.sans(14, true);
+        double room = LcdPen.WIDTH - LcdPen.MARGIN - 50;
+        double natural = pen.width(font, meaning);
+        pen.left(meaning, natural > room ? pen.sans(14 * room / natural, true) : font, 50, baseline);
+    }
+
+    static void hint(LcdPen pen, String text) {
+        pen.ink(Ink.LCD_QUIET);
+        var font = pen.sans(11, false);
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
+        double natural = pen.width(font, text);
+        String fitted = Drawing.fitted(font, text, room * pen.unit());
+        pen.centred(natural > room ? fitted : text, font, 169);
+        pen.ink(Ink.LCD_INK);
+    }
+
+    /** Minutes and seconds, and hours where there are any. */
+    static String time(int seconds) {
+        String tail = String.format(Locale.ROOT, "%02d:%02d", seconds / 60 % 60, seconds % 60);
+        return seconds < 3600 ? tail : seconds / 3600 + ":" + tail;
+    }
+}

@@ -1,0 +1,100 @@
+package simgsm.phone.ui;
+
+import java.awt.Graphics2D;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.Screen;
+import simgsm.ui.Drawing;
+import simgsm.ui.SignalBars;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+
+/** Paints the phone's display from a snapshot: the status line, then the screen. */
+final class LcdPainter {
+    private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
+    private static final int FULL_SIGNAL = 5;
+
+    private final Texts texts;
+    private final LcdHome home;
+    private final LcdMessages messages;
+    private final LcdWriting writing;
+
+    LcdPainter(Texts texts, ZoneId zone) {
+        this.texts = texts;
+        this.home = new LcdHome(texts);
+        this.messages = new LcdMessages(texts, zone);
+        this.writing = new LcdWriting(texts);
+    }
+
+    /** Fills the box of that size at the origin. */
+    void paint(Graphics2D g, HandsetSnapshot phone, LocalTime now, double width, double height) {
+        double unit = Math.min(width / LcdPen.WIDTH, height / LcdPen.HEIGHT);
+        g.setColor(Ink.LCD_RIM.color());
+        g.fill(Drawing.round(0, 0, width, height, 10 * unit));
+        g.setColor(Ink.LCD_PAPER.color());
+        g.fill(Drawing.round(2.5 * unit, 2.5 * unit, width - 5 * unit, height - 5 * unit, 8 * unit));
+        LcdPen pen = new LcdPen(g, unit);
+        pen.ink(Ink.LCD_INK);
+        if (!phone.station().powered()) {
+            pen.ink(Ink.LCD_QUIET);
+            pen.centred(texts.of("lcd.off"), pen.sans(14, false), 96);
+            pen.centred(texts.of("lcd.off.hint"), pen.sans(11, false), 118);
+            return;
+        }
+        statusLine(pen, phone, now);
+        screen(pen, phone);
+    }
+
+    private void statusLine(LcdPen pen, HandsetSnapshot phone, LocalTime now) {
+        int level = phone.station().registered() ? FULL_SIGNAL : 0;
+        SignalBars.paint(
+                pen.graphics(),
+                LcdPen.MARGIN * pen.unit(),
+                11 * pen.unit(),
+                24 * pen.unit(),
+                13 * pen.unit(),
+                level,
+                Ink.LCD_INK.color(),
+                Ink.LCD_GHOST.color());
+        pen.ink(Ink.LCD_INK);
+        pen.left(serviceName(phone), pen.sans(12.5, true), 44, 24, 150);
+        if (phone.unread() > 0) {
+            pen.symbol(Symbol.ENVELOPE, 222, 19, 15);
+        }
+        pen.right(CLOCK.format(now), pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 24);
+        pen.ink(Ink.LCD_GHOST);
+        pen.fill(LcdPen.MARGIN, 31, LcdPen.WIDTH - 2 * LcdPen.MARGIN, 1);
+        pen.ink(Ink.LCD_INK);
+    }
+
+    private String serviceName(HandsetSnapshot phone) {
+        var station = phone.station();
+        if (station.registered()) {
+            return station.networkName().isEmpty() ? "SIMGSM" : station.networkName();
+        }
+        return texts.of(station.rejectCause().isPresent() ? "lcd.service.refused" : "lcd.service.searching");
+    }
+
+    private void screen(LcdPen pen, HandsetSnapshot phone) {
+        Screen screen = phone.screen();
+        if (screen instanceof Screen.Menu menu) {
+            messages.menu(pen, phone, menu);
+        } else if (screen instanceof Screen.MessageList list) {
+            messages.list(pen, phone, list);
+        } else if (screen instanceof Screen.MessageView view) {
+            messages.view(pen, phone, view);
+        } else if (screen instanceof Screen.Writing text) {
+            writing.text(pen, text);
+        } else if (screen instanceof Screen.Recipient recipient) {
+            writing.recipient(pen, recipient);
+        } else if (screen instanceof Screen.Note note) {
+            writing.note(pen, note);
+        } else {
+            home.paint(pen, phone);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package simgsm.phone.ui;
+
+import java.util.List;
+import java.util.Locale;
+import simgsm.phone.handset.Screen;
+import simgsm.phone.handset.TextEntry;
+import simgsm.sms.Alphabet;
+import simgsm.sms.MessageSplitter;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+
+/** Writing a message on the display, naming who gets it, and short notes. */
+final class LcdWriting {
+    private static final int LINES = 4;
+    private static final double LINE_HEIGHT = 20;
+
+    private final Texts texts;
+
+    LcdWriting(Texts texts) {
+        this.texts = texts;
+    }
+
+    void text(LcdPen pen, Screen.Writing writing) {
+        pen.inverse(sign(writing.mode()), pen.mono(12, true), LcdPen.MARGIN - 2, 49, 17);
+        counter(pen, writing.text());
+        var font = pen.sans(15, false);
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN - 4;
+        List<String> lines = pen.wrap(writing.text(), font, room);
+        int first = Math.max(0, lines.size() - LINES);
+        for (int i = first; i < lines.size(); i++) {
+            double baseline = 74 + (i - first) * LINE_HEIGHT;
+            pen.left(lines.get(i), font, LcdPen.MARGIN, baseline);
+            if (i == lines.size() - 1) {
+                caret(pen, LcdPen.MARGIN + pen.width(font, lines.get(i)), baseline, writing.pending());
+            }
+        }
+        if (writing.pending()) {
+            choices(pen, writing);
+        } else {
+            LcdHome.hint(pen, texts.of(writing.text().isEmpty() ? "lcd.hint.write.empty" : "lcd.hint.write"));
+        }
+    }
+
+    private static String sign(TextEntry.Mode mode) {
+        return switch (mode) {
+            case LOWER -> "abc";
+            case CAPITAL -> "Abc";
+            case UPPER -> "ABC";
+            case NUMBERS -> "123";
+        };
+    }
+
+    /** How much still fits, and into how many short messages. */
+    private void counter(LcdPen pen, String text) {
+        MessageSplitter.Measure measure = MessageSplitter.measure(text);
+        String alphabet = measure.alphabet() == Alphabet.GSM_7BIT ? "" : "Unicode ";
+        String count = alphabet + texts.of("lcd.counter", measure.unitsLeft(), measure.parts());
+        pen.right(count, pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 49);
+    }
+
+    /** A letter that may still change stands on a bar; else the caret follows it. */
+    private static void caret(LcdPen pen, double x, double baseline, boolean pending) {
+        if (pending) {
+            pen.fill(x - 9, baseline + 3, 9, 2);
+        } else {
+            pen.fill(x + 1, baseline - 13, 1.6, 16);
+        }
+    }
+
+    private static void choices(LcdPen pen, Screen.Writing writing) {
+        char chosen = writing.text().charAt(writing.text().length() - 1);
+        double x = LcdPen.MARGIN;
+        var font = pen.mono(14, true);
+        for (char letter : writing.choices().toCharArray()) {
+            String shown = letter == ' ' ? "\u2423" : letter == '\n' ? "\u21b5" : String.valueOf(letter);
+            if (Character.toLowerCase(chosen) == letter) {
+                pen.inverse(shown, font, x, 169, 19);
+            } else {
+                pen.left(shown, font, x + 4, 169);
+            }
+            x += 20;
+        }
+    }
+
+    void recipient(LcdPen pen, Screen.Recipient recipient) {
+        pen.left(texts.of("lcd.to"), pen.sans(14, true), LcdPen.MARGIN, 56);
+        var font = pen.mono(27, true);
+        pen.left(recipient.number(), font, LcdPen.MARGIN, 98);
+        pen.fill(LcdPen.MARGIN + pen.width(font, recipient.number()) + 2, 77, 2, 25);
+        LcdHome.hint(pen, texts.of("lcd.hint.recipient"));
+    }
+
+    void note(LcdPen pen, Screen.Note note) {
+        String key = "note." + note.kind().name().toLowerCase(Locale.ROOT);
+        var font = pen.sans(15, true);
+        List<String> lines = pen.wrap(texts.of(key, note.detail()), font, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        for (int i = 0; i < lines.size(); i++) {
+            pen.centred(lines.get(i).strip(), font, 100 - 10 * (lines.size() - 1) + 21 * i);
+        }
+        pen.ink(Ink.LCD_INK);
+        LcdHome.hint(pen, texts.of("lcd.hint.note"));
+    }
+}

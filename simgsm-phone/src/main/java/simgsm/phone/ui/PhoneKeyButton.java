@@ -1,0 +1,83 @@
+package simgsm.phone.ui;
+
+import java.awt.Cursor;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.Locale;
+import javax.swing.JButton;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.Drawing;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+
+/** One key of the handset. It is down as long as it is held, by mouse, by the space bar or by assistive technology. */
+final class PhoneKeyButton extends JButton {
+    private final PhoneKey key;
+    private final PhoneKeyPainter painter;
+    private boolean down;
+    private boolean sounding;
+
+    PhoneKeyButton(PhoneKey key, Texts texts, HandsetControls controls) {
+        this.key = key;
+        this.painter = new PhoneKeyPainter(key, texts);
+        setContentAreaFilled(false);
+        setBorderPainted(false);
+        setFocusPainted(false);
+        setOpaque(false);
+        // A click leaves the focus with the panel, which hears the keyboard; Tab still reaches every key.
+        setRequestFocusEnabled(false);
+        setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
+        getModel().addChangeListener(event -> follow(controls));
+        String description = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
+        Named.name(this, nameOf(key), description);
+        setToolTipText(description);
+    }
+
+    /** As tests find it: {@code key.5}, {@code key.call}. */
+    static String nameOf(PhoneKey key) {
+        return "key."
+                + key.tone()
+                        .map(tone -> String.valueOf(tone.symbol()))
+                        .orElse(key.name().toLowerCase(Locale.ROOT));
+    }
+
+    PhoneKey key() {
+        return key;
+    }
+
+    private void follow(HandsetControls controls) {
+        boolean nowDown = getModel().isPressed() && getModel().isArmed();
+        if (nowDown == down) {
+            return;
+        }
+        down = nowDown;
+        if (nowDown) {
+            controls.keyDown(key);
+        } else {
+            controls.keyUp(key);
+        }
+        repaint();
+    }
+
+    /** Lights the key while its tone sounds, whoever pressed it. */
+    void setSounding(boolean nowSounding) {
+        if (sounding != nowSounding) {
+            sounding = nowSounding;
+            repaint();
+        }
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            painter.paint(
+                    g,
+                    getWidth(),
+                    getHeight(),
+                    new PhoneKeyPainter.Look(down, sounding, getModel().isRollover(), isFocusOwner()));
+        } finally {
+            g.dispose();
+        }
+    }
+}
