@@ -1,0 +1,139 @@
+package simgsm.station;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.air.CallControl.Connect;
+import simgsm.air.CallControl.ConnectAcknowledge;
+import simgsm.air.CallControl.Setup;
+import simgsm.air.IpaFrame;
+import simgsm.air.RtpPacket;
+import simgsm.air.TransactionIdentifier;
+
+class SpeechTest {
+    private static final byte LOUD = (byte) 0x2a;
+
+    private final Scene scene = Scene.registered();
+
+    @BeforeEach
+    void call() {
+        scene.station.dial(Scene.OTHER);
+        scene.acceptService();
+        TransactionIdentifier own = scene.expect(Setup.class).transaction();
+        speak(9, LOUD);
+        scene.pass(Scene.SECOND);
+        assertTrue(scene.spoken.isEmpty(), "nothing is said before the call is active");
+        scene.down(new Connect(own.answered()));
+        scene.expect(ConnectAcknowledge.class);
+        scene.told.heard.clear();
+    }
+
+    private void speak(int sequence, byte octet) {
+        byte[] payload = new byte[160];
+        Arrays.fill(payload, octet);
+        RtpPacket packet = new RtpPacket(RtpPacket.A_LAW, sequence & 0xffff, 0, 77, payload);
+        scene.frame(IpaFrame.SPEECH, packet.encode());
+    }
+
+    private boolean isSilence(int frame) {
+        return Arrays.equals(new short[160], scene.told.heard.get(frame));
+    }
+
+    @Test
+    void aFrameIsSaidEvery20MillisecondsFromTheMomentOfConnection() {
+        scene.pass(0);
+        assertEquals(1, scene.spoken.size());
+        scene.pass(Scene.SECOND - 1);
+        assertEquals(50, scene.spoken.size());
+        scene.pass(1);
+        assertEquals(51, scene.spoken.size());
+        for (int i = 1; i < 51; i++) {
+            assertEquals((scene.spoken.get(i - 1).sequence() + 1) & 0xffff, scene.spoken.get(i).sequence());
+            assertEquals(scene.spoken.get(i - 1).timestamp() + 160, scene.spoken.get(i).timestamp());
+            assertEquals(RtpPacket.A_LAW, scene.spoken.get(i).payloadType());
+        }
+    }
+
+    @Test
+    void whatTheSourceSaysIsWhatGoesOut() {
+        Arrays.fill(scene.speech, (short) 8);
+        scene.pass(0);
+        byte[] expected = new byte[160];
+        Arrays.fill(expected, (byte) 0xd5);
+        assertArrayEquals(expected, scene.spoken.get(0).payload());
+    }
+
+    @Test
+    void aShortPauseOfTheOwnerIsMadeUpForAndALongOneIsNot() {
+        scene.pass(0);
+        scene.now += 100 * Scene.MILLI;
+        scene.station.timePassed(scene.now);
+        assertEquals(6, scene.spoken.size());
+        scene.now += 10 * Scene.SECOND;
+        scene.station.timePassed(scene.now);
+        assertEquals(7, scene.spoken.size());
+        scene.pass(20 * Scene.MILLI);
+        assertEquals(8, scene.spoken.size());
+        assertEquals(scene.spoken.get(6).sequence() + 1, scene.spoken.get(7).sequence());
+    }
+
+    @Test
+    void heardFramesAreHandedOnInOrder() {
+        speak(100, LOUD);
+        speak(101, LOUD);
+        assertEquals(2, scene.told.heard.size());
+        assertEquals(160, scene.told.heard.get(0).length);
+        assertTrue(!isSilence(0) && !isSilence(1));
+    }
+
+    @Test
+    void lostFramesBecomeSilenceOfTheirLength() {
+        speak(0xfffe, LOUD);
+        speak(0x0002, LOUD);
+        assertEquals(5, scene.told.heard.size());
+        assertTrue(isSilence(1) && isSilence(2) && isSilence(3));
+        assertTrue(!isSilence(4));
+    }
+
+    @Test
+    void aFrameWhoseTimeHasPassedIsDropped() {
+        speak(100, LOUD);
+        speak(101, LOUD);
+        speak(100, LOUD);
+        speak(101, LOUD);
+        assertEquals(2, scene.told.heard.size());
+    }
+
+    @Test
+    void aLeapOfMoreThanASecondIsANewStream() {
+        speak(100, LOUD);
+        speak(151, LOUD);
+        assertEquals(52, scene.told.heard.size());
+        speak(152 + 51, LOUD);
+        assertEquals(53, scene.told.heard.size());
+    }
+
+    @Test
+    void speechOfAnotherKindIsIgnored() {
+        RtpPacket packet = new RtpPacket(RtpPacket.GSM_FULL_RATE, 0, 0, 77, new byte[33]);
+        scene.frame(IpaFrame.SPEECH, packet.encode());
+        assertEquals(0, scene.told.heard.size());
+    }
+
+    @Test
+    void afterTheHangUpNothingIsSaidOrHeard() {
+        scene.pass(Scene.SECOND);
+        scene.station.hangUp();
+        scene.spoken.clear();
+        speak(1, LOUD);
+        scene.pass(Scene.SECOND);
+        assertTrue(scene.spoken.isEmpty());
+        assertTrue(scene.told.heard.isEmpty());
+        assertEquals(Optional.of(Scene.OTHER), scene.station.snapshot().peer());
+    }
+}
