@@ -73,6 +73,11 @@ final class ServiceRequests {
         }
     }
 
+    /** The user has done with its connection; one that it has asked for since is still wanted. */
+    void done(ServiceType service) {
+        active.remove(service);
+    }
+
     /** The network has opened a connection of its own accord. */
     void adopt(ServiceType service) {
         active.add(service);

@@ -320,7 +320,8 @@ class CallTest {
         scene.down(new Release(TO_OWN, Optional.empty()));
         scene.expect(ReleaseComplete.class);
         scene.acceptService();
-        assertEquals(new TransactionIdentifier(1, false), scene.expect(Setup.class).transaction());
+        assertEquals(
+                new TransactionIdentifier(1, false), scene.expect(Setup.class).transaction());
         assertEquals(List.of("released 16", "calling 5550999"), scene.told.lines());
     }
 
@@ -452,7 +453,7 @@ class CallTest {
         Scene scene = Scene.registered();
         scene.page(Scene.TMSI);
         scene.expect(PagingResponse.class);
-        scene.downHex("33055c0181ff");
+        scene.downHex("33050100");
         ReleaseComplete refusal = scene.expect(ReleaseComplete.class);
         assertEquals(TO_THEIRS, refusal.transaction());
         assertEquals(CallState.NULL, stateOf(scene));

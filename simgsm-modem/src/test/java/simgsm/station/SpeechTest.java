@@ -53,8 +53,12 @@ class SpeechTest {
         scene.pass(1);
         assertEquals(51, scene.spoken.size());
         for (int i = 1; i < 51; i++) {
-            assertEquals((scene.spoken.get(i - 1).sequence() + 1) & 0xffff, scene.spoken.get(i).sequence());
-            assertEquals(scene.spoken.get(i - 1).timestamp() + 160, scene.spoken.get(i).timestamp());
+            assertEquals(
+                    (scene.spoken.get(i - 1).sequence() + 1) & 0xffff,
+                    scene.spoken.get(i).sequence());
+            assertEquals(
+                    scene.spoken.get(i - 1).timestamp() + 160,
+                    scene.spoken.get(i).timestamp());
             assertEquals(RtpPacket.A_LAW, scene.spoken.get(i).payloadType());
         }
     }

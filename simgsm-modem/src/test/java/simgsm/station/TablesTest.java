@@ -61,7 +61,10 @@ class TablesTest {
         for (CallState state : CallState.values()) {
             assertEquals(
                     CallState.NULL,
-                    CallTable.ROWS.row(state, CallEvent.RADIO_LOST).orElseThrow().next());
+                    CallTable.ROWS
+                            .row(state, CallEvent.RADIO_LOST)
+                            .orElseThrow()
+                            .next());
             assertEquals(
                     CallState.NULL,
                     CallTable.ROWS.row(state, CallEvent.POWER_OFF).orElseThrow().next());
@@ -111,7 +114,11 @@ class TablesTest {
     @Test
     void everyRegistrationStateCanLoseTheLink() {
         for (RegistrationState state : RegistrationState.values()) {
-            assertTrue(RegistrationTable.ROWS.row(state, RegistrationEvent.LINK_LOST).isPresent(), state.name());
+            assertTrue(
+                    RegistrationTable.ROWS
+                            .row(state, RegistrationEvent.LINK_LOST)
+                            .isPresent(),
+                    state.name());
         }
     }
 
