@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A capture file of one TCP connection between a terminal and port 3003, as loopback would show it. */
-final class PcapFile {
+public final class PcapFile {
     private static final int RAW_IPV4 = 228;
     private static final int CENTER_PORT = 3003;
     private static final int TERMINAL_PORT = 40000;
@@ -17,11 +17,11 @@ final class PcapFile {
     private long downlinkSequence = 1;
     private int packets;
 
-    PcapFile() {
+    public PcapFile() {
         little(0xa1b2c3d4).little(2 | 4 << 16).little(0).little(0).little(65535).little(RAW_IPV4);
     }
 
-    PcapFile add(byte[] segment, Direction direction) {
+    public PcapFile add(byte[] segment, Direction direction) {
         boolean up = direction == Direction.UPLINK;
         int length = IP_AND_TCP_HEADERS + segment.length;
         little(packets++).little(0).little(length).little(length);

@@ -3,15 +3,11 @@ package simgsm.air;
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Examples.Example;
@@ -23,19 +19,6 @@ class WiresharkTest {
 
     @TempDir
     Path folder;
-
-    @BeforeAll
-    static void tsharkIsThere() throws InterruptedException {
-        try {
-            Process version = new ProcessBuilder("tshark", "--version")
-                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                    .redirectError(ProcessBuilder.Redirect.DISCARD)
-                    .start();
-            assumeTrue(version.waitFor() == 0, "tshark runs");
-        } catch (IOException missing) {
-            assumeTrue(false, "tshark is not installed");
-        }
-    }
 
     @Test
     void everyLayer3MessageIsNamedAndNothingIsWrong() throws Exception {
@@ -156,31 +139,8 @@ class WiresharkTest {
         return IpaFramer.encode(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
     }
 
-    /** One line a packet: the Info column, then expert messages and malformed marks, empty if all is well. */
+    /** One line a packet: protocol, the Info column, expert messages and malformed marks, empty if all is well. */
     private List<String> dissect(PcapFile file) throws IOException, InterruptedException {
-        Path capture = folder.resolve("capture.pcap");
-        Path output = folder.resolve("lines.txt");
-        file.write(capture);
-        ProcessBuilder tshark = new ProcessBuilder(List.of(
-                "tshark",
-                "-r",
-                capture.toString(),
-                "-T",
-                "fields",
-                "-E",
-                "separator=|",
-                "-e",
-                "_ws.col.Protocol",
-                "-e",
-                "_ws.col.Info",
-                "-e",
-                "_ws.expert.message",
-                "-e",
-                "_ws.malformed"));
-        tshark.environment().put("HOME", folder.toString());
-        tshark.environment().remove("XDG_CONFIG_HOME");
-        tshark.redirectOutput(output.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD);
-        assertEquals(0, tshark.start().waitFor(), "tshark's exit status");
-        return Files.readAllLines(output, StandardCharsets.UTF_8);
+        return Tshark.fields(file, folder, "_ws.col.Protocol", "_ws.col.Info", "_ws.expert.message", "_ws.malformed");
     }
 }

@@ -1,0 +1,67 @@
+package simgsm.sms;
+
+import simgsm.air.OctetReader;
+import simgsm.air.OctetString;
+import simgsm.air.OctetWriter;
+import simgsm.air.ProtocolViolation;
+
+/**
+ * One page of a broadcast message: 88 octets on the air (TS 23.041, 9.4.1).
+ *
+ * <pre>
+ *   serial(2) identifier(2) coding(1) page/pages(1) content(82)
+ * </pre>
+ *
+ * @param messageIdentifier the channel that phones listen to, 0 to 65535
+ * @param page 1 to {@code pages}
+ * @param pages 1 to 15
+ * @param content 82 octets: 93 septets or 41 two-octet characters, filled up with carriage returns
+ */
+public record CellBroadcastPage(
+        BroadcastSerial serial,
+        int messageIdentifier,
+        BroadcastCoding coding,
+        int page,
+        int pages,
+        OctetString content) {
+    public static final int LENGTH = 88;
+    public static final int CONTENT_LENGTH = 82;
+    public static final int MAX_PAGES = 15;
+
+    public CellBroadcastPage {
+        if (messageIdentifier < 0 || messageIdentifier > 0xffff) {
+            throw new IllegalArgumentException("broadcast channel " + messageIdentifier + " is not 0 to 65535");
+        }
+        if (pages < 1 || pages > MAX_PAGES || page < 1 || page > pages) {
+            throw new IllegalArgumentException("page " + page + " of " + pages + " cannot be");
+        }
+        if (content.length() != CONTENT_LENGTH) {
+            throw new IllegalArgumentException(
+                    "a page of " + content.length() + " octets, " + CONTENT_LENGTH + " were expected");
+        }
+    }
+
+    public OctetString encode() {
+        OctetWriter out = new OctetWriter();
+        out.twoOctets(serial.value()).twoOctets(messageIdentifier);
+        out.octet(coding.octet()).octet(page << 4 | pages).string(content);
+        return OctetString.of(out.toArray());
+    }
+
+    /** A page number that makes no sense counts as page 1 of 1, as the standard asks (9.4.1.2.4). */
+    public static CellBroadcastPage decode(OctetString octets) throws ProtocolViolation {
+        OctetReader in = octets.reader();
+        if (octets.length() != LENGTH) {
+            throw Violations.invalid(
+                    "a broadcast page of " + octets.length() + " octets, " + LENGTH + " were expected");
+        }
+        BroadcastSerial serial = BroadcastSerial.ofValue(in.twoOctets("serial number"));
+        int messageIdentifier = in.twoOctets("message identifier");
+        BroadcastCoding coding = new BroadcastCoding(in.octet("data coding scheme"));
+        int numbers = in.octet("page parameter");
+        int page = numbers >> 4;
+        int pages = numbers & 0x0f;
+        boolean sense = page >= 1 && page <= pages;
+        return new CellBroadcastPage(serial, messageIdentifier, coding, sense ? page : 1, sense ? pages : 1, in.rest());
+    }
+}
