@@ -1,0 +1,66 @@
+package simgsm.air;
+
+import java.lang.reflect.RecordComponent;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.air.MessageText.Field;
+
+/** The components of message records as fields in words; a new message kind needs no line here. */
+final class FieldTexts {
+    private FieldTexts() {}
+
+    /** Components in their order; an absent optional one is left out, a record inside is told by its own components. */
+    static void add(List<Field> fields, Object message) {
+        for (RecordComponent component : message.getClass().getRecordComponents()) {
+            Object value = value(component, message);
+            if (value instanceof Optional<?> optional) {
+                value = optional.orElse(null);
+            }
+            if (value instanceof RelayMessage relay) {
+                add(fields, relay);
+            } else if (value != null) {
+                fields.add(new Field(spaced(component.getName(), false), text(value)));
+            }
+        }
+    }
+
+    static String text(Object value) {
+        if (value instanceof Cause cause) {
+            return cause.code() + " " + cause.title();
+        }
+        if (value instanceof RejectCause cause) {
+            return cause.code() + " " + cause.title();
+        }
+        if (value instanceof RpCause cause) {
+            return cause.code() + " " + cause.title();
+        }
+        if (value instanceof MobileIdentity identity) {
+            return identity.type() + " " + identity;
+        }
+        if (value instanceof TransactionIdentifier transaction) {
+            return transaction.value()
+                    + (transaction.fromOtherSide() ? ", opened by the receiver" : ", opened by the sender");
+        }
+        if (value instanceof LocationArea area) {
+            return area.countryCode() + "/" + area.networkCode() + " area " + area.areaCode();
+        }
+        return value instanceof Enum<?> name
+                ? name.name().replace('_', ' ').toLowerCase(Locale.ROOT)
+                : value.toString();
+    }
+
+    /** Words of a name in camel case: "keySequence" as "key sequence", "DataRequest" as "Data Request". */
+    static String spaced(String name, boolean capitals) {
+        String words = name.replaceAll("(?<=[a-z])(?=[A-Z])", " ");
+        return capitals ? words : words.toLowerCase(Locale.ROOT);
+    }
+
+    private static Object value(RecordComponent component, Object message) {
+        try {
+            return component.getAccessor().invoke(message);
+        } catch (ReflectiveOperationException impossible) {
+            throw new AssertionError(impossible);
+        }
+    }
+}
