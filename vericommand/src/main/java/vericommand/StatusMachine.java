@@ -74,17 +74,18 @@ public final class StatusMachine {
         return status;
     }
 
-    /** The table as a PlantUML state diagram. */
+    /** The table as a PlantUML state diagram; what leaves the status as it is is not drawn. */
     public static String plantUml() {
-        StringBuilder uml = new StringBuilder("@startuml\ntitle The robot's status\nhide empty description\n");
+        StringBuilder uml = new StringBuilder("@startuml status\ntitle The robot's status\nhide empty description\n");
         for (RobotStatus status : RobotStatus.values()) {
             uml.append("state \"%s\" as %s\n".formatted(status.text(), status.name()));
         }
         uml.append("[*] --> DISCONNECTED\n");
-        for (Transition row : TABLE) {
-            uml.append("%s --> %s : %s\n"
-                    .formatted(row.from().name(), row.to().name(), row.event().text()));
-        }
+        TABLE.stream()
+                .filter(row -> row.from() != row.to())
+                .map(row -> "%s --> %s : %s\n"
+                        .formatted(row.from(), row.to(), row.event().text()))
+                .forEach(uml::append);
         return uml.append("@enduml\n").toString();
     }
 }

@@ -125,7 +125,9 @@ final class ModemLink implements ModemListener, ModemPort {
 
     @Override
     public void sms(String from, String text) {
-        simulation.execute(() -> control.message(from, text));
+        // as operators are listed: without the plus sign of an international number
+        String sender = from.matches("\\+[0-9]+") ? from.substring(1) : from;
+        simulation.execute(() -> control.message(sender, text));
     }
 
     @Override
