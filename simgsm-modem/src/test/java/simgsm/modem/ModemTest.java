@@ -1,0 +1,161 @@
+package simgsm.modem;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simgsm.air.CallControl.Alerting;
+import simgsm.air.CallControl.CallConfirmed;
+import simgsm.air.CallControl.Connect;
+import simgsm.air.CallControl.Disconnect;
+import simgsm.air.Cause;
+import simgsm.dtmf.DtmfKey;
+
+class ModemTest {
+    private final CalledModem scene = new CalledModem();
+
+    private CalledModem denying() {
+        scene.callerHangsUp();
+        scene.told.clear();
+        scene.decision = CallDecision.deny(DtmfKey.TWO);
+        scene.call();
+        return scene;
+    }
+
+    @Test
+    void aCallIsAlertedAndConnectedAtOnceAndAnsweredWithItsTone() {
+        List<Class<?>> kinds = scene.sent.stream().<Class<?>>map(Object::getClass).toList();
+        assertEquals(List.of(CallConfirmed.class, Alerting.class, Connect.class), kinds.subList(2, 5));
+        assertEquals(List.of("call 5550100", "connected 5550100"), scene.told);
+        scene.pass(500);
+        assertEquals("1", scene.heardByCaller.toString());
+        assertEquals(List.of("call 5550100", "connected 5550100", "tone 1"), scene.told);
+    }
+
+    @Test
+    void keysAreHeardWhileTonesAreSent() {
+        scene.press("**#**20**");
+        scene.pass(2000);
+        assertEquals(
+                List.of("key *", "key *", "key #", "key *", "key *", "key 2", "key 0", "key *", "key *"),
+                scene.told.stream().filter(line -> line.startsWith("key")).toList());
+        assertEquals(2000 * 8, scene.speechTimeSamples);
+    }
+
+    @Test
+    void repliesQueueWith150MillisecondsAnd70Between() {
+        scene.pass(1000);
+        scene.modem.sendTone(DtmfKey.SIX);
+        scene.modem.sendTone(DtmfKey.THREE);
+        scene.pass(1000);
+        assertEquals("163", scene.heardByCaller.toString());
+        long apart = scene.heardDigits.get(2).startedAtSample() - scene.heardDigits.get(1).startedAtSample();
+        assertEquals(220 * 8, apart, 40);
+        assertEquals(List.of("tone 1", "tone 6", "tone 3"), scene.told.subList(2, 5));
+    }
+
+    @Test
+    void aDeniedCallHearsItsToneAndIsThenCleared() {
+        denying().press("**#**20**");
+        scene.pass(140);
+        assertFalse(scene.sent.stream().anyMatch(Disconnect.class::isInstance));
+        scene.pass(2000);
+        assertEquals("2", scene.heardByCaller.toString());
+        assertEquals(List.of("call 5550100", "tone 2", "ended 16"), scene.told);
+        Disconnect end = (Disconnect) scene.sent.get(scene.sent.size() - 2);
+        assertEquals(Cause.NORMAL_CALL_CLEARING, end.cause());
+        assertTrue(scene.heardDigits.get(0).startedAtSample() < 40, "the tone is the first thing heard");
+    }
+
+    @Test
+    void aDeniedCallerGetsNoOtherTone() {
+        denying();
+        scene.modem.sendTone(DtmfKey.THREE);
+        scene.pass(1000);
+        assertEquals("2", scene.heardByCaller.toString());
+    }
+
+    @Test
+    void aMinuteWithoutAKeyEndsTheCall() {
+        scene.pass(160);
+        scene.pass(59_980);
+        assertFalse(scene.told.contains("ended 16"));
+        scene.pass(60);
+        assertEquals("ended 16", scene.told.get(scene.told.size() - 1));
+    }
+
+    @Test
+    void aKeyStartsTheMinuteAgain() {
+        scene.pass(50_000);
+        scene.press("5");
+        scene.pass(59_000);
+        assertFalse(scene.told.contains("ended 16"));
+        scene.pass(2_000);
+        assertTrue(scene.told.contains("ended 16"));
+    }
+
+    @Test
+    void anOrderUnderWayStopsTheMinuteAndItsReplyStartsItAgain() {
+        scene.pass(50_000);
+        scene.modem.setOrderUnderWay(true);
+        scene.pass(300_000);
+        assertFalse(scene.told.contains("ended 16"));
+        scene.modem.sendTone(DtmfKey.THREE);
+        scene.modem.setOrderUnderWay(false);
+        scene.pass(59_000);
+        assertFalse(scene.told.contains("ended 16"));
+        scene.pass(2_000);
+        assertTrue(scene.told.contains("ended 16"));
+    }
+
+    @Test
+    void twoSecondsWithoutASpeechFrameEndTheCallWithCause41() {
+        scene.pass(1000);
+        scene.callerSpeaks = false;
+        scene.pass(1980);
+        assertFalse(scene.told.contains("ended 41"));
+        scene.pass(60);
+        assertTrue(scene.told.contains("ended 41"));
+        Disconnect end = (Disconnect) scene.sent.get(scene.sent.size() - 2);
+        assertEquals(Cause.TEMPORARY_FAILURE, end.cause());
+    }
+
+    @Test
+    void aCallerWhoFallsSilentInSpeechOnlyIsKept() {
+        scene.pass(30_000);
+        assertFalse(scene.told.contains("ended 41"));
+    }
+
+    @Test
+    void theCallersHangUpEndsTheCallAndDropsTonesThatWait() {
+        scene.pass(1000);
+        scene.modem.sendTone(DtmfKey.SIX);
+        scene.modem.sendTone(DtmfKey.FOUR);
+        scene.callerHangsUp();
+        assertEquals("ended 16", scene.told.get(scene.told.size() - 1));
+        scene.modem.sendTone(DtmfKey.THREE);
+        scene.call();
+        scene.pass(1000);
+        assertEquals("11", scene.heardByCaller.toString());
+    }
+
+    @Test
+    void theModemHangsUpWithCause16() {
+        scene.pass(100);
+        assertTrue(scene.modem.hangUp());
+        assertFalse(scene.modem.hangUp());
+        assertEquals("ended 16", scene.told.get(scene.told.size() - 1));
+    }
+
+    @Test
+    void eachCallHasItsOwnMinuteAndItsOwnEnd() {
+        scene.pass(50_000);
+        scene.callerHangsUp();
+        scene.call();
+        scene.pass(50_000);
+        assertEquals(1, scene.told.stream().filter("ended 16"::equals).count());
+        assertEquals(2, scene.told.stream().filter("connected 5550100"::equals).count());
+    }
+}
