@@ -3,10 +3,13 @@ package simgsm.station;
 import java.lang.System.Logger.Level;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.sms.BroadcastCollector;
+import simgsm.sms.CellBroadcastPage;
 
 /** Short messages both ways, and cell broadcast. */
 final class ShortMessages {
@@ -16,6 +19,7 @@ final class ShortMessages {
     private final StationParts parts;
     private final MessageSender sender;
     private final MessageReceiver receiver;
+    private final BroadcastCollector broadcasts = new BroadcastCollector();
 
     ShortMessages(StationParts parts, ServiceRequests services, int firstReference) {
         this.parts = parts;
@@ -88,6 +92,14 @@ final class ShortMessages {
     }
 
     void broadcastArrived(OctetString page) {
-        parts.log().trace(Level.DEBUG, "broadcast page {0}", page);
+        try {
+            broadcasts
+                    .accept(CellBroadcastPage.decode(page))
+                    .ifPresent(message -> parts.notifications()
+                            .add(listener -> listener.broadcastReceived(
+                                    message.messageIdentifier(), message.pages(), message.text())));
+        } catch (ProtocolViolation e) {
+            parts.log().trace(Level.WARNING, "broadcast page dropped: {0}", e.getMessage());
+        }
     }
 }

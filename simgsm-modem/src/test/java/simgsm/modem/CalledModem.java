@@ -88,6 +88,7 @@ final class CalledModem implements Uplink, ModemListener {
     }
 
     void call() {
+        ear.reset();
         rsl(new RslMessage.PagingCommand(modem.station().identity().imsi()));
         deliver();
     }
@@ -124,8 +125,7 @@ final class CalledModem implements Uplink, ModemListener {
 
     private void down(Layer3Message message) {
         OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
-        rsl(new RslMessage.DataRequest(
-                message instanceof CpData ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING, octets));
+        rsl(new RslMessage.DataRequest(message instanceof CpData ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING, octets));
     }
 
     private void rsl(RslMessage message) {

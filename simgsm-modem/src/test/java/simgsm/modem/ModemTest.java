@@ -17,8 +17,11 @@ class ModemTest {
     private final CalledModem scene = new CalledModem();
 
     private CalledModem denying() {
+        scene.pass(500);
         scene.callerHangsUp();
         scene.told.clear();
+        scene.heardByCaller.setLength(0);
+        scene.heardDigits.clear();
         scene.decision = CallDecision.deny(DtmfKey.TWO);
         scene.call();
         return scene;
@@ -26,7 +29,8 @@ class ModemTest {
 
     @Test
     void aCallIsAlertedAndConnectedAtOnceAndAnsweredWithItsTone() {
-        List<Class<?>> kinds = scene.sent.stream().<Class<?>>map(Object::getClass).toList();
+        List<Class<?>> kinds =
+                scene.sent.stream().<Class<?>>map(Object::getClass).toList();
         assertEquals(List.of(CallConfirmed.class, Alerting.class, Connect.class), kinds.subList(2, 5));
         assertEquals(List.of("call 5550100", "connected 5550100"), scene.told);
         scene.pass(500);
@@ -51,7 +55,8 @@ class ModemTest {
         scene.modem.sendTone(DtmfKey.THREE);
         scene.pass(1000);
         assertEquals("163", scene.heardByCaller.toString());
-        long apart = scene.heardDigits.get(2).startedAtSample() - scene.heardDigits.get(1).startedAtSample();
+        long apart = scene.heardDigits.get(2).startedAtSample()
+                - scene.heardDigits.get(1).startedAtSample();
         assertEquals(220 * 8, apart, 40);
         assertEquals(List.of("tone 1", "tone 6", "tone 3"), scene.told.subList(2, 5));
     }

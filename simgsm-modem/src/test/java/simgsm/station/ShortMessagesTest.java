@@ -27,12 +27,16 @@ import simgsm.air.RelayMessage.RpAck;
 import simgsm.air.RelayMessage.RpData;
 import simgsm.air.RelayMessage.RpError;
 import simgsm.air.RpCause;
+import simgsm.air.RslMessage;
 import simgsm.air.RslMessage.DataIndication;
 import simgsm.air.RslMessage.Sapi;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
 import simgsm.air.TransactionIdentifier;
+import simgsm.sms.BroadcastSerial;
+import simgsm.sms.CellBroadcast;
+import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.MessageSplitter;
 import simgsm.sms.SmsAddress;
@@ -522,5 +526,25 @@ class ShortMessagesTest {
         scene.told.clear();
         delivered(1, deliver(UserData.of("hola")));
         assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+    }
+
+    @Test
+    void aBroadcastIsShownOnceHoweverOftenItsPagesCome() {
+        String text = "Fire drill at noon. ".repeat(7);
+        List<CellBroadcastPage> pages =
+                CellBroadcast.split(text, 50, BroadcastSerial.ofValue(0x4011), Optional.empty());
+        for (int round = 0; round < 2; round++) {
+            pages.forEach(page -> scene.rsl(new RslMessage.SmsBroadcastCommand(page.encode())));
+        }
+        assertEquals(List.of("broadcast 50 in 2: " + text), scene.told.lines());
+    }
+
+    @Test
+    void aPhoneThatIsOffShowsNoBroadcast() {
+        scene.station.powerOff();
+        scene.told.clear();
+        CellBroadcast.split("x", 50, BroadcastSerial.ofValue(0x4011), Optional.empty())
+                .forEach(page -> scene.rsl(new RslMessage.SmsBroadcastCommand(page.encode())));
+        assertEquals(List.of(), scene.told.lines());
     }
 }
