@@ -125,6 +125,7 @@ public final class Modem {
         if (phase != Phase.ACCEPTED) {
             return;
         }
+        listener.heard(samples);
         receiver.accept(samples);
         listener.speechTime(samples.length);
         idleSamples += orderUnderWay ? 0 : samples.length;

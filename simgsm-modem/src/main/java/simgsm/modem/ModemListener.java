@@ -21,6 +21,9 @@ public interface ModemListener {
     /** The accepted call is up: the first key can come now. */
     default void connected(Optional<Msisdn> from) {}
 
+    /** What the accepted caller says, 20 ms of it, for whoever shows it; told before the keys that are decided in it. */
+    default void heard(short[] samples) {}
+
     /** A key of the caller, when it is decided, its tone still sounding. Never told in a denied call. */
     default void key(DtmfDigit digit) {}
 

@@ -11,6 +11,8 @@ import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneTrace;
+import simgsm.dtmf.ToneTracer;
 import simgsm.modem.CallDecision;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemListener;
@@ -32,7 +34,9 @@ final class ModemLink implements ModemListener, ModemPort {
     private final Executor stations;
     private final Executor simulation;
     private final LongSupplier clockNanos;
+    private final ToneTracer tracer = new ToneTracer();
     private RobotControl control;
+    private volatile ToneTrace trace = ToneTrace.EMPTY;
 
     // of the stations' thread
     private boolean accepted;
@@ -56,6 +60,11 @@ final class ModemLink implements ModemListener, ModemPort {
         return modem;
     }
 
+    /** What the modem's ear has heard last; any thread may ask. */
+    ToneTrace trace() {
+        return trace;
+    }
+
     // ---- from the modem, on the stations' thread -------------------------------------------------------------------
 
     @Override
@@ -77,6 +86,8 @@ final class ModemLink implements ModemListener, ModemPort {
         heardSamples = 0;
         tonesToLeave = 1;
         clearWhenSilent = false;
+        tracer.reset();
+        trace = tracer.newest();
         simulation.execute(() -> control.listener().call(caller));
         return new CallDecision(accepted, key(tone));
     }
@@ -85,6 +96,12 @@ final class ModemLink implements ModemListener, ModemPort {
     public void connected(Optional<Msisdn> from) {
         String caller = digits(from);
         simulation.execute(() -> control.callBegan(caller));
+    }
+
+    @Override
+    public void heard(short[] samples) {
+        tracer.accept(samples);
+        trace = tracer.newest();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package simrobot.control;
 
 import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneTrace;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
 import simrobot.robot.SimulatedRobot;
@@ -43,6 +44,11 @@ public final class TelephoneRobot {
     /** The modem's newest state; any thread may ask. */
     public StationSnapshot modem() {
         return station().snapshot();
+    }
+
+    /** The sound of the caller's keys; any thread may ask. */
+    public ToneTrace heard() {
+        return link.trace();
     }
 
     /** The verifier's newest state; any thread may ask. */

@@ -57,7 +57,7 @@ final class TelephoneScene implements Uplink {
     final StringBuilder tonesHeard = new StringBuilder();
     final Simulation simulation = new Simulation(World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2))), 1);
     final SimulatedRobot robot = simulation.addRobot("robot", new Position(0, 0), 0);
-    private final ModemLink link;
+    final ModemLink link;
     private final Queue<Layer3Message> sent = new ArrayDeque<>();
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     private final DtmfGenerator fingers = new DtmfGenerator();

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simgsm.dtmf.DtmfKey;
 import vericommand.RobotStatus;
 
 /** The whole way from sound to motion and back, without threads, sockets or a clock. */
@@ -50,6 +52,16 @@ class TelephoneSceneTest {
             double millis = (scene.wheelsMovedNanos - lastKey) / 1e6;
             assertTrue(millis > 0 && millis <= 90, "wheels moved " + millis + " ms after the last key began");
         }
+    }
+
+    @Test
+    void theScopeShowsTheKeyThatWasHeardLast() {
+        TelephoneScene scene = called();
+        assertEquals(Optional.empty(), scene.link.trace().digit());
+        scene.press("7");
+        scene.seconds(0.06);
+        assertEquals(DtmfKey.of('7'), scene.link.trace().digit().orElseThrow().key());
+        assertTrue(scene.link.trace().isSounding());
     }
 
     @Test
