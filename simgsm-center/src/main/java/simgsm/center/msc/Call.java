@@ -1,0 +1,100 @@
+package simgsm.center.msc;
+
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.timer.Timers;
+
+/** A call from its first SETUP to its clearing: what happens on one leg, told to the other. */
+final class Call implements CallLeg.Owner {
+    private final CallSwitch exchange;
+    private final Msisdn from;
+    private final Optional<Msisdn> to;
+    private final CallLeg originating;
+    private CallLeg terminating;
+    private CallState state = CallState.INITIATED;
+
+    Call(CallSwitch exchange, Link link, TransactionIdentifier transaction, Optional<Msisdn> to, Timers timers) {
+        this.exchange = exchange;
+        this.from = link.subscriber.number();
+        this.to = to;
+        this.originating = new CallLeg(link, transaction, Optional.empty(), timers, this);
+    }
+
+    Msisdn from() {
+        return from;
+    }
+
+    /** The number as dialled; empty if there was none to be read. */
+    Optional<Msisdn> to() {
+        return to;
+    }
+
+    CallState state() {
+        return state;
+    }
+
+    CallLeg originating() {
+        return originating;
+    }
+
+    /** The called mobile is known and free: go and fetch it. */
+    void extend(Link called, TransactionIdentifier transaction, Timers timers) {
+        originating.proceed();
+        terminating = new CallLeg(called, transaction, Optional.of(from), timers, this);
+        terminating.page();
+    }
+
+    /** The call cannot be put through. */
+    void refuse(Cause cause) {
+        end(originating, cause);
+    }
+
+    @Override
+    public CallLeg listenerOf(CallLeg leg) {
+        CallLeg other = leg == originating ? terminating : originating;
+        return other != null && other.state().speaks() ? other : null;
+    }
+
+    @Override
+    public void offered(CallLeg leg) {
+        enter(CallState.INITIATED);
+        exchange.route(this);
+    }
+
+    @Override
+    public void alerting(CallLeg leg) {
+        enter(CallState.ALERTING);
+        originating.alert();
+    }
+
+    @Override
+    public void answered(CallLeg leg) {
+        originating.answer();
+    }
+
+    @Override
+    public void active(CallLeg leg) {
+        enter(CallState.ACTIVE);
+    }
+
+    @Override
+    public void cleared(CallLeg leg, Cause cause) {
+        end(leg == originating ? terminating : originating, cause);
+    }
+
+    private void end(CallLeg rest, Cause cause) {
+        if (state != CallState.RELEASED) {
+            enter(CallState.RELEASED);
+            if (rest != null) {
+                rest.clear(cause);
+            }
+        }
+    }
+
+    private void enter(CallState next) {
+        state = next;
+        exchange.changed(this);
+    }
+}

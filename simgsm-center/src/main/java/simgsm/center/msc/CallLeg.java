@@ -1,0 +1,244 @@
+package simgsm.center.msc;
+
+import java.util.Optional;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.timer.Timer;
+import simgsm.center.timer.Timers;
+
+/**
+ * One mobile's side of a call, as the network sees it: {@link CallTransitions} driven by the mobile's messages, by the
+ * call, and by the standard's timers.
+ */
+final class CallLeg implements PagedTransaction {
+    /** What the call wants to know of its legs. */
+    interface Owner {
+        void offered(CallLeg leg);
+
+        void alerting(CallLeg leg);
+
+        void answered(CallLeg leg);
+
+        void active(CallLeg leg);
+
+        /** The leg is being cleared, not by the owner's wish. */
+        void cleared(CallLeg leg, Cause cause);
+
+        /** The leg that hears what this one says, or null while nobody does. */
+        CallLeg listenerOf(CallLeg leg);
+    }
+
+    private final Link link;
+    private final TransactionIdentifier transaction;
+    private final Timers timers;
+    private final Owner owner;
+    private final Optional<Msisdn> calling;
+
+    private NetworkCallState state = NetworkCallState.NULL;
+    private Timer guard;
+    private boolean releaseRepeated;
+    private Cause cause = Cause.NORMAL_CALL_CLEARING;
+    private Optional<Cause> sentCause = Optional.empty();
+
+    /**
+     * @param transaction as the network writes it
+     * @param calling who calls, shown to a called mobile; empty on the caller's own leg
+     */
+    CallLeg(Link link, TransactionIdentifier transaction, Optional<Msisdn> calling, Timers timers, Owner owner) {
+        this.link = link;
+        this.transaction = transaction;
+        this.calling = calling;
+        this.timers = timers;
+        this.owner = owner;
+    }
+
+    Link link() {
+        return link;
+    }
+
+    TransactionIdentifier transaction() {
+        return transaction;
+    }
+
+    NetworkCallState state() {
+        return state;
+    }
+
+    CallLeg listener() {
+        return owner.listenerOf(this);
+    }
+
+    // From the call.
+
+    void page() {
+        happen(CallEvent.PAGE);
+        if (state == NetworkCallState.MM_CONNECTION_PENDING) {
+            link.paging.request(this);
+        }
+    }
+
+    void proceed() {
+        happen(CallEvent.PROCEED);
+    }
+
+    void alert() {
+        happen(CallEvent.ALERT);
+    }
+
+    void answer() {
+        happen(CallEvent.ANSWER);
+    }
+
+    /** Ends this leg for a reason that lies elsewhere. */
+    void clear(Cause why) {
+        happen(CallEvent.CLEAR, why, Optional.of(why));
+    }
+
+    // From below.
+
+    @Override
+    public void radioConnected() {
+        happen(CallEvent.RADIO_CONNECTED);
+    }
+
+    @Override
+    public void pagingFailed() {
+        happen(CallEvent.PAGING_FAILED, Cause.DESTINATION_OUT_OF_ORDER, Optional.empty());
+    }
+
+    void linkLost() {
+        boolean neverReached = calling.isPresent() && !state.speaks();
+        Cause told = neverReached ? Cause.DESTINATION_OUT_OF_ORDER : Cause.TEMPORARY_FAILURE;
+        happen(CallEvent.LINK_LOST, told, Optional.empty());
+    }
+
+    /** Takes a message of this transaction; one that does not fit the state is answered with STATUS. */
+    void receive(CallControl message) {
+        if (message instanceof CallControl.StatusEnquiry) {
+            sendStatus(Cause.RESPONSE_TO_STATUS_ENQUIRY);
+        } else if (message instanceof CallControl.StartDtmf) {
+            link.send(new CallControl.StartDtmfReject(transaction, Cause.SERVICE_NOT_AVAILABLE));
+        } else if (message instanceof CallControl.Status status) {
+            receiveStatus(status);
+        } else if (!receiveForTable(message)) {
+            sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+        }
+    }
+
+    void sendStatus(Cause why) {
+        link.send(new CallControl.Status(transaction, why, state.code()));
+    }
+
+    private void receiveStatus(CallControl.Status status) {
+        if (status.callState() == NetworkCallState.NULL.code()) {
+            happen(CallEvent.STATUS_NULL_RECEIVED, status.cause(), Optional.empty());
+        }
+    }
+
+    private boolean receiveForTable(CallControl message) {
+        if (message instanceof CallControl.Disconnect disconnect) {
+            return happen(CallEvent.DISCONNECT_RECEIVED, disconnect.cause(), Optional.empty());
+        }
+        if (message instanceof CallControl.Release release) {
+            return happen(CallEvent.RELEASE_RECEIVED, orNormal(release.cause()), Optional.empty());
+        }
+        if (message instanceof CallControl.ReleaseComplete complete) {
+            return happen(CallEvent.RELEASE_COMPLETE_RECEIVED, orNormal(complete.cause()), Optional.empty());
+        }
+        return eventOf(message).map(this::happen).orElse(false);
+    }
+
+    private static Cause orNormal(Optional<Cause> cause) {
+        return cause.orElse(Cause.NORMAL_CALL_CLEARING);
+    }
+
+    private static Optional<CallEvent> eventOf(CallControl message) {
+        if (message instanceof CallControl.Setup) {
+            return Optional.of(CallEvent.SETUP_RECEIVED);
+        }
+        if (message instanceof CallControl.CallConfirmed) {
+            return Optional.of(CallEvent.CALL_CONFIRMED_RECEIVED);
+        }
+        if (message instanceof CallControl.Alerting) {
+            return Optional.of(CallEvent.ALERTING_RECEIVED);
+        }
+        if (message instanceof CallControl.Connect) {
+            return Optional.of(CallEvent.CONNECT_RECEIVED);
+        }
+        if (message instanceof CallControl.ConnectAcknowledge) {
+            return Optional.of(CallEvent.CONNECT_ACKNOWLEDGE_RECEIVED);
+        }
+        return Optional.empty();
+    }
+
+    // The machine.
+
+    private boolean happen(CallEvent event) {
+        return happen(event, Cause.NORMAL_CALL_CLEARING, Optional.empty());
+    }
+
+    /**
+     * @param told what the owner is told if the leg clears
+     * @param sent what the mobile is told if the leg clears; empty when it told us
+     * @return whether the state allows the event
+     */
+    private boolean happen(CallEvent event, Cause told, Optional<Cause> sent) {
+        Optional<CallTransitions.Transition> row = CallTransitions.of(state, event);
+        if (row.isEmpty()) {
+            return false;
+        }
+        NetworkCallState before = state;
+        state = row.get().next();
+        if (state != before || !row.get().actions().isEmpty()) {
+            restartGuard();
+        }
+        if (!before.isClearing()) {
+            cause = told;
+            sentCause = sent;
+        }
+        link.callLegChanged(this);
+        row.get().actions().forEach(this::perform);
+        return true;
+    }
+
+    private void restartGuard() {
+        timers.cancel(guard);
+        guard = state.guard()
+                .map(timer -> timers.start(timer.nanos(), () -> expired(timer)))
+                .orElse(null);
+    }
+
+    private void expired(CallTimer timer) {
+        CallEvent event = timer.expiry();
+        if (event == CallEvent.T308_EXPIRED && releaseRepeated) {
+            event = CallEvent.T308_EXPIRED_AGAIN;
+        }
+        releaseRepeated |= timer == CallTimer.T308;
+        happen(event, timer.toldCause(), Optional.of(Cause.RECOVERY_ON_TIMER_EXPIRY));
+    }
+
+    private void perform(CallAction action) {
+        switch (action) {
+            case SEND_SETUP -> link.send(new CallControl.Setup(transaction, calling, Optional.empty()));
+            case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
+            case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction));
+            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction));
+            case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
+            case SEND_DISCONNECT -> link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause)));
+            case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause));
+            case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(transaction, sentCause));
+            case TELL_OFFERED -> owner.offered(this);
+            case TELL_ALERTING -> owner.alerting(this);
+            case TELL_ANSWERED -> owner.answered(this);
+            case TELL_ACTIVE -> owner.active(this);
+            case TELL_CLEARED -> owner.cleared(this, cause);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return link.name() + " " + state;
+    }
+}

@@ -1,0 +1,164 @@
+package simgsm.center.msc;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.IpaFrame;
+import simgsm.air.Msisdn;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.center.timer.Timers;
+
+/** Number analysis and switching: from a SETUP to a call between two legs, and speech between them. */
+final class CallSwitch {
+    /** Calls at a time; further ones are refused with cause 42. */
+    static final int MAX_CALLS = 5_000;
+
+    private static final int TRANSACTIONS = 7;
+    /** RTP version 2 in the two highest bits of the first octet (RFC 3550, 5.1). */
+    private static final int RTP_VERSION_MASK = 0xc0;
+
+    private static final int RTP_VERSION_2 = 0x80;
+    private static final int RTP_HEADER_LENGTH = 12;
+
+    private final Mobility mobility;
+    private final Timers timers;
+    private final ExchangeListener listener;
+    private final Set<Call> calls = new LinkedHashSet<>();
+    private long speechFramesSwitched;
+    private long speechFramesUnheard;
+
+    CallSwitch(Mobility mobility, Timers timers, ExchangeListener listener) {
+        this.mobility = mobility;
+        this.timers = timers;
+        this.listener = listener;
+    }
+
+    /** Calls from their SETUP to the first clearing message. */
+    Collection<Call> calls() {
+        return Collections.unmodifiableSet(calls);
+    }
+
+    long speechFramesSwitched() {
+        return speechFramesSwitched;
+    }
+
+    /** Speech frames that came while no call was active. */
+    long speechFramesUnheard() {
+        return speechFramesUnheard;
+    }
+
+    /** Call control messages reach their leg; what belongs to none is answered as TS 24.008, 8.3 says. */
+    void receive(Link link, CallControl message) {
+        Optional<CallLeg> leg = legOf(link, message.transaction());
+        if (message instanceof CallControl.Setup setup) {
+            if (leg.isEmpty() && !setup.transaction().fromOtherSide()) {
+                open(link, setup);
+            }
+        } else if (leg.isPresent()) {
+            leg.get().receive(message);
+        } else if (wantsAnswer(message)) {
+            refuse(link, message.transaction(), Cause.INVALID_TRANSACTION_IDENTIFIER);
+        }
+    }
+
+    private static boolean wantsAnswer(CallControl message) {
+        return !(message instanceof CallControl.ReleaseComplete)
+                && !(message instanceof CallControl.Status status && status.callState() == 0);
+    }
+
+    /** A message that could not be read; its transaction identifier could. */
+    void receiveBroken(Link link, TransactionIdentifier transaction, Cause cause) {
+        legOf(link, transaction).ifPresentOrElse(leg -> leg.sendStatus(cause), () -> refuse(link, transaction, cause));
+    }
+
+    private static void refuse(Link link, TransactionIdentifier transaction, Cause cause) {
+        link.send(new CallControl.ReleaseComplete(transaction.answered(), Optional.of(cause)));
+    }
+
+    private static Optional<CallLeg> legOf(Link link, TransactionIdentifier received) {
+        return link.callLegs.stream()
+                .filter(leg -> leg.transaction().equals(received.answered()))
+                .findFirst();
+    }
+
+    private void open(Link link, CallControl.Setup setup) {
+        if (!link.radio.takeService()) {
+            refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+            return;
+        }
+        Call call = new Call(this, link, setup.transaction().answered(), setup.called(), timers);
+        call.originating().receive(setup);
+    }
+
+    /** Finds the called party, and what stands against calling it. */
+    void route(Call call) {
+        Optional<Subscriber> called = call.to().flatMap(mobility.register()::ofNumber);
+        if (call.to().isEmpty()) {
+            call.refuse(Cause.INVALID_NUMBER_FORMAT);
+        } else if (called.isEmpty()) {
+            call.refuse(Cause.UNASSIGNED_NUMBER);
+        } else if (calls.size() > MAX_CALLS) {
+            call.refuse(Cause.SWITCHING_EQUIPMENT_CONGESTION);
+        } else {
+            call.originating().proceed();
+            reach(call, mobility.locationOf(called.get()));
+        }
+    }
+
+    private void reach(Call call, Optional<Link> called) {
+        if (called.isEmpty()) {
+            call.refuse(Cause.DESTINATION_OUT_OF_ORDER);
+            return;
+        }
+        Optional<TransactionIdentifier> transaction = freeTransaction(called.get());
+        if (called.get().isInCall() || transaction.isEmpty()) {
+            call.refuse(Cause.USER_BUSY);
+        } else {
+            call.extend(called.get(), transaction.get(), timers);
+        }
+    }
+
+    private static Optional<TransactionIdentifier> freeTransaction(Link link) {
+        for (int value = 0; value < TRANSACTIONS; value++) {
+            TransactionIdentifier candidate = new TransactionIdentifier(value, false);
+            if (link.callLegs.stream().noneMatch(leg -> leg.transaction().equals(candidate))) {
+                return Optional.of(candidate);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** A call has entered a state; called by the call itself. */
+    void changed(Call call) {
+        if (call.state() == CallState.RELEASED) {
+            calls.remove(call);
+        } else {
+            calls.add(call);
+        }
+        call.to().ifPresent(to -> listener.happened(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
+    }
+
+    /**
+     * Passes a speech frame on as it is. Nothing is kept and nothing is altered, so the far end sees the speaker's own
+     * numbering and loss.
+     */
+    void switchSpeech(Link link, IpaFrame frame) {
+        CallLeg leg = link.speakingLeg();
+        CallLeg listening = leg == null ? null : leg.listener();
+        if (listening == null) {
+            speechFramesUnheard++;
+        } else {
+            speechFramesSwitched++;
+            listening.link().port.send(frame);
+        }
+    }
+
+    static boolean isRtp(byte[] payload) {
+        return payload.length > RTP_HEADER_LENGTH && (payload[0] & RTP_VERSION_MASK) == RTP_VERSION_2;
+    }
+}

@@ -1,0 +1,43 @@
+package simgsm.center.msc;
+
+import java.time.Duration;
+import simgsm.air.Cause;
+
+/** Call control timers of the network side (TS 24.008, table 11.4). */
+enum CallTimer {
+    /** The called mobile rings and nobody answers; "at least 3 minutes". */
+    T301(180, CallEvent.T301_EXPIRED, Cause.USER_ALERTING_NO_ANSWER),
+    /** SETUP is not answered. */
+    T303(30, CallEvent.T303_EXPIRED, Cause.NO_USER_RESPONDING),
+    /** DISCONNECT is not answered. */
+    T305(30, CallEvent.T305_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY),
+    /** RELEASE is not answered; repeated once. */
+    T308(30, CallEvent.T308_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY),
+    /** The called mobile has confirmed the call and does not go on. */
+    T310(30, CallEvent.T310_EXPIRED, Cause.NO_USER_RESPONDING),
+    /** The caller does not acknowledge CONNECT. */
+    T313(30, CallEvent.T313_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY);
+
+    private final Duration duration;
+    private final CallEvent expiry;
+    private final Cause toldCause;
+
+    CallTimer(int seconds, CallEvent expiry, Cause toldCause) {
+        this.duration = Duration.ofSeconds(seconds);
+        this.expiry = expiry;
+        this.toldCause = toldCause;
+    }
+
+    long nanos() {
+        return duration.toNanos();
+    }
+
+    CallEvent expiry() {
+        return expiry;
+    }
+
+    /** What the other party of the call is told. */
+    Cause toldCause() {
+        return toldCause;
+    }
+}

@@ -1,0 +1,16 @@
+package simgsm.center.msc;
+
+import simgsm.air.Msisdn;
+import simgsm.center.smsc.MessageState;
+
+/** What an operator hears about. */
+public sealed interface ExchangeEvent {
+    record Attached(Msisdn number) implements ExchangeEvent {}
+
+    record Detached(Msisdn number) implements ExchangeEvent {}
+
+    /** A call has entered this state; released comes once, with the first clearing message. */
+    record CallChanged(Msisdn from, Msisdn to, CallState state) implements ExchangeEvent {}
+
+    record MessageChanged(long id, Msisdn from, Msisdn to, MessageState state) implements ExchangeEvent {}
+}

@@ -1,0 +1,51 @@
+package simgsm.center.msc;
+
+import java.time.Duration;
+import simgsm.air.CcmMessage;
+import simgsm.center.timer.Timer;
+import simgsm.center.timer.Timers;
+
+/** Asks each peer who it is and, every half minute, whether it still lives. */
+final class KeepAlive {
+    private static final long PERIOD_NANOS = Duration.ofSeconds(30).toNanos();
+    private static final int MAX_UNANSWERED = 3;
+
+    private final Link link;
+    private final Timers timers;
+    private Timer next;
+    private int unanswered;
+
+    KeepAlive(Link link, Timers timers) {
+        this.link = link;
+        this.timers = timers;
+    }
+
+    void start() {
+        link.sendCcm(new CcmMessage.IdentityRequest());
+        next = timers.start(PERIOD_NANOS, this::ping);
+    }
+
+    void stop() {
+        timers.cancel(next);
+    }
+
+    void receive(CcmMessage message) {
+        if (message instanceof CcmMessage.Ping) {
+            link.sendCcm(new CcmMessage.Pong());
+        } else if (message instanceof CcmMessage.Pong) {
+            unanswered = 0;
+        } else if (message instanceof CcmMessage.IdentityResponse) {
+            link.sendCcm(new CcmMessage.IdentityAcknowledge());
+        }
+    }
+
+    private void ping() {
+        if (unanswered == MAX_UNANSWERED) {
+            link.drop(MAX_UNANSWERED + " pings unanswered");
+            return;
+        }
+        unanswered++;
+        link.sendCcm(new CcmMessage.Ping());
+        next = timers.start(PERIOD_NANOS, this::ping);
+    }
+}

@@ -1,0 +1,119 @@
+package simgsm.center.msc;
+
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.air.CcmCodec;
+import simgsm.air.CcmMessage;
+import simgsm.air.Direction;
+import simgsm.air.IpaFrame;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.OctetString;
+import simgsm.air.RslCodec;
+import simgsm.air.RslMessage;
+import simgsm.air.ShortMessageControl;
+import simgsm.center.subscriber.Subscriber;
+
+/**
+ * One terminal's connection: the terminal with the small cell that it carries. To the driver a mere handle; inside, all
+ * that the exchange knows of the terminal at the other end.
+ */
+public final class Link {
+    final LinkPort port;
+    final Trace trace;
+    final RadioConnection radio;
+    final Paging paging;
+    final KeepAlive keepAlive;
+    final ShortMessageTransfers shortMessages;
+    final List<CallLeg> callLegs = new ArrayList<>(2);
+
+    private final String address;
+
+    /** Who is registered here; null until the location update has ended well, and after detach. */
+    Subscriber subscriber;
+    /** The location update under way, or null. */
+    Registration registration;
+
+    boolean closed;
+    int violations;
+
+    Link(LinkPort port, String address, ExchangeParts parts) {
+        this.port = port;
+        this.address = address;
+        this.trace = parts.trace();
+        this.radio = new RadioConnection(this, parts.timers());
+        this.paging = new Paging(this, parts.timers());
+        this.keepAlive = new KeepAlive(this, parts.timers());
+        this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
+    }
+
+    /** The subscriber's number, or the peer's address while nobody is registered. */
+    String name() {
+        return subscriber == null ? address : subscriber.number().digits();
+    }
+
+    /** Sends a message on the radio connection; without one there is nobody to hear it, and it is dropped. */
+    void send(Layer3Message message) {
+        if (!radio.isEstablished()) {
+            return;
+        }
+        byte[] octets = Layer3Codec.encode(message, Direction.DOWNLINK, 0);
+        OctetString layer3 = OctetString.of(octets);
+        trace.passed(this, Direction.DOWNLINK, MessageNames.of(message), layer3);
+        RslMessage.Sapi sapi = message instanceof ShortMessageControl
+                ? RslMessage.Sapi.SHORT_MESSAGES
+                : RslMessage.Sapi.SIGNALLING;
+        sendRsl(new RslMessage.DataRequest(sapi, layer3));
+    }
+
+    /** Sends what needs no radio connection: paging and cell broadcast. */
+    void sendCommon(RslMessage message, String name) {
+        byte[] octets = RslCodec.encode(message);
+        trace.passed(this, Direction.DOWNLINK, name, OctetString.of(octets));
+        port.send(new IpaFrame(IpaFrame.RSL, octets));
+    }
+
+    void sendCcm(CcmMessage message) {
+        port.send(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
+    }
+
+    private void sendRsl(RslMessage message) {
+        port.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+    }
+
+    void callLegChanged(CallLeg leg) {
+        if (leg.state() == NetworkCallState.NULL) {
+            callLegs.remove(leg);
+            paging.cancel(leg);
+        } else if (!callLegs.contains(leg)) {
+            callLegs.add(leg);
+        }
+        radio.mayBeUnused();
+    }
+
+    /** The leg whose speech this terminal's frames are, or null. */
+    CallLeg speakingLeg() {
+        for (int i = 0; i < callLegs.size(); i++) {
+            if (callLegs.get(i).state().speaks()) {
+                return callLegs.get(i);
+            }
+        }
+        return null;
+    }
+
+    /** Whether a further call would find the subscriber engaged. */
+    boolean isInCall() {
+        return callLegs.stream().anyMatch(leg -> !leg.state().isClearing());
+    }
+
+    /** Everything that lived on the radio connection, or waited for one, ends. */
+    void loseTransactions() {
+        List.copyOf(callLegs).forEach(CallLeg::linkLost);
+        shortMessages.lose();
+    }
+
+    @Override
+    public String toString() {
+        return name();
+    }
+}
