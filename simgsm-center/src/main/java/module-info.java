@@ -1,4 +1,10 @@
 /** M3, the SMS/Phone centre: exchange, registers, short message centre and their window. */
 module simgsm.center {
     requires simgsm.modem;
+
+    exports simgsm.center.msc;
+    exports simgsm.center.net;
+    exports simgsm.center.smsc;
+    exports simgsm.center.subscriber;
+    exports simgsm.center.timer;
 }

@@ -1,2 +1,21 @@
-/** M3: the SMS/Phone centre. */
+/**
+ * M3, the SMS/Phone centre, as a program: command line, console, data directory, demo.
+ *
+ * <p>Packages, arrows point down only:
+ *
+ * <pre>
+ *   center
+ *    |    \
+ *   net    ui
+ *    |    /
+ *   msc
+ *    |  \
+ *   smsc subscriber
+ *    |
+ *   timer
+ * </pre>
+ *
+ * <p>Read first: {@link simgsm.center.CenterMain}, then {@code Center}; for what the centre does, {@link
+ * simgsm.center.msc.Exchange}.
+ */
 package simgsm.center;

@@ -5,10 +5,10 @@ import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.IpaFrame;
-import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.timer.Timers;
@@ -27,15 +27,16 @@ final class CallSwitch {
 
     private final Mobility mobility;
     private final Timers timers;
-    private final ExchangeListener listener;
+    private final Consumer<Call> changes;
     private final Set<Call> calls = new LinkedHashSet<>();
     private long speechFramesSwitched;
     private long speechFramesUnheard;
 
-    CallSwitch(Mobility mobility, Timers timers, ExchangeListener listener) {
+    /** @param changes told of each call that enters a state */
+    CallSwitch(Mobility mobility, Timers timers, Consumer<Call> changes) {
         this.mobility = mobility;
         this.timers = timers;
-        this.listener = listener;
+        this.changes = changes;
     }
 
     /** Calls from their SETUP to the first clearing message. */
@@ -71,9 +72,9 @@ final class CallSwitch {
                 && !(message instanceof CallControl.Status status && status.callState() == 0);
     }
 
-    /** A message that could not be read; its transaction identifier could. */
-    void receiveBroken(Link link, TransactionIdentifier transaction, Cause cause) {
-        legOf(link, transaction).ifPresentOrElse(leg -> leg.sendStatus(cause), () -> refuse(link, transaction, cause));
+    /** The state of the call that a message from the mobile belongs to, as STATUS codes it; 0 if there is none. */
+    static int stateCode(Link link, TransactionIdentifier received) {
+        return legOf(link, received).map(leg -> leg.state().code()).orElse(0);
     }
 
     private static void refuse(Link link, TransactionIdentifier transaction, Cause cause) {
@@ -140,7 +141,7 @@ final class CallSwitch {
         } else {
             calls.add(call);
         }
-        call.to().ifPresent(to -> listener.happened(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
+        changes.accept(call);
     }
 
     /**

@@ -3,9 +3,7 @@ package simgsm.center.msc;
 /** Causes of CP-ERROR (TS 24.011, 8.1.4.2). */
 final class CpCause {
     static final int INVALID_TRANSACTION_IDENTIFIER = 81;
-    static final int INVALID_MANDATORY_INFORMATION = 96;
     static final int NOT_COMPATIBLE_WITH_STATE = 98;
-    static final int PROTOCOL_ERROR = 111;
 
     private CpCause() {}
 }

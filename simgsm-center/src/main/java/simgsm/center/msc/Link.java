@@ -2,6 +2,7 @@ package simgsm.center.msc;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.lang.System.Logger.Level;
 import simgsm.air.CcmCodec;
 import simgsm.air.CcmMessage;
 import simgsm.air.Direction;
@@ -19,8 +20,13 @@ import simgsm.center.subscriber.Subscriber;
  * that the exchange knows of the terminal at the other end.
  */
 public final class Link {
+    /** So many breaches are answered as the standard says before the peer is given up. */
+    static final int MAX_VIOLATIONS = 100;
+
+    private static final System.Logger LOG = System.getLogger(Link.class.getName());
+
     final LinkPort port;
-    final Trace trace;
+    private final ExchangeParts parts;
     final RadioConnection radio;
     final Paging paging;
     final KeepAlive keepAlive;
@@ -34,13 +40,13 @@ public final class Link {
     /** The location update under way, or null. */
     Registration registration;
 
-    boolean closed;
-    int violations;
+    boolean isClosed;
+    private int violations;
 
     Link(LinkPort port, String address, ExchangeParts parts) {
         this.port = port;
         this.address = address;
-        this.trace = parts.trace();
+        this.parts = parts;
         this.radio = new RadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
         this.keepAlive = new KeepAlive(this, parts.timers());
@@ -59,7 +65,7 @@ public final class Link {
         }
         byte[] octets = Layer3Codec.encode(message, Direction.DOWNLINK, 0);
         OctetString layer3 = OctetString.of(octets);
-        trace.passed(this, Direction.DOWNLINK, MessageNames.of(message), layer3);
+        parts.trace().passed(this, Direction.DOWNLINK, MessageNames.of(message), layer3);
         RslMessage.Sapi sapi = message instanceof ShortMessageControl
                 ? RslMessage.Sapi.SHORT_MESSAGES
                 : RslMessage.Sapi.SIGNALLING;
@@ -69,7 +75,7 @@ public final class Link {
     /** Sends what needs no radio connection: paging and cell broadcast. */
     void sendCommon(RslMessage message, String name) {
         byte[] octets = RslCodec.encode(message);
-        trace.passed(this, Direction.DOWNLINK, name, OctetString.of(octets));
+        parts.trace().passed(this, Direction.DOWNLINK, name, OctetString.of(octets));
         port.send(new IpaFrame(IpaFrame.RSL, octets));
     }
 
@@ -88,7 +94,43 @@ public final class Link {
         } else if (!callLegs.contains(leg)) {
             callLegs.add(leg);
         }
-        radio.mayBeUnused();
+        touched();
+    }
+
+    /** Something here has ended or begun: the exchange looks at this link again before it rests. */
+    void touched() {
+        parts.settlement().add(this);
+    }
+
+    /** Gives the link up. */
+    void drop(String reason) {
+        if (!isClosed) {
+            LOG.log(Level.INFO, "{0}: closed, {1}", this, reason);
+            forget();
+            port.close(reason);
+        }
+    }
+
+    /** The link is no more: everything on it ends, and whoever was registered here is detached. */
+    void forget() {
+        isClosed = true;
+        keepAlive.stop();
+        if (registration != null) {
+            registration.cancel();
+        }
+        radio.close();
+        loseTransactions();
+        parts.mobility().depart(this);
+        parts.links().remove(this);
+    }
+
+    /** Counts and logs what the peer did wrong; who errs too often is given up. */
+    void violated(String what) {
+        violations++;
+        LOG.log(Level.WARNING, "{0}: {1}", this, what);
+        if (violations == MAX_VIOLATIONS) {
+            drop("more than " + MAX_VIOLATIONS + " breaches of protocol");
+        }
     }
 
     /** The leg whose speech this terminal's frames are, or null. */

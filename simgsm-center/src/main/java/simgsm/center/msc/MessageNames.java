@@ -2,18 +2,16 @@ package simgsm.center.msc;
 
 import java.util.Locale;
 import simgsm.air.Layer3Message;
+import simgsm.air.Layer3Type;
+import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
 
-/** The standard's names of messages, made from the records' names. */
+/** What messages are called on the ladder. */
 final class MessageNames {
-    private static final ClassValue<String> NAMES = new ClassValue<>() {
+    private static final ClassValue<String> RELAY_NAMES = new ClassValue<>() {
         @Override
         protected String computeValue(Class<?> type) {
-            return type.getSimpleName()
-                    .replaceAll("(?<=[a-z])(?=[A-Z])", " ")
-                    .toUpperCase(Locale.ROOT)
-                    .replace("CP ", "CP-")
-                    .replace("RP ", "RP-");
+            return "RP-" + type.getSimpleName().substring(2).toUpperCase(Locale.ROOT);
         }
     };
 
@@ -21,9 +19,11 @@ final class MessageNames {
 
     /** As SETUP, LOCATION UPDATING REQUEST, or CP-DATA (RP-ACK). */
     static String of(Layer3Message message) {
-        String name = NAMES.get(message.getClass());
-        return message instanceof ShortMessageControl.CpData data
-                ? name + " (" + NAMES.get(data.relay().getClass()) + ")"
-                : name;
+        String name = Layer3Type.of(message).title();
+        return message instanceof ShortMessageControl.CpData data ? name + " (" + of(data.relay()) + ")" : name;
+    }
+
+    private static String of(RelayMessage message) {
+        return RELAY_NAMES.get(message.getClass());
     }
 }

@@ -23,7 +23,7 @@ final class Mobility {
 
     /** Who wants to know of coming and going. */
     interface Attachments {
-        void attached(Subscriber subscriber, Link link);
+        void attached(Subscriber subscriber);
 
         void detached(Subscriber subscriber);
     }
@@ -143,7 +143,7 @@ final class Mobility {
         locations.put(subscriber, link);
         register.attach(subscriber, imei);
         if (isNew) {
-            attachments.attached(subscriber, link);
+            attachments.attached(subscriber);
         }
     }
 

@@ -41,12 +41,6 @@ final class ShortMessageTransfers {
         }
     }
 
-    /** A message that could not be read; its transaction identifier could. */
-    void receiveBroken(TransactionIdentifier transaction, int cpCause) {
-        originatingOf(transaction).ifPresent(OriginatingTransfer::end);
-        link.send(new ShortMessageControl.CpError(transaction.answered(), cpCause));
-    }
-
     private void receiveForOriginating(ShortMessageControl message) {
         Optional<OriginatingTransfer> transfer = originatingOf(message.transaction());
         if (transfer.isPresent()) {

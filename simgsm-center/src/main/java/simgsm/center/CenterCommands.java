@@ -1,0 +1,55 @@
+package simgsm.center;
+
+import java.util.List;
+import java.util.function.Function;
+import simgsm.center.msc.Exchange;
+import simgsm.console.Command;
+import simgsm.console.CommandException;
+import simgsm.console.Console;
+import simgsm.console.Event;
+
+/** The centre's console commands. */
+final class CenterCommands implements Console.Commands {
+    private final Center center;
+    private final EventPrinter printer;
+
+    CenterCommands(Center center, EventPrinter printer) {
+        this.center = center;
+        this.printer = printer;
+    }
+
+    @Override
+    public void perform(Command command) throws CommandException {
+        switch (command.name()) {
+            case "subscribers" -> list(command, exchange ->
+                    exchange.subscribers().stream().map(ConsoleEvents::of).toList());
+            case "calls" -> list(command, exchange ->
+                    exchange.calls().stream().map(ConsoleEvents::of).toList());
+            case "messages" -> list(command, exchange ->
+                    exchange.shortMessages().waiting().stream().map(ConsoleEvents::of).toList());
+            case "broadcast" -> broadcast(command);
+            default -> throw new CommandException("unknown command " + command.name()
+                    + ", expected subscribers, calls, messages, broadcast, wait or quit");
+        }
+    }
+
+    private void list(Command command, Function<Exchange, List<Event>> question) throws CommandException {
+        command.words(0, "nothing after it");
+        List<Event> rows = center.ask(question);
+        rows.forEach(printer::print);
+        printer.print(ConsoleEvents.end(command.name(), rows.size()));
+    }
+
+    private void broadcast(Command command) throws CommandException {
+        Command channel = command.tail();
+        if (!channel.name().matches("[0-9]{1,5}") || channel.rest().isEmpty()) {
+            throw new CommandException("broadcast: expected CHANNEL TEXT, found "
+                    + (command.rest().isEmpty() ? "nothing after it" : command.rest()));
+        }
+        try {
+            center.broadcast(Integer.parseInt(channel.name()), channel.text());
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("broadcast: " + e.getMessage());
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package simgsm.center;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
+import simgsm.air.Msisdn;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.ui.MonitorWindow;
+import simgsm.center.ui.Operator;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.UsageException;
+
+/** The centre with its window: what the window's operator may do, and the wait for the window's end. */
+final class CenterWindow implements Operator {
+    private static final long FIRST_PHONE = 5550101;
+    private static final long FIRST_ROBOT = 5550201;
+
+    private final Center center;
+    private final Arguments arguments;
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private final AtomicLong nextPhone = new AtomicLong(FIRST_PHONE);
+    private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
+    private Children children;
+
+    private CenterWindow(Center center, Arguments arguments) {
+        this.center = center;
+        this.arguments = arguments;
+    }
+
+    /** Opens the window and returns when it is closed. */
+    static int run(Center center, Arguments arguments) throws UsageException, InterruptedException {
+        return run(center, arguments, null, arguments.text("window"));
+    }
+
+    /**
+     * @param children running children that end with the window; null for none
+     * @param place where the window goes, "X,Y"
+     */
+    static int run(Center center, Arguments arguments, Children children, Optional<String> place)
+            throws UsageException, InterruptedException {
+        CenterWindow operator = new CenterWindow(center, arguments);
+        operator.children = children;
+        center.publishSnapshots();
+        center.start(CenterMain.seed(arguments), event -> {});
+        MonitorWindow.open(operator, arguments.language(), place);
+        if (arguments.has("end-with-input")) {
+            operator.quitAtEndOfInput();
+        }
+        operator.ended.await();
+        operator.endChildren();
+        return ExitStatus.OK;
+    }
+
+    private void quitAtEndOfInput() {
+        Thread watcher = new Thread(
+                () -> {
+                    try {
+                        System.in.transferTo(java.io.OutputStream.nullOutputStream());
+                    } catch (IOException e) {
+                        // An input that breaks has ended, too.
+                    }
+                    quit();
+                },
+                "end of input");
+        watcher.setDaemon(true);
+        watcher.start();
+    }
+
+    @Override
+    public int port() {
+        return center.port();
+    }
+
+    @Override
+    public Optional<ExchangeSnapshot> snapshot() {
+        return Optional.ofNullable(center.snapshot().get());
+    }
+
+    @Override
+    public void broadcast(int channel, String text) {
+        center.broadcast(channel, text);
+    }
+
+    @Override
+    public void newPhone() throws IOException {
+        start("simgsm-phone.jar", free(nextPhone), List.of());
+    }
+
+    @Override
+    public void newRobot() throws IOException {
+        start("simrobot.jar", free(nextRobot), List.of());
+    }
+
+    /** The next number that nobody has registered yet. */
+    private String free(AtomicLong next) {
+        return center.ask(exchange -> {
+            String number = Long.toString(next.getAndIncrement());
+            while (exchange.isKnown(new Msisdn(number))) {
+                number = Long.toString(next.getAndIncrement());
+            }
+            return number;
+        });
+    }
+
+    private synchronized void start(String jar, String number, List<String> more) throws IOException {
+        if (children == null) {
+            children = Children.besideUs();
+        }
+        List<String> words = new ArrayList<>(
+                List.of("--number", number, "--center", "127.0.0.1:" + center.port(), "--end-with-input"));
+        arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
+        words.addAll(more);
+        children.start(jar, words, ProcessBuilder.Redirect.DISCARD);
+    }
+
+    private synchronized void endChildren() {
+        if (children != null) {
+            children.close();
+        }
+    }
+
+    @Override
+    public void quit() {
+        ended.countDown();
+    }
+}

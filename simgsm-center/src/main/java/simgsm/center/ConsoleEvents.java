@@ -1,0 +1,57 @@
+package simgsm.center;
+
+import java.util.Locale;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.console.Event;
+
+/** The console's words for what happens and for what is there. */
+final class ConsoleEvents {
+    private ConsoleEvents() {}
+
+    static Event of(ExchangeEvent event) {
+        if (event instanceof ExchangeEvent.Attached attached) {
+            return Event.of("attached").with("number", attached.number());
+        }
+        if (event instanceof ExchangeEvent.Detached detached) {
+            return Event.of("detached").with("number", detached.number());
+        }
+        if (event instanceof ExchangeEvent.CallChanged call) {
+            return parties(Event.of("call"), call.from(), call.to()).with("state", word(call.state()));
+        }
+        ExchangeEvent.MessageChanged message = (ExchangeEvent.MessageChanged) event;
+        return parties(Event.of("sms").with("id", message.id()), message.from(), message.to())
+                .with("state", word(message.state()));
+    }
+
+    static Event of(Subscriber subscriber) {
+        return Event.of("subscriber")
+                .with("number", subscriber.number())
+                .with("state", subscriber.isAttached() ? "attached" : "detached");
+    }
+
+    static Event of(CallView call) {
+        return parties(Event.of("call"), call.from(), call.to()).with("state", word(call.state()));
+    }
+
+    /** What waits was accepted and nothing else yet. */
+    static Event of(ShortMessage message) {
+        return parties(Event.of("queued").with("id", message.id()), message.from(), message.to())
+                .with("state", word(MessageState.ACCEPTED));
+    }
+
+    static Event end(String list, int count) {
+        return Event.of("end").with("of", list).with("count", count);
+    }
+
+    private static Event parties(Event event, Object from, Object to) {
+        return event.with("from", from).with("to", to);
+    }
+
+    private static String word(Enum<?> state) {
+        return state.name().toLowerCase(Locale.ROOT);
+    }
+}

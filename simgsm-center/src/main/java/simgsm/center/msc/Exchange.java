@@ -1,0 +1,203 @@
+package simgsm.center.msc;
+
+import java.lang.System.Logger.Level;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.SplittableRandom;
+import simgsm.air.CcmCodec;
+import simgsm.air.IpaFrame;
+import simgsm.air.Msisdn;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RslCodec;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.MessageStore;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.center.subscriber.SubscriberRegister;
+import simgsm.center.timer.Timers;
+
+/**
+ * The centre without its sockets and its clock: base station controller, MSC, registers and SMSC in one deterministic
+ * machine. Links, frames, commits and time go in; frames, closings and events come out, through {@link LinkPort},
+ * {@link MessageStore} and {@link ExchangeListener}. One thread drives it. Every {@code nowNanos} counts from the
+ * exchange's start.
+ */
+public final class Exchange {
+    private static final System.Logger LOG = System.getLogger(Exchange.class.getName());
+
+    private final Timers timers = new Timers();
+    private final Ladder ladder;
+    private final Set<Link> links = new LinkedHashSet<>();
+    private final Set<Link> settlement = new LinkedHashSet<>();
+    private final SubscriberRegister register;
+    private final Mobility mobility;
+    private final CallSwitch calls;
+    private final ShortMessageCenter shortMessages;
+    private final Broadcaster broadcaster;
+    private final SignallingDispatcher signalling;
+    private final ExchangeParts parts;
+    private final SnapshotMaker snapshots;
+    private final Instant startedAt;
+
+    public Exchange(ExchangeSettings settings, MessageStore store, ExchangeListener listener) {
+        ladder = new Ladder(settings.startedAt(), timers);
+        register = new SubscriberRegister(new SplittableRandom(settings.seed()));
+        MessageDelivery delivery = new MessageDelivery(register);
+        shortMessages = new ShortMessageCenter(
+                settings.startedAt(),
+                timers,
+                store,
+                delivery,
+                (message, state) -> messageChanged(message, state, listener));
+        mobility = new Mobility(
+                register, timers, settings.networkName(), new AttachmentEvents(listener, shortMessages::available));
+        delivery.locations(mobility);
+        calls = new CallSwitch(mobility, timers, call -> callChanged(call, listener));
+        broadcaster = new Broadcaster(mobility);
+        signalling = new SignallingDispatcher(mobility, calls, ladder);
+        parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);
+        snapshots = new SnapshotMaker(register, calls, shortMessages, ladder);
+        startedAt = settings.startedAt();
+    }
+
+    private void callChanged(Call call, ExchangeListener listener) {
+        if (call.state() == CallState.INITIATED) {
+            snapshots.callBegan(CallView.of(call));
+        }
+        call.to().ifPresent(to -> listener.happened(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
+    }
+
+    private void messageChanged(ShortMessage message, MessageState state, ExchangeListener listener) {
+        if (state == MessageState.ACCEPTED) {
+            snapshots.messageAccepted(message);
+        }
+        listener.happened(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
+    }
+
+    /** A terminal has connected. The link stands for it in all further calls. */
+    public Link linkOpened(long nowNanos, LinkPort port, String address) {
+        timers.advance(nowNanos);
+        Link link = new Link(port, address, parts);
+        links.add(link);
+        link.keepAlive.start();
+        settle();
+        return link;
+    }
+
+    public void frameReceived(long nowNanos, Link link, IpaFrame frame) {
+        timers.advance(nowNanos);
+        if (!link.isClosed) {
+            try {
+                receive(link, frame);
+            } catch (ProtocolViolation violation) {
+                link.violated(violation.getMessage());
+            }
+        }
+        settle();
+    }
+
+    /** The connection has ended by the peer's doing, or broke. */
+    public void linkClosed(long nowNanos, Link link, String reason) {
+        timers.advance(nowNanos);
+        if (!link.isClosed) {
+            LOG.log(Level.INFO, "{0}: gone, {1}", link, reason);
+            link.forget();
+        }
+        settle();
+    }
+
+    /** The store has made an entry durable, or has failed to. */
+    public void committed(long nowNanos, long ticket, boolean isDurable) {
+        timers.advance(nowNanos);
+        shortMessages.committed(ticket, isDurable);
+        settle();
+    }
+
+    /** Time has passed. */
+    public void advance(long nowNanos) {
+        timers.advance(nowNanos);
+        settle();
+    }
+
+    /** When {@link #advance} must be called at the latest. */
+    public OptionalLong nextDeadlineNanos() {
+        return timers.nextDeadlineNanos();
+    }
+
+    private void receive(Link link, IpaFrame frame) throws ProtocolViolation {
+        switch (frame.stream()) {
+            case IpaFrame.SPEECH -> receiveSpeech(link, frame);
+            case IpaFrame.RSL -> signalling.receive(link, RslCodec.decode(frame.payload()));
+            case IpaFrame.CCM -> link.keepAlive.receive(CcmCodec.decode(frame.payload()));
+            default -> link.violated("sent a frame of unknown stream " + frame.stream());
+        }
+    }
+
+    private void receiveSpeech(Link link, IpaFrame frame) {
+        if (CallSwitch.isRtp(frame.payload())) {
+            calls.switchSpeech(link, frame);
+        } else {
+            link.violated("sent speech that is no RTP packet of version 2");
+        }
+    }
+
+    /** Releases the channels that nothing needs any more; only links on which something happened are looked at. */
+    private void settle() {
+        while (!settlement.isEmpty()) {
+            List<Link> touched = new ArrayList<>(settlement);
+            settlement.clear();
+            for (Link link : touched) {
+                if (!link.isClosed) {
+                    link.radio.releaseIfUnused();
+                }
+            }
+        }
+    }
+
+    /**
+     * Sends a text to everybody who is attached.
+     *
+     * @param channel message identifier, 0 to 65535
+     * @return the number of pages
+     * @throws IllegalArgumentException saying what is wrong with channel or text
+     */
+    public int broadcast(long nowNanos, int channel, String text) {
+        timers.advance(nowNanos);
+        return broadcaster.broadcast(channel, text);
+    }
+
+    // What an operator looks at; all of it on the driving thread.
+
+    public Collection<Subscriber> subscribers() {
+        return register.all();
+    }
+
+    /** Whether this number has ever registered. */
+    public boolean isKnown(Msisdn number) {
+        return register.ofNumber(number).isPresent();
+    }
+
+    /** Calls under way, oldest first. */
+    public List<CallView> calls() {
+        return calls.calls().stream().map(CallView::of).toList();
+    }
+
+    public ShortMessageCenter shortMessages() {
+        return shortMessages;
+    }
+
+    public int linkCount() {
+        return links.size();
+    }
+
+    /** An immutable picture of everything for a window; its size is bounded. */
+    public ExchangeSnapshot snapshot() {
+        return snapshots.make(startedAt.plusNanos(timers.nowNanos()), links.size());
+    }
+}

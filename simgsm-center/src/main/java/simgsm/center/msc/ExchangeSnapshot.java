@@ -1,0 +1,39 @@
+package simgsm.center.msc;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+
+/**
+ * The exchange at one moment, for a window. Lists are bounded by {@link #MAX_ROWS}; the counts tell all.
+ *
+ * @param links open connections, registered or not
+ * @param attached subscribers who are attached
+ * @param waiting messages and reports that wait for their receivers
+ * @param ladder the latest signalling messages, oldest first
+ * @param ladderCount how many have passed since the start; the last entry of {@code ladder} is number {@code ladderCount}
+ * @param latest what began last: a call, or a short message
+ */
+public record ExchangeSnapshot(
+        Instant time,
+        int links,
+        int attached,
+        int waiting,
+        long speechFrames,
+        List<SubscriberRow> subscribers,
+        List<CallView> calls,
+        List<MessageRow> messages,
+        List<LadderEntry> ladder,
+        long ladderCount,
+        Optional<Passing> latest) {
+    public static final int MAX_ROWS = 1_000;
+
+    /** @param imei empty until the subscriber has registered once */
+    public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei) {}
+
+    public record MessageRow(long id, Msisdn from, Msisdn to, Instant acceptedAt, Instant expiresAt, String text) {}
+
+    /** @param text of a short message; empty for a call */
+    public record Passing(Msisdn from, String to, String text) {}
+}

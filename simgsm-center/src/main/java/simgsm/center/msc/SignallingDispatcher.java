@@ -1,0 +1,119 @@
+package simgsm.center.msc;
+
+import simgsm.air.CallControl;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Message;
+import simgsm.air.MobilityManagement;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolErrorAnswers;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.air.RslMessage;
+import simgsm.air.ShortMessageControl;
+
+/** Uplink signalling: from the radio link's message to the protocol that it is for. */
+final class SignallingDispatcher {
+    private final Mobility mobility;
+    private final CallSwitch calls;
+    private final Trace trace;
+
+    SignallingDispatcher(Mobility mobility, CallSwitch calls, Trace trace) {
+        this.mobility = mobility;
+        this.calls = calls;
+        this.trace = trace;
+    }
+
+    void receive(Link link, RslMessage message) {
+        link.touched();
+        if (message instanceof RslMessage.EstablishIndication establish) {
+            establish(link, establish);
+        } else if (message instanceof RslMessage.DataIndication data) {
+            receiveLayer3(link, data.layer3());
+        } else if (message instanceof RslMessage.ReleaseIndication release) {
+            left(link, release);
+        } else if (message instanceof RslMessage.ErrorIndication error) {
+            link.violated("reports link layer error " + error.cause());
+        } else {
+            link.violated("sent " + message.getClass().getSimpleName() + ", which only the network sends");
+        }
+    }
+
+    /** SAPI 3 may be opened on a connection that is there; else this is a new connection, and an old one is gone. */
+    private void establish(Link link, RslMessage.EstablishIndication establish) {
+        boolean isSecondLink = establish.sapi() == RslMessage.Sapi.SHORT_MESSAGES && link.radio.isEstablished();
+        if (!isSecondLink) {
+            abandon(link);
+            link.radio.established();
+        }
+        receiveLayer3(link, establish.layer3());
+    }
+
+    private void left(Link link, RslMessage.ReleaseIndication release) {
+        if (release.sapi() == RslMessage.Sapi.SIGNALLING) {
+            abandon(link);
+            link.radio.left();
+        }
+    }
+
+    private static void abandon(Link link) {
+        if (link.radio.isEstablished()) {
+            if (link.registration != null) {
+                link.registration.cancel();
+            }
+            link.loseTransactions();
+        }
+    }
+
+    private void receiveLayer3(Link link, OctetString layer3) {
+        if (!link.radio.isEstablished()) {
+            return;
+        }
+        byte[] octets = layer3.toArray();
+        int sequence = Layer3Codec.sendSequence(octets);
+        if (sequence >= 0 && !link.radio.acceptsSequence(sequence)) {
+            link.violated("repeated a message, N(SD) " + sequence + "; dropped");
+            return;
+        }
+        try {
+            Layer3Message message = Layer3Codec.decode(octets, Direction.UPLINK);
+            trace.passed(link, Direction.UPLINK, MessageNames.of(message), layer3);
+            dispatch(link, message);
+        } catch (ProtocolViolation violation) {
+            refuse(link, layer3, violation);
+        }
+    }
+
+    private void refuse(Link link, OctetString layer3, ProtocolViolation violation) {
+        trace.passed(
+                link,
+                Direction.UPLINK,
+                violation.header().map(Layer3Header::name).orElse("?"),
+                layer3);
+        int callState = violation
+                .header()
+                .flatMap(Layer3Header::transaction)
+                .map(transaction -> CallSwitch.stateCode(link, transaction))
+                .orElse(0);
+        ProtocolErrorAnswers.to(violation, callState).forEach(link::send);
+        link.radio.takeService();
+        link.violated(violation.getMessage());
+    }
+
+    private void dispatch(Link link, Layer3Message message) {
+        if (message instanceof MobilityManagement mobilityMessage) {
+            mobility.receive(link, mobilityMessage);
+        } else if (message instanceof RadioResource.PagingResponse response) {
+            mobility.receivePagingResponse(link, response);
+        } else if (message instanceof RadioResource) {
+            return;
+        } else if (link.subscriber == null) {
+            link.violated("sent " + MessageNames.of(message) + " without being registered");
+        } else if (message instanceof CallControl callControl) {
+            calls.receive(link, callControl);
+        } else {
+            link.shortMessages.receive((ShortMessageControl) message);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package simgsm.center.msc;
+
+import java.time.Instant;
+import java.util.Optional;
+import simgsm.air.Imei;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.center.subscriber.SubscriberRegister;
+
+/** Copies what a window shows. */
+final class SnapshotMaker {
+    private final SubscriberRegister register;
+    private final CallSwitch calls;
+    private final ShortMessageCenter shortMessages;
+    private final Ladder ladder;
+    private Optional<ExchangeSnapshot.Passing> latest = Optional.empty();
+
+    SnapshotMaker(SubscriberRegister register, CallSwitch calls, ShortMessageCenter shortMessages, Ladder ladder) {
+        this.register = register;
+        this.calls = calls;
+        this.shortMessages = shortMessages;
+        this.ladder = ladder;
+    }
+
+    void callBegan(CallView call) {
+        latest = Optional.of(new ExchangeSnapshot.Passing(call.from(), call.to(), ""));
+    }
+
+    void messageAccepted(ShortMessage message) {
+        latest = Optional.of(new ExchangeSnapshot.Passing(
+                message.from(), message.to().digits(), message.text()));
+    }
+
+    ExchangeSnapshot make(Instant time, int links) {
+        int most = ExchangeSnapshot.MAX_ROWS;
+        return new ExchangeSnapshot(
+                time,
+                links,
+                register.attachedCount(),
+                shortMessages.waitingCount(),
+                calls.speechFramesSwitched(),
+                register.all().stream().limit(most).map(SnapshotMaker::row).toList(),
+                calls.calls().stream().limit(most).map(CallView::of).toList(),
+                shortMessages.waiting(most).stream().map(SnapshotMaker::row).toList(),
+                ladder.entries(),
+                ladder.passedCount(),
+                latest);
+    }
+
+    private static ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
+        return new ExchangeSnapshot.SubscriberRow(
+                subscriber.number(),
+                subscriber.isAttached(),
+                subscriber.imsi().digits(),
+                subscriber.imei().map(Imei::digits).orElse(""));
+    }
+
+    private static ExchangeSnapshot.MessageRow row(ShortMessage message) {
+        return new ExchangeSnapshot.MessageRow(
+                message.id(), message.from(), message.to(), message.acceptedAt(), message.expiresAt(), message.text());
+    }
+}

@@ -1,0 +1,122 @@
+package simgsm.center.net;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.SocketChannel;
+import java.util.Optional;
+import simgsm.air.IpaFrame;
+import simgsm.air.IpaFramer;
+import simgsm.air.ProtocolViolation;
+import simgsm.center.msc.Link;
+import simgsm.center.msc.LinkPort;
+
+/** One terminal's TCP connection: octets in, frames to the loop; frames in, octets out. */
+final class Connection implements LinkPort {
+    /** What a connection asks of its loop. */
+    interface Host {
+        void frameArrived(Connection connection, IpaFrame frame);
+
+        /** The connection cannot go on; the loop closes it once the exchange is at rest. */
+        void broken(Connection connection, String reason);
+
+        /** The socket is closed, by whomever. */
+        void closed(Connection connection);
+    }
+
+    private final SocketChannel channel;
+    private final SelectionKey key;
+    private final Host host;
+    private final IpaFramer framer = new IpaFramer();
+    private final OutgoingFrames outgoing = new OutgoingFrames();
+
+    /** What this connection is to the exchange. */
+    Link link;
+
+    private boolean isOpen = true;
+
+    Connection(SocketChannel channel, SelectionKey key, Host host) {
+        this.channel = channel;
+        this.key = key;
+        this.host = host;
+    }
+
+    boolean isOpen() {
+        return isOpen;
+    }
+
+    long droppedSpeechFrames() {
+        return outgoing.droppedSpeechFrames();
+    }
+
+    /** Reads once, so that a busy peer does not keep the others waiting. */
+    void readable(ByteBuffer buffer) {
+        try {
+            buffer.clear();
+            if (channel.read(buffer) < 0) {
+                host.broken(this, "closed by the peer");
+                return;
+            }
+            buffer.flip();
+            framer.accept(buffer);
+            for (Optional<IpaFrame> frame = framer.next(); frame.isPresent() && isOpen; frame = framer.next()) {
+                host.frameArrived(this, frame.get());
+            }
+        } catch (IOException e) {
+            host.broken(this, String.valueOf(e.getMessage()));
+        } catch (ProtocolViolation violation) {
+            host.broken(this, violation.getMessage());
+        }
+    }
+
+    void writable() {
+        try {
+            outgoing.flush(channel);
+            listenForRoom();
+        } catch (IOException e) {
+            host.broken(this, String.valueOf(e.getMessage()));
+        }
+    }
+
+    @Override
+    public void send(IpaFrame frame) {
+        if (!isOpen) {
+            return;
+        }
+        try {
+            if (!outgoing.send(frame, channel)) {
+                host.broken(this, outgoing.size() + " frames not taken");
+            }
+            listenForRoom();
+        } catch (IOException e) {
+            host.broken(this, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void listenForRoom() {
+        int wanted = outgoing.isEmpty() ? SelectionKey.OP_READ : SelectionKey.OP_READ | SelectionKey.OP_WRITE;
+        if (key.isValid() && key.interestOps() != wanted) {
+            key.interestOps(wanted);
+        }
+    }
+
+    @Override
+    public void close(String reason) {
+        shut();
+    }
+
+    /** Closes the socket; once is enough. */
+    void shut() {
+        if (!isOpen) {
+            return;
+        }
+        isOpen = false;
+        host.closed(this);
+        key.cancel();
+        try {
+            channel.close();
+        } catch (IOException e) {
+            // It is gone either way.
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package simgsm.center.net;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import java.util.ArrayDeque;
+import java.util.Iterator;
+import simgsm.air.IpaFrame;
+import simgsm.air.IpaFramer;
+
+/**
+ * What a peer has not yet taken. While it keeps up, each frame goes out at once in a write of its own, so that observers
+ * see one message a segment. When it does not, signalling waits in order and the oldest speech makes room for the newest.
+ */
+final class OutgoingFrames {
+    /** 200 ms of speech at 20 ms a frame. */
+    static final int MAX_SPEECH_FRAMES = 10;
+    /** A peer that has not taken so many signalling frames is not reading any more. */
+    static final int MAX_SIGNALLING_FRAMES = 2_000;
+
+    private record Waiting(ByteBuffer octets, boolean isSpeech) {}
+
+    private final ArrayDeque<Waiting> queue = new ArrayDeque<>();
+    private int speechFrames;
+    private long droppedSpeechFrames;
+
+    /**
+     * Sends or queues a frame.
+     *
+     * @return false when the peer is so far behind that the link is not worth keeping
+     */
+    boolean send(IpaFrame frame, WritableByteChannel channel) throws IOException {
+        ByteBuffer octets = ByteBuffer.wrap(IpaFramer.encode(frame));
+        if (queue.isEmpty()) {
+            channel.write(octets);
+            if (!octets.hasRemaining()) {
+                return true;
+            }
+        }
+        boolean isSpeech = frame.stream() == IpaFrame.SPEECH;
+        if (isSpeech && speechFrames == MAX_SPEECH_FRAMES) {
+            dropOldestSpeech();
+        }
+        speechFrames += isSpeech ? 1 : 0;
+        queue.addLast(new Waiting(octets, isSpeech));
+        return queue.size() - speechFrames <= MAX_SIGNALLING_FRAMES;
+    }
+
+    /** Writes until the peer takes no more or nothing waits. */
+    void flush(WritableByteChannel channel) throws IOException {
+        while (!queue.isEmpty()) {
+            Waiting first = queue.peekFirst();
+            channel.write(first.octets);
+            if (first.octets.hasRemaining()) {
+                return;
+            }
+            queue.removeFirst();
+            speechFrames -= first.isSpeech ? 1 : 0;
+        }
+    }
+
+    boolean isEmpty() {
+        return queue.isEmpty();
+    }
+
+    int size() {
+        return queue.size();
+    }
+
+    long droppedSpeechFrames() {
+        return droppedSpeechFrames;
+    }
+
+    /** A frame of which a part has left must leave whole, or the peer would lose the framing. */
+    private void dropOldestSpeech() {
+        for (Iterator<Waiting> each = queue.iterator(); each.hasNext(); ) {
+            Waiting candidate = each.next();
+            if (candidate.isSpeech && candidate.octets.position() == 0) {
+                each.remove();
+                speechFrames--;
+                droppedSpeechFrames++;
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+package simgsm.center.smsc;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RpCause;
+import simgsm.center.timer.Timers;
+
+/** Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. */
+public final class ShortMessageCenter {
+    /** The centre's own number, in RP addresses. */
+    public static final Msisdn ADDRESS = new Msisdn("3003");
+
+    public static final int MAX_WAITING_PER_RECEIVER = 200_000;
+    public static final int MAX_WAITING = 500_000;
+
+    /** How long a message without a validity period is kept, and every report. */
+    private static final Duration DEFAULT_VALIDITY = Duration.ofDays(7);
+
+    private final Instant startedAt;
+    private final Timers timers;
+    private final MessageStore store;
+    private final DeliveryPort port;
+    private final MessageListener listener;
+    private final Map<Msisdn, ReceiverQueue> queues = new LinkedHashMap<>();
+    private final Map<Long, Submission> submissions = new HashMap<>();
+    private int waitingCount;
+    private long nextId = 1;
+    private long nextTicket = 1;
+
+    private record Submission(ShortMessage message, Consumer<Optional<RpCause>> answer) {}
+
+    /** @param startedAt the civil time at which {@code timers} stood at 0 */
+    public ShortMessageCenter(
+            Instant startedAt, Timers timers, MessageStore store, DeliveryPort port, MessageListener listener) {
+        this.startedAt = startedAt;
+        this.timers = timers;
+        this.store = store;
+        this.port = port;
+        this.listener = listener;
+    }
+
+    /**
+     * Takes a message from a sender.
+     *
+     * @param submit a SUBMIT
+     * @param answer told once: empty when the message is stored, else the reason for which it is refused
+     */
+    public void submit(Msisdn from, OctetString submit, Consumer<Optional<RpCause>> answer) {
+        ShortMessage message;
+        try {
+            message = TransferUnits.accept(nextId, from, submit, now(), DEFAULT_VALIDITY);
+        } catch (ProtocolViolation violation) {
+            answer.accept(Optional.of(RpCause.ofCode(violation.statusCause().code())));
+            return;
+        }
+        if (!hasRoomFor(message.to())) {
+            answer.accept(Optional.of(RpCause.CONGESTION));
+            return;
+        }
+        nextId++;
+        long ticket = nextTicket++;
+        submissions.put(ticket, new Submission(message, answer));
+        store.commit(ticket, new StoreEntry.Accepted(message));
+    }
+
+    private boolean hasRoomFor(Msisdn receiver) {
+        ReceiverQueue queue = queues.get(receiver);
+        return waitingCount + submissions.size() < MAX_WAITING
+                && (queue == null || queue.size() < MAX_WAITING_PER_RECEIVER);
+    }
+
+    /** The store's answer to an earlier commit. */
+    public void committed(long ticket, boolean isDurable) {
+        Submission submission = submissions.remove(ticket);
+        if (submission == null) {
+            return;
+        }
+        if (isDurable) {
+            submission.answer.accept(Optional.empty());
+            listener.changed(submission.message, MessageState.ACCEPTED);
+            enqueue(new Envelope.Delivery(submission.message));
+        } else {
+            submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
+            listener.changed(submission.message, MessageState.REJECTED);
+        }
+    }
+
+    /** A receiver has registered, or has memory for messages again. */
+    public void available(Msisdn receiver) {
+        ReceiverQueue queue = queues.get(receiver);
+        if (queue != null) {
+            queue.receiverAvailable();
+        }
+    }
+
+    /** Messages that wait, by receiver and in order; reports are not among them. */
+    public List<ShortMessage> waiting() {
+        return waiting(Integer.MAX_VALUE);
+    }
+
+    /** The same, but no more than the first so many. */
+    public List<ShortMessage> waiting(int most) {
+        List<ShortMessage> found = new ArrayList<>();
+        for (ReceiverQueue queue : queues.values()) {
+            queue.addMessagesTo(found, most);
+        }
+        return found;
+    }
+
+    /** Messages and reports that wait. */
+    public int waitingCount() {
+        return waitingCount;
+    }
+
+    private void enqueue(Envelope envelope) {
+        waitingCount++;
+        Duration lifetime = Duration.between(now(), envelope.expiresAt());
+        queues.computeIfAbsent(envelope.receiver(), receiver -> new ReceiverQueue(receiver, timers, port, this::ended))
+                .add(envelope, lifetime.toNanos());
+    }
+
+    private void ended(Envelope envelope, MessageState state) {
+        waitingCount--;
+        if (queues.get(envelope.receiver()).isEmpty()) {
+            queues.remove(envelope.receiver());
+        }
+        if (envelope instanceof Envelope.Delivery) {
+            ShortMessage message = envelope.message();
+            store.commit(nextTicket++, new StoreEntry.Ended(message.id(), state, now()));
+            listener.changed(message, state);
+            if (TransferUnits.wantsReport(message)) {
+                enqueue(new Envelope.Report(message, state, now(), now().plus(DEFAULT_VALIDITY)));
+            }
+        }
+    }
+
+    private Instant now() {
+        return startedAt.plusNanos(timers.nowNanos());
+    }
+}

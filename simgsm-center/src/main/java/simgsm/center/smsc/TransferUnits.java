@@ -1,0 +1,103 @@
+package simgsm.center.smsc;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import simgsm.air.Cause;
+import simgsm.air.Direction;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
+import simgsm.sms.Alphabet;
+import simgsm.sms.DeliverTpdu;
+import simgsm.sms.DeliveryStatus;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.StatusReportTpdu;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.Timestamp;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+
+/** Accepted messages to transfer units and back (TS 23.040, 9.2.2). */
+final class TransferUnits {
+    private TransferUnits() {}
+
+    /**
+     * Makes a message of a SUBMIT.
+     *
+     * @throws ProtocolViolation if it is none, or is not addressed to a number
+     */
+    static ShortMessage accept(long id, Msisdn from, OctetString octets, Instant now, Duration defaultValidity)
+            throws ProtocolViolation {
+        SubmitTpdu submit = decode(octets);
+        Msisdn to = submit.destination()
+                .number()
+                .orElseThrow(() -> new ProtocolViolation(
+                        Cause.UNASSIGNED_NUMBER, "\"" + submit.destination() + "\" is not a telephone number"));
+        Instant expiry = submit.validity().map(period -> period.expiry(now)).orElse(now.plus(defaultValidity));
+        return new ShortMessage(id, from, to, octets, now, expiry);
+    }
+
+    private static SubmitTpdu decode(OctetString octets) throws ProtocolViolation {
+        if (TpduCodec.decode(octets, Direction.UPLINK) instanceof SubmitTpdu submit) {
+            return submit;
+        }
+        throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "a SUBMIT was expected");
+    }
+
+    /** The SUBMIT of a message that was accepted, and so can be read. */
+    private static SubmitTpdu submitOf(ShortMessage message) {
+        try {
+            return decode(message.submit());
+        } catch (ProtocolViolation impossible) {
+            throw new IllegalStateException("message " + message.id() + " holds no SUBMIT", impossible);
+        }
+    }
+
+    static boolean wantsReport(ShortMessage message) {
+        return submitOf(message).statusReportRequest();
+    }
+
+    static OctetString deliver(ShortMessage message, boolean moreWaiting) {
+        SubmitTpdu submit = submitOf(message);
+        return TpduCodec.encode(new DeliverTpdu(
+                moreWaiting,
+                submit.statusReportRequest(),
+                submit.replyPath(),
+                SmsAddress.of(message.from()),
+                submit.protocolIdentifier(),
+                timestamp(message.acceptedAt()),
+                submit.userData()));
+    }
+
+    static OctetString statusReport(ShortMessage message, MessageState state, Instant at, boolean moreWaiting) {
+        SubmitTpdu submit = submitOf(message);
+        return TpduCodec.encode(new StatusReportTpdu(
+                moreWaiting,
+                submit.reference(),
+                submit.destination(),
+                timestamp(message.acceptedAt()),
+                timestamp(at),
+                status(state)));
+    }
+
+    private static int status(MessageState state) {
+        return switch (state) {
+            case DELIVERED -> DeliveryStatus.DELIVERED;
+            case EXPIRED -> DeliveryStatus.VALIDITY_EXPIRED;
+            case REJECTED -> DeliveryStatus.CONNECTION_REJECTED_BY_RECEIVER;
+            case ACCEPTED -> throw new IllegalArgumentException("a message under way has no final status");
+        };
+    }
+
+    /** What the message says; for data, its octets in hexadecimal. */
+    static String text(ShortMessage message) {
+        UserData data = submitOf(message).userData();
+        return data.coding().alphabet() == Alphabet.OCTETS ? data.body().toString() : data.text();
+    }
+
+    /** In universal time, which the zone octet says. */
+    private static Timestamp timestamp(Instant instant) {
+        return Timestamp.of(instant.atOffset(ZoneOffset.UTC));
+    }
+}

@@ -1,0 +1,35 @@
+package simgsm.center.ui;
+
+import java.io.IOException;
+import java.util.Optional;
+import simgsm.center.msc.ExchangeSnapshot;
+
+/** What the window may see and do. Any thread may call; nothing here blocks for long. */
+public interface Operator {
+    /** The port on which terminals are served. */
+    int port();
+
+    /** The newest picture, at most a tenth of a second old; empty until the first one is there. */
+    Optional<ExchangeSnapshot> snapshot();
+
+    /**
+     * Sends a text to everybody who is attached.
+     *
+     * @param channel message identifier, 0 to 65535
+     * @throws IllegalArgumentException saying what is wrong with channel or text
+     */
+    void broadcast(int channel, String text);
+
+    /**
+     * Starts one more phone with a free number, as a process of its own that ends with the centre.
+     *
+     * @throws IOException saying why it could not be started
+     */
+    void newPhone() throws IOException;
+
+    /** Starts one more SimRobot; as {@link #newPhone}. */
+    void newRobot() throws IOException;
+
+    /** Ends the centre and all that it has started. */
+    void quit();
+}
