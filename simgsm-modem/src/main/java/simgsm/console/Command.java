@@ -9,7 +9,8 @@ import java.util.List;
  * @param rest what follows the first word, without the blanks around it
  */
 public record Command(String name, String rest) {
-    static Command parse(String line) {
+    /** A line as typed. */
+    public static Command parse(String line) {
         String text = line.strip();
         int end = 0;
         while (end < text.length() && !Character.isWhitespace(text.charAt(end))) {

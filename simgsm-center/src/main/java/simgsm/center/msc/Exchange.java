@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
 import simgsm.air.CcmCodec;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
@@ -47,7 +48,8 @@ public final class Exchange {
 
     public Exchange(ExchangeSettings settings, MessageStore store, ExchangeListener listener) {
         ladder = new Ladder(settings.startedAt(), timers);
-        register = new SubscriberRegister(new SplittableRandom(settings.seed()));
+        RandomGenerator random = new SplittableRandom(settings.seed());
+        register = new SubscriberRegister(random);
         MessageDelivery delivery = new MessageDelivery(register);
         shortMessages = new ShortMessageCenter(
                 settings.startedAt(),
@@ -59,7 +61,7 @@ public final class Exchange {
                 register, timers, settings.networkName(), new AttachmentEvents(listener, shortMessages::available));
         delivery.locations(mobility);
         calls = new CallSwitch(mobility, timers, call -> callChanged(call, listener));
-        broadcaster = new Broadcaster(mobility);
+        broadcaster = new Broadcaster(mobility, random);
         signalling = new SignallingDispatcher(mobility, calls, ladder);
         parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder);

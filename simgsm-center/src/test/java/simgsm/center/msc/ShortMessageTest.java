@@ -1,0 +1,456 @@
+package simgsm.center.msc;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Direction;
+import simgsm.air.MobilityManagement;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.air.RelayMessage;
+import simgsm.air.RpCause;
+import simgsm.air.RslMessage;
+import simgsm.air.ShortMessageControl;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.smsc.MessageState;
+import simgsm.sms.CellBroadcast;
+import simgsm.sms.CellBroadcastPage;
+import simgsm.sms.DeliverTpdu;
+import simgsm.sms.DeliveryStatus;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.StatusReportTpdu;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.Tpdu;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+import simgsm.sms.ValidityPeriod;
+
+class ShortMessageTest {
+    private static final TransactionIdentifier FIRST = new TransactionIdentifier(0, false);
+
+    private final TestNetwork network = new TestNetwork();
+
+    private static OctetString submit(String to, String text, boolean wantsReport, Optional<ValidityPeriod> validity) {
+        return TpduCodec.encode(new SubmitTpdu(
+                false,
+                wantsReport,
+                false,
+                7,
+                SmsAddress.of(new Msisdn(to)),
+                0,
+                validity,
+                UserData.of(text)));
+    }
+
+    private static OctetString submit(String to, String text) {
+        return submit(to, text, false, Optional.empty());
+    }
+
+    /** Sends a message, from CM SERVICE REQUEST to the released channel. */
+    private static void send(TestMobile sender, OctetString tpdu) {
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, tpdu);
+        sender.next(ShortMessageControl.CpAck.class);
+        ShortMessageControl.CpData data = sender.next(ShortMessageControl.CpData.class);
+        assertEquals(new RelayMessage.RpAck(9, Optional.empty()), data.relay());
+        assertEquals(FIRST.answered(), data.transaction());
+        sender.tell(new ShortMessageControl.CpAck(FIRST));
+        sender.leaveReleasedChannel();
+    }
+
+    private static Tpdu decode(OctetString tpdu) {
+        try {
+            return TpduCodec.decode(tpdu, Direction.DOWNLINK);
+        } catch (ProtocolViolation violation) {
+            throw new AssertionError(violation);
+        }
+    }
+
+    private static String textOf(OctetString tpdu) {
+        return ((DeliverTpdu) decode(tpdu)).userData().text();
+    }
+
+    private List<MessageState> states() {
+        return network.events.stream()
+                .filter(ExchangeEvent.MessageChanged.class::isInstance)
+                .map(event -> ((ExchangeEvent.MessageChanged) event).state())
+                .toList();
+    }
+
+    @Test
+    void aMessageIsAcknowledgedAndDeliveredAtOnce() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "** #**20 **"));
+        receiver.answerPaging();
+        DeliverTpdu deliver = (DeliverTpdu) decode(receiver.takeMessage());
+        assertEquals("5550100", deliver.originator().value());
+        assertEquals("** #**20 **", deliver.userData().text());
+        assertEquals(TestNetwork.START, deliver.timestamp().toOffsetDateTime().toInstant());
+        assertFalse(deliver.moreMessages());
+        receiver.leaveReleasedChannel();
+        assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states());
+        assertEquals(2, network.stored.size());
+        assertTrue(network.exchange.shortMessages().waiting().isEmpty());
+    }
+
+    @Test
+    void theSenderIsAcknowledgedOnlyOnceTheMessageIsStored() {
+        network.commitsAtOnce = false;
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, submit("5550200", "hello"));
+        sender.next(ShortMessageControl.CpAck.class);
+        network.passSeconds(5);
+        assertTrue(sender.hasNothing() && receiver.hasNothing(), "stored first, then acknowledged and sent on");
+        network.commitAll(true);
+        sender.next(ShortMessageControl.CpData.class);
+        receiver.next(RslMessage.PagingCommand.class);
+    }
+
+    @Test
+    void aStoreThatFailsRefusesTheMessageWithCause38() {
+        network.commitsAtOnce = false;
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, submit("5550200", "hello"));
+        sender.next(ShortMessageControl.CpAck.class);
+        network.commitAll(false);
+        assertEquals(
+                new RelayMessage.RpError(9, RpCause.NETWORK_OUT_OF_ORDER),
+                sender.next(ShortMessageControl.CpData.class).relay());
+        assertEquals(List.of(MessageState.REJECTED), states());
+        assertEquals(0, network.exchange.shortMessages().waitingCount());
+    }
+
+    @Test
+    void aMessageToWhoeverIsAwayWaitsAndIsDeliveredWhenHeAppears() {
+        TestMobile sender = network.attach("5550100");
+        send(sender, submit("5550200", "first"));
+        send(sender, submit("5550200", "second"));
+        assertEquals(2, network.exchange.shortMessages().waiting().size());
+        network.passSeconds(3_600);
+        TestMobile receiver = network.attach("5550200");
+        receiver.answerPaging();
+        OctetString first = receiver.takeMessage();
+        assertEquals("first", textOf(first));
+        assertTrue(((DeliverTpdu) decode(first)).moreMessages());
+        assertEquals("second", textOf(receiver.takeMessage()), "on the same radio connection");
+        receiver.leaveReleasedChannel();
+    }
+
+    @Test
+    void manyMessagesArriveInTheOrderOfSending() {
+        TestMobile sender = network.attach("5550100");
+        List<String> sent = new ArrayList<>();
+        for (int i = 0; i < 300; i++) {
+            sent.add("number " + i);
+            send(sender, submit("5550200", "number " + i));
+        }
+        TestMobile receiver = network.attach("5550200");
+        receiver.answerPaging();
+        List<String> got = new ArrayList<>();
+        for (int i = 0; i < 300; i++) {
+            got.add(textOf(receiver.takeMessage()));
+        }
+        assertEquals(sent, got);
+    }
+
+    @Test
+    void aMessageToOneselfComesBack() {
+        TestMobile mobile = network.attach("5550100");
+        mobile.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        mobile.sendMessage(0, 9, submit("5550100", "note"));
+        mobile.next(ShortMessageControl.CpAck.class);
+        mobile.next(ShortMessageControl.CpData.class);
+        assertEquals("note", textOf(mobile.takeMessage()));
+        mobile.tell(new ShortMessageControl.CpAck(FIRST));
+        mobile.leaveReleasedChannel();
+    }
+
+    @Test
+    void aMessageReachesAMobileThatIsInACall() {
+        ActiveCall call = network.activeCall("5550100", "5550200");
+        TestMobile third = network.attach("5550101");
+        send(third, submit("5550200", "psst"));
+        assertEquals("psst", textOf(call.called().takeMessage()));
+        assertTrue(call.called().hasNothing(), "the channel stays for the call");
+    }
+
+    @Test
+    void aRepeatedCpDataIsAcknowledgedAndNotAcceptedTwice() {
+        network.commitsAtOnce = false;
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, submit("5550200", "once"));
+        sender.sendMessage(0, 9, submit("5550200", "once"));
+        sender.next(ShortMessageControl.CpAck.class);
+        sender.next(ShortMessageControl.CpAck.class);
+        network.commitAll(true);
+        sender.next(ShortMessageControl.CpData.class);
+        assertTrue(sender.hasNothing());
+        assertEquals(1, network.exchange.shortMessages().waitingCount());
+    }
+
+    @Test
+    void aMobileThatDoesNotAcknowledgeIsSentTheMessageThreeTimesAndTriedAgainLater() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello"));
+        receiver.answerPaging();
+        receiver.next(ShortMessageControl.CpData.class);
+        network.passSeconds(10);
+        receiver.next(ShortMessageControl.CpData.class);
+        network.passSeconds(10);
+        receiver.answerPings();
+        receiver.next(ShortMessageControl.CpData.class);
+        network.passSeconds(10);
+        receiver.answerPings();
+        receiver.leaveReleasedChannel();
+        network.passSeconds(59);
+        receiver.answerPings();
+        assertTrue(receiver.hasNothing());
+        network.passSeconds(1);
+        receiver.answerPings();
+        receiver.answerPaging();
+        assertEquals("hello", textOf(receiver.takeMessage()));
+    }
+
+    @Test
+    void aMobileThatNeverConfirmsTheMessageIsGivenUpAfter40Seconds() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello"));
+        receiver.answerPaging();
+        ShortMessageControl.CpData data = receiver.next(ShortMessageControl.CpData.class);
+        receiver.tell(new ShortMessageControl.CpAck(data.transaction().answered()));
+        network.passSeconds(40);
+        receiver.answerPings();
+        receiver.leaveReleasedChannel();
+        assertEquals(List.of(MessageState.ACCEPTED), states());
+    }
+
+    @Test
+    void aFullMemoryWaitsForItsRoom() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello"));
+        receiver.answerPaging();
+        refuse(receiver, RpCause.MEMORY_CAPACITY_EXCEEDED);
+        receiver.leaveReleasedChannel();
+        send(sender, submit("5550200", "again"));
+        assertTrue(receiver.hasNothing());
+        // RP-SMMA: there is room now.
+        receiver.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        receiver.tell(new ShortMessageControl.CpData(FIRST, new RelayMessage.RpSmma(3)));
+        receiver.next(ShortMessageControl.CpAck.class);
+        assertEquals(
+                new RelayMessage.RpAck(3, Optional.empty()),
+                receiver.next(ShortMessageControl.CpData.class).relay());
+        assertEquals("hello", textOf(receiver.takeMessage()));
+        assertEquals("again", textOf(receiver.takeMessage()));
+    }
+
+    private static void refuse(TestMobile receiver, RpCause cause) {
+        ShortMessageControl.CpData data = receiver.next(ShortMessageControl.CpData.class);
+        TransactionIdentifier transaction = data.transaction().answered();
+        receiver.tell(new ShortMessageControl.CpAck(transaction));
+        receiver.tell(new ShortMessageControl.CpData(
+                transaction, new RelayMessage.RpError(data.relay().reference(), cause)));
+        receiver.next(ShortMessageControl.CpAck.class);
+    }
+
+    @Test
+    void aMessageThatTheReceiverRefusesIsRejectedAndTheNextOneTried() {
+        TestMobile sender = network.attach("5550100");
+        send(sender, submit("5550200", "bad"));
+        send(sender, submit("5550200", "good"));
+        TestMobile receiver = network.attach("5550200");
+        receiver.answerPaging();
+        refuse(receiver, RpCause.PROTOCOL_ERROR);
+        assertEquals("good", textOf(receiver.takeMessage()));
+        assertEquals(
+                List.of(
+                        MessageState.ACCEPTED,
+                        MessageState.ACCEPTED,
+                        MessageState.REJECTED,
+                        MessageState.DELIVERED),
+                states());
+    }
+
+    @Test
+    void aReceiverWhoVanishesInTheMiddleGetsTheMessageWhenHeComesBack() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello"));
+        receiver.answerPaging();
+        receiver.next(ShortMessageControl.CpData.class);
+        receiver.vanish();
+        TestMobile back = network.connect("5550200", receiver.imei).register();
+        back.answerPaging();
+        assertEquals("hello", textOf(back.takeMessage()));
+    }
+
+    @Test
+    void aSenderWhoVanishesBeforeTheAcknowledgementHasStillSent() {
+        network.commitsAtOnce = false;
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, submit("5550200", "hello"));
+        sender.vanish();
+        network.commitAll(true);
+        assertEquals(List.of(MessageState.ACCEPTED), states());
+    }
+
+    @Test
+    void unansweredPagingIsTriedAgainByTheSchedule() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello"));
+        for (int i = 0; i < 3; i++) {
+            receiver.next(RslMessage.PagingCommand.class);
+            network.passSeconds(3);
+        }
+        assertTrue(receiver.hasNothing());
+        for (int i = 0; i < 6; i++) {
+            network.passSeconds(10);
+            receiver.answerPings();
+        }
+        receiver.answerPaging();
+        assertEquals("hello", textOf(receiver.takeMessage()));
+    }
+
+    @Test
+    void aMessageWhoseValidityEndsIsExpired() {
+        TestMobile sender = network.attach("5550100");
+        // Relative validity 0: five minutes.
+        send(sender, submit("5550200", "late", false, Optional.of(new ValidityPeriod.Relative(0))));
+        send(sender, submit("5550200", "patient"));
+        for (int i = 0; i < 30; i++) {
+            network.passSeconds(10);
+            sender.answerPings();
+        }
+        assertEquals(
+                List.of(MessageState.ACCEPTED, MessageState.ACCEPTED, MessageState.EXPIRED), states());
+        TestMobile receiver = network.attach("5550200");
+        receiver.answerPaging();
+        assertEquals("patient", textOf(receiver.takeMessage()));
+    }
+
+    @Test
+    void aReportGoesBackToASenderWhoAskedForIt() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        send(sender, submit("5550200", "hello", true, Optional.empty()));
+        receiver.answerPaging();
+        receiver.takeMessage();
+        sender.answerPaging();
+        StatusReportTpdu report = (StatusReportTpdu) decode(sender.takeMessage());
+        assertEquals(7, report.reference());
+        assertEquals("5550200", report.recipient().value());
+        assertEquals(DeliveryStatus.DELIVERED, report.status());
+        sender.leaveReleasedChannel();
+        assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states(), "reports make no events");
+    }
+
+    @Test
+    void aTransferUnitThatIsNoSubmitIsRefused() {
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, OctetString.ofHex("ff"));
+        sender.next(ShortMessageControl.CpAck.class);
+        assertTrue(sender.next(ShortMessageControl.CpData.class).relay() instanceof RelayMessage.RpError);
+        sender.tell(new ShortMessageControl.CpAck(FIRST));
+        sender.leaveReleasedChannel();
+        assertTrue(network.stored.isEmpty());
+    }
+
+    @Test
+    void anAnswerFromTheNetworksSideIsNoMessage() {
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.tell(new ShortMessageControl.CpData(FIRST, new RelayMessage.RpAck(1, Optional.empty())));
+        sender.next(ShortMessageControl.CpAck.class);
+        assertEquals(
+                new RelayMessage.RpError(1, RpCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE),
+                sender.next(ShortMessageControl.CpData.class).relay());
+    }
+
+    @Test
+    void transactionsThatAreNotThereGetCpError81() {
+        TestMobile mobile = network.attach("5550100");
+        mobile.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        mobile.tell(new ShortMessageControl.CpData(
+                new TransactionIdentifier(3, true), new RelayMessage.RpAck(1, Optional.empty())));
+        assertEquals(81, mobile.next(ShortMessageControl.CpError.class).cause());
+        mobile.tell(new ShortMessageControl.CpAck(new TransactionIdentifier(3, true)));
+        mobile.tell(new ShortMessageControl.CpError(new TransactionIdentifier(3, true), 81));
+        mobile.tell(new ShortMessageControl.CpAck(FIRST));
+        assertTrue(mobile.hasNothing());
+    }
+
+    @Test
+    void aMessageWithoutServiceGetsCpError98() {
+        ActiveCall call = network.activeCall("5550100", "5550200");
+        call.caller().sendMessage(0, 9, submit("5550200", "hello"));
+        assertEquals(98, call.caller().next(ShortMessageControl.CpError.class).cause());
+    }
+
+    @Test
+    void aBroadcastReachesAllWhoAreAttachedAndNobodyElse() throws ProtocolViolation {
+        assertEquals(1, network.exchange.broadcast(0, 50, "nobody is here yet"));
+        TestMobile one = network.attach("5550100");
+        TestMobile other = network.attach("5550200");
+        network.attach("5550300").vanish();
+        TestMobile stranger = network.connect("5550400");
+        stranger.received.clear();
+        String text = "a".repeat(100);
+        assertEquals(2, network.exchange.broadcast(network.nowNanos, 50, text));
+        for (TestMobile mobile : List.of(one, other)) {
+            List<CellBroadcastPage> pages = new ArrayList<>();
+            for (int i = 0; i < 2; i++) {
+                pages.add(CellBroadcastPage.decode(
+                        mobile.next(RslMessage.SmsBroadcastCommand.class).page()));
+            }
+            CellBroadcast message = CellBroadcast.join(pages);
+            assertEquals(text, message.text());
+            assertEquals(50, message.messageIdentifier());
+        }
+        assertTrue(stranger.hasNothing());
+    }
+
+    @Test
+    void twoBroadcastsAreToldApartByTheirSerials() throws ProtocolViolation {
+        TestMobile mobile = network.attach("5550100");
+        network.exchange.broadcast(network.nowNanos, 50, "same");
+        network.exchange.broadcast(network.nowNanos, 50, "same");
+        var first = CellBroadcastPage.decode(
+                mobile.next(RslMessage.SmsBroadcastCommand.class).page());
+        var second = CellBroadcastPage.decode(
+                mobile.next(RslMessage.SmsBroadcastCommand.class).page());
+        assertFalse(first.serial().equals(second.serial()));
+    }
+
+    @Test
+    void theChannelIsReleasedOnlyWhenTheLastTransactionIsOver() {
+        TestMobile sender = network.attach("5550100");
+        TestMobile receiver = network.attach("5550200");
+        receiver.dial("5550999");
+        receiver.next(simgsm.air.CallControl.ReleaseComplete.class);
+        receiver.next(RadioResource.ChannelRelease.class);
+        send(sender, submit("5550200", "hello"));
+        assertTrue(receiver.hasNothing(), "not paged while it leaves the old channel");
+        receiver.leaveChannel();
+        receiver.answerPaging();
+        receiver.takeMessage();
+        receiver.leaveReleasedChannel();
+    }
+}

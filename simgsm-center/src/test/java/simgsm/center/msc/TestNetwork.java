@@ -1,0 +1,95 @@
+package simgsm.center.msc;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import simgsm.air.CallControl;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.center.smsc.StoreEntry;
+
+/** An exchange with a clock moved by hand and a store that commits when told to. */
+final class TestNetwork {
+    static final Instant START = Instant.parse("2026-11-21T12:00:00Z");
+
+    private final SplittableRandom equipment = new SplittableRandom(1);
+    final List<ExchangeEvent> events = new ArrayList<>();
+    final List<StoreEntry> stored = new ArrayList<>();
+    private final Deque<Long> uncommitted = new ArrayDeque<>();
+    boolean commitsAtOnce = true;
+    long nowNanos;
+    final Exchange exchange = new Exchange(
+            new ExchangeSettings("SimGSM", 1, START),
+            (ticket, entry) -> {
+                stored.add(entry);
+                uncommitted.add(ticket);
+            },
+            events::add);
+
+    /** A terminal that has connected and not yet spoken. */
+    TestMobile connect(String number) {
+        return connect(number, Imei.random(equipment));
+    }
+
+    TestMobile connect(String number, Imei imei) {
+        return new TestMobile(this, number, imei);
+    }
+
+    TestMobile attach(String number) {
+        return connect(number).register();
+    }
+
+    void pass(Duration time) {
+        nowNanos += time.toNanos();
+        exchange.advance(nowNanos);
+        commitIfAtOnce();
+    }
+
+    void passSeconds(long seconds) {
+        pass(Duration.ofSeconds(seconds));
+    }
+
+    void commitAll(boolean isDurable) {
+        for (Long ticket = uncommitted.poll(); ticket != null; ticket = uncommitted.poll()) {
+            exchange.committed(nowNanos, ticket, isDurable);
+        }
+    }
+
+    void commitIfAtOnce() {
+        if (commitsAtOnce) {
+            commitAll(true);
+        }
+    }
+
+    /** The states that the calls have gone through, as events. */
+    List<CallState> callStates() {
+        return events.stream()
+                .filter(ExchangeEvent.CallChanged.class::isInstance)
+                .map(event -> ((ExchangeEvent.CallChanged) event).state())
+                .toList();
+    }
+
+    /** An active call, both radio connections up. */
+    ActiveCall activeCall(String from, String to) {
+        TestMobile caller = attach(from);
+        TestMobile called = attach(to);
+        caller.dial(to);
+        caller.next(CallControl.CallProceeding.class);
+        called.ring();
+        caller.next(CallControl.Alerting.class);
+        called.tell(new CallControl.Connect(ActiveCall.CALLED_TRANSACTION));
+        called.next(CallControl.ConnectAcknowledge.class);
+        caller.next(CallControl.Connect.class);
+        caller.tell(new CallControl.ConnectAcknowledge(TestMobile.OUR_CALL));
+        return new ActiveCall(caller, called);
+    }
+
+    static Optional<Msisdn> number(String digits) {
+        return Optional.of(new Msisdn(digits));
+    }
+}
