@@ -1,6 +1,6 @@
 /** M3, the SMS/Phone centre: exchange, registers, short message centre and their window. */
 module simgsm.center {
-    requires simgsm.modem;
+    requires transitive simgsm.modem;
 
     exports simgsm.center.msc;
     exports simgsm.center.net;

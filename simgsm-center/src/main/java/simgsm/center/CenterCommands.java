@@ -21,15 +21,27 @@ final class CenterCommands implements Console.Commands {
     @Override
     public void perform(Command command) throws CommandException {
         switch (command.name()) {
-            case "subscribers" -> list(command, exchange ->
-                    exchange.subscribers().stream().map(ConsoleEvents::of).toList());
-            case "calls" -> list(command, exchange ->
-                    exchange.calls().stream().map(ConsoleEvents::of).toList());
-            case "messages" -> list(command, exchange ->
-                    exchange.shortMessages().waiting().stream().map(ConsoleEvents::of).toList());
+            case "subscribers" ->
+                list(
+                        command,
+                        exchange -> exchange.subscribers().stream()
+                                .map(ConsoleEvents::of)
+                                .toList());
+            case "calls" ->
+                list(
+                        command,
+                        exchange ->
+                                exchange.calls().stream().map(ConsoleEvents::of).toList());
+            case "messages" ->
+                list(
+                        command,
+                        exchange -> exchange.shortMessages().waiting().stream()
+                                .map(ConsoleEvents::of)
+                                .toList());
             case "broadcast" -> broadcast(command);
-            default -> throw new CommandException("unknown command " + command.name()
-                    + ", expected subscribers, calls, messages, broadcast, wait or quit");
+            default ->
+                throw new CommandException("unknown command " + command.name()
+                        + ", expected subscribers, calls, messages, broadcast, wait or quit");
         }
     }
 

@@ -46,7 +46,8 @@ public final class CenterMain {
             return isHeadless ? HeadlessDemo.run(arguments) : WindowedDemo.run(arguments);
         }
         if (isHeadless && !arguments.has("headless")) {
-            System.err.println("simgsm-center: " + Messages.in(arguments.language()).of("error.noDisplay"));
+            System.err.println(
+                    "simgsm-center: " + Messages.in(arguments.language()).of("error.noDisplay"));
             return ExitStatus.UNAVAILABLE;
         }
         try (Center center = open(arguments, dataDirectory(arguments), port(arguments, DEFAULT_PORT))) {

@@ -37,8 +37,8 @@ final class Children implements AutoCloseable {
                     .getLocation()
                     .toURI());
             if (Files.isDirectory(own)) {
-                throw new IOException("other programs can only be started from the built jars (target/dist), not from "
-                        + own);
+                throw new IOException(
+                        "other programs can only be started from the built jars (target/dist), not from " + own);
             }
             return new Children(own.toAbsolutePath().getParent());
         } catch (URISyntaxException e) {

@@ -37,7 +37,8 @@ final class DemoPrograms implements AutoCloseable {
         Children children = Children.besideUs();
         Optional<Path> given = arguments.path("data");
         Path data = given.isPresent() ? given.get() : Files.createTempDirectory("simgsm-demo");
-        DemoPrograms programs = new DemoPrograms(arguments, given.isPresent() ? null : data, open(arguments, data), children);
+        DemoPrograms programs =
+                new DemoPrograms(arguments, given.isPresent() ? null : data, open(arguments, data), children);
         Runtime.getRuntime().addShutdownHook(programs.atExit);
         return programs;
     }
@@ -66,8 +67,7 @@ final class DemoPrograms implements AutoCloseable {
     }
 
     Process startRobot(ProcessBuilder.Redirect output, String... more) throws IOException {
-        return children.start(
-                "simrobot.jar", words(List.of("--number", ROBOT_NUMBER, "--world", WORLD), more), output);
+        return children.start("simrobot.jar", words(List.of("--number", ROBOT_NUMBER, "--world", WORLD), more), output);
     }
 
     private List<String> words(List<String> own, String... more) {

@@ -44,8 +44,12 @@ final class EventPrinter implements ExchangeListener, AutoCloseable {
 
     /** Prints what is left. */
     @Override
-    public void close() throws InterruptedException {
+    public void close() {
         queue.add(END);
-        thread.join(DRAIN_MILLIS);
+        try {
+            thread.join(DRAIN_MILLIS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

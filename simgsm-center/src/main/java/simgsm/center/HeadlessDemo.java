@@ -16,10 +16,14 @@ final class HeadlessDemo {
         Transcript transcript = new Transcript(Program.standardOutput());
         Texts texts = Messages.in(arguments.language());
         try (DemoPrograms programs = DemoPrograms.open(arguments)) {
-            programs.center().start(CenterMain.seed(arguments), event -> transcript.line("centre", ConsoleEvents.of(event).toString()));
-            transcript.heading(texts.of("demo.start", Integer.toString(programs.center().port())));
-            DemoConsole robot = new DemoConsole(
-                    "robot", programs.startRobot(Redirect.PIPE, "--headless"), transcript);
+            programs.center()
+                    .start(
+                            CenterMain.seed(arguments),
+                            event -> transcript.line(
+                                    "centre", ConsoleEvents.of(event).toString()));
+            transcript.heading(
+                    texts.of("demo.start", Integer.toString(programs.center().port())));
+            DemoConsole robot = new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless"), transcript);
             DemoConsole phone = new DemoConsole(
                     "phone", programs.startPhone(Redirect.PIPE, "--headless", "--no-sound"), transcript);
             new DemoSession(phone, robot, transcript, texts).play();

@@ -9,7 +9,6 @@ final class Messages {
     private Messages() {}
 
     static Texts in(Locale language) {
-        return new Texts(
-                ResourceBundle.getBundle("simgsm.center.messages", Texts.bundleLocale(language)), Locale.ROOT);
+        return new Texts(ResourceBundle.getBundle("simgsm.center.messages", Texts.bundleLocale(language)), Locale.ROOT);
     }
 }

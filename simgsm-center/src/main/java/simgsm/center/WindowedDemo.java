@@ -21,7 +21,10 @@ final class WindowedDemo {
             programs.startPhone(Redirect.DISCARD, "--end-with-input", "--window", PHONE_PLACE);
             programs.startRobot(Redirect.DISCARD, "--end-with-input", "--window", ROBOT_PLACE);
             return CenterWindow.run(
-                    programs.center(), arguments, programs.children(), arguments.text("window").or(() -> Optional.of(CENTER_PLACE)));
+                    programs.center(),
+                    arguments,
+                    programs.children(),
+                    arguments.text("window").or(() -> Optional.of(CENTER_PLACE)));
         }
     }
 }

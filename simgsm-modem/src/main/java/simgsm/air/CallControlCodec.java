@@ -125,22 +125,23 @@ final class CallControlCodec {
         }
     }
 
-    /** Uplink a called number is mandatory; one that cannot be read is as good as none. */
+    /** Uplink a called number is mandatory; one that cannot be read, such as *21#, is left out (cause 28 is the network's). */
     private static Setup readSetup(TransactionIdentifier transaction, OctetReader in, Direction direction)
             throws ProtocolViolation {
         Optional<Msisdn> calling = Optional.empty();
         Optional<Msisdn> called = Optional.empty();
+        boolean isCalledThere = false;
         OptionalElements elements = new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
             if (identifier == CALLING_NUMBER && calling.isEmpty()) {
                 calling = NumberElements.readOptional(elements.value());
             } else if (identifier == CALLED_NUMBER && called.isEmpty()) {
                 called = NumberElements.readOptional(elements.value());
+                isCalledThere = true;
             }
         }
-        if (called.isEmpty() && direction == Direction.UPLINK) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION, "a called number of 1 to 15 decimal digits is missing");
+        if (!isCalledThere && direction == Direction.UPLINK) {
+            throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, "the called number is missing");
         }
         return new Setup(transaction, calling, called);
     }

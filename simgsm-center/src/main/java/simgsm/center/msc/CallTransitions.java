@@ -18,7 +18,8 @@ import java.util.Set;
 final class CallTransitions {
     record Transition(NetworkCallState next, List<CallAction> actions) {}
 
-    private static final Map<NetworkCallState, Map<CallEvent, Transition>> TABLE = new EnumMap<>(NetworkCallState.class);
+    private static final Map<NetworkCallState, Map<CallEvent, Transition>> TABLE =
+            new EnumMap<>(NetworkCallState.class);
 
     /** From the first message over the air to the clearing. */
     private static final Set<NetworkCallState> LIVE = EnumSet.of(
@@ -94,7 +95,8 @@ final class CallTransitions {
         return Optional.ofNullable(TABLE.getOrDefault(state, Map.of()).get(event));
     }
 
-    private static void on(Set<NetworkCallState> states, CallEvent event, NetworkCallState next, CallAction... actions) {
+    private static void on(
+            Set<NetworkCallState> states, CallEvent event, NetworkCallState next, CallAction... actions) {
         states.forEach(state -> on(state, event, next, actions));
     }
 

@@ -1,8 +1,8 @@
 package simgsm.center.msc;
 
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
-import java.lang.System.Logger.Level;
 import simgsm.air.CcmCodec;
 import simgsm.air.CcmMessage;
 import simgsm.air.Direction;
@@ -66,9 +66,8 @@ public final class Link {
         byte[] octets = Layer3Codec.encode(message, Direction.DOWNLINK, 0);
         OctetString layer3 = OctetString.of(octets);
         parts.trace().passed(this, Direction.DOWNLINK, MessageNames.of(message), layer3);
-        RslMessage.Sapi sapi = message instanceof ShortMessageControl
-                ? RslMessage.Sapi.SHORT_MESSAGES
-                : RslMessage.Sapi.SIGNALLING;
+        RslMessage.Sapi sapi =
+                message instanceof ShortMessageControl ? RslMessage.Sapi.SHORT_MESSAGES : RslMessage.Sapi.SIGNALLING;
         sendRsl(new RslMessage.DataRequest(sapi, layer3));
     }
 

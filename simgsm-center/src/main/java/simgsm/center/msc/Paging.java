@@ -78,10 +78,8 @@ final class Paging {
         }
         attempts++;
         repetition = timers.start(T3113_NANOS, this::page);
-        MobileIdentity identity = link.subscriber
-                .tmsi()
-                .<MobileIdentity>map(tmsi -> tmsi)
-                .orElse(link.subscriber.imsi());
+        MobileIdentity identity =
+                link.subscriber.tmsi().<MobileIdentity>map(tmsi -> tmsi).orElse(link.subscriber.imsi());
         link.sendCommon(new RslMessage.PagingCommand(identity), "PAGING COMMAND");
     }
 

@@ -58,7 +58,8 @@ final class ShortMessageTransfers {
     }
 
     private void receiveForTerminating(ShortMessageControl message) {
-        if (terminating != null && terminating.transaction().equals(message.transaction().answered())) {
+        if (terminating != null
+                && terminating.transaction().equals(message.transaction().answered())) {
             terminating.receive(message);
         } else {
             refuseUnlessError(message, CpCause.INVALID_TRANSACTION_IDENTIFIER);

@@ -28,8 +28,8 @@ final class SnapshotMaker {
     }
 
     void messageAccepted(ShortMessage message) {
-        latest = Optional.of(new ExchangeSnapshot.Passing(
-                message.from(), message.to().digits(), message.text()));
+        latest = Optional.of(
+                new ExchangeSnapshot.Passing(message.from(), message.to().digits(), message.text()));
     }
 
     ExchangeSnapshot make(Instant time, int links) {

@@ -87,9 +87,10 @@ final class TerminatingTransfer implements PagedTransaction {
         if (relay instanceof RelayMessage.RpAck) {
             end(DeliveryOutcome.DELIVERED);
         } else if (relay instanceof RelayMessage.RpError error) {
-            end(error.cause() == RpCause.MEMORY_CAPACITY_EXCEEDED
-                    ? DeliveryOutcome.MEMORY_FULL
-                    : DeliveryOutcome.REFUSED);
+            end(
+                    error.cause() == RpCause.MEMORY_CAPACITY_EXCEEDED
+                            ? DeliveryOutcome.MEMORY_FULL
+                            : DeliveryOutcome.REFUSED);
         }
     }
 

@@ -13,8 +13,7 @@ import simgsm.air.OctetString;
  * @param acceptedAt the service centre time stamp
  * @param expiresAt end of the validity period
  */
-public record ShortMessage(
-        long id, Msisdn from, Msisdn to, OctetString submit, Instant acceptedAt, Instant expiresAt) {
+public record ShortMessage(long id, Msisdn from, Msisdn to, OctetString submit, Instant acceptedAt, Instant expiresAt) {
     /** What the message says; for data, its octets in hexadecimal. */
     public String text() {
         return TransferUnits.text(this);

@@ -23,7 +23,6 @@ public final class Timer {
     }
 
     boolean isBefore(Timer other) {
-        return deadlineNanos < other.deadlineNanos
-                || deadlineNanos == other.deadlineNanos && order < other.order;
+        return deadlineNanos < other.deadlineNanos || deadlineNanos == other.deadlineNanos && order < other.order;
     }
 }

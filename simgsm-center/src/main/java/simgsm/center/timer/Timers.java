@@ -18,6 +18,9 @@ public final class Timers {
     private long started;
     private long nowNanos;
 
+    /** At time 0, nothing running. */
+    public Timers() {}
+
     /** Nanoseconds since the centre's start, as last advanced. */
     public long nowNanos() {
         return nowNanos;

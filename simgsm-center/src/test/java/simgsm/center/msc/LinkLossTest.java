@@ -43,7 +43,9 @@ class LinkLossTest {
         network.passSeconds(400);
         assertTrue(network.exchange.calls().isEmpty());
         assertEquals(
-                network.callStates().stream().filter(CallState.INITIATED::equals).count(),
+                network.callStates().stream()
+                        .filter(CallState.INITIATED::equals)
+                        .count(),
                 network.callStates().stream().filter(CallState.RELEASED::equals).count());
         caller.vanish();
         called.vanish();
@@ -73,6 +75,8 @@ class LinkLossTest {
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
     void twoWhoFallSilentLeaveNothingBehind(int step) {
         playTo(step);
+        caller.answersPings = false;
+        called.answersPings = false;
         assertNothingIsLeft();
     }
 

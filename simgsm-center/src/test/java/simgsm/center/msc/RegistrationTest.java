@@ -40,8 +40,7 @@ class RegistrationTest {
                 MobileIdentity.Type.IMEI,
                 mobile.next(MobilityManagement.IdentityRequest.class).identityType());
         mobile.tell(new MobilityManagement.IdentityResponse(mobile.imei));
-        MobilityManagement.LocationUpdatingAccept accept =
-                mobile.next(MobilityManagement.LocationUpdatingAccept.class);
+        MobilityManagement.LocationUpdatingAccept accept = mobile.next(MobilityManagement.LocationUpdatingAccept.class);
         assertEquals(LocationArea.TEST, accept.area());
         assertTrue(accept.newIdentity().orElseThrow() instanceof Tmsi);
         mobile.tell(new MobilityManagement.TmsiReallocationComplete());
@@ -94,7 +93,8 @@ class RegistrationTest {
         TestMobile mobile = network.connect("5550100");
         mobile.received.clear();
         mobile.requestUpdate(identity);
-        RejectCause cause = mobile.next(MobilityManagement.LocationUpdatingReject.class).cause();
+        RejectCause cause =
+                mobile.next(MobilityManagement.LocationUpdatingReject.class).cause();
         mobile.next(RadioResource.ChannelRelease.class);
         return cause;
     }
@@ -152,8 +152,7 @@ class RegistrationTest {
         TestMobile mobile = network.attach("5550100");
         mobile.vanish();
         mobile.vanish();
-        assertEquals(
-                List.of(new ExchangeEvent.Attached(NUMBER), new ExchangeEvent.Detached(NUMBER)), network.events);
+        assertEquals(List.of(new ExchangeEvent.Attached(NUMBER), new ExchangeEvent.Detached(NUMBER)), network.events);
     }
 
     @Test

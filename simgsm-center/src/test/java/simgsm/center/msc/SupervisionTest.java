@@ -22,6 +22,7 @@ class SupervisionTest {
     @Test
     void aPeerThatAnswersItsPingsIsKept() {
         TestMobile mobile = network.attach("5550100");
+        mobile.answersPings = false;
         for (int i = 0; i < 10; i++) {
             network.passSeconds(30);
             mobile.next(CcmMessage.Ping.class);
@@ -33,6 +34,7 @@ class SupervisionTest {
     @Test
     void aSilentPeerIsDroppedAfterThreeUnansweredPings() {
         TestMobile mobile = network.attach("5550100");
+        mobile.answersPings = false;
         for (int i = 0; i < 3; i++) {
             network.passSeconds(30);
             mobile.next(CcmMessage.Ping.class);

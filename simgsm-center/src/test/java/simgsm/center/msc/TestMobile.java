@@ -42,6 +42,7 @@ final class TestMobile implements LinkPort {
     final List<byte[]> heard = new ArrayList<>();
     Optional<MobileIdentity> temporaryIdentity = Optional.empty();
     Optional<String> closedFor = Optional.empty();
+    boolean answersPings = true;
     private int nextSequence;
 
     TestMobile(TestNetwork network, String number, Imei imei) {
@@ -155,9 +156,9 @@ final class TestMobile implements LinkPort {
         return received.isEmpty();
     }
 
-    /** Answers the pings among what has come, and takes them away. */
+    /** Answers the pings among what has come, and takes them away; unless the test wants to do that itself. */
     void answerPings() {
-        while (received.removeFirstOccurrence(new CcmMessage.Ping())) {
+        while (answersPings && received.removeFirstOccurrence(new CcmMessage.Ping())) {
             ccm(new CcmMessage.Pong());
         }
     }

@@ -17,6 +17,9 @@ import simgsm.center.smsc.StoreEntry;
 final class TestNetwork {
     static final Instant START = Instant.parse("2026-11-21T12:00:00Z");
 
+    private static final long MAX_STEP_NANOS = Duration.ofSeconds(20).toNanos();
+
+    private final List<TestMobile> mobiles = new ArrayList<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     final List<ExchangeEvent> events = new ArrayList<>();
     final List<StoreEntry> stored = new ArrayList<>();
@@ -37,17 +40,24 @@ final class TestNetwork {
     }
 
     TestMobile connect(String number, Imei imei) {
-        return new TestMobile(this, number, imei);
+        TestMobile mobile = new TestMobile(this, number, imei);
+        mobiles.add(mobile);
+        return mobile;
     }
 
     TestMobile attach(String number) {
         return connect(number).register();
     }
 
+    /** Time passes; pings are answered on the way. */
     void pass(Duration time) {
-        nowNanos += time.toNanos();
-        exchange.advance(nowNanos);
-        commitIfAtOnce();
+        long end = nowNanos + time.toNanos();
+        while (nowNanos < end) {
+            nowNanos = Math.min(end, nowNanos + MAX_STEP_NANOS);
+            exchange.advance(nowNanos);
+            commitIfAtOnce();
+            mobiles.forEach(TestMobile::answerPings);
+        }
     }
 
     void passSeconds(long seconds) {
