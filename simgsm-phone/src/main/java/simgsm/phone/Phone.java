@@ -17,7 +17,7 @@ import simgsm.station.StationIdentity;
 import simgsm.station.StationThread;
 
 /** A phone at work: handset, station and the thread that owns both. */
-final class Phone implements AutoCloseable {
+final class Phone implements HandsetAccess, AutoCloseable {
     /** An act takes microseconds; if it takes this long the thread has ended. */
     private static final long ACT_SECONDS = 5;
 
@@ -49,8 +49,8 @@ final class Phone implements AutoCloseable {
         thread.execute(act);
     }
 
-    /** Has the owner thread do something and waits for its result. */
-    <T> T ask(Function<Handset, T> act) throws InterruptedException {
+    @Override
+    public <T> T ask(Function<Handset, T> act) throws InterruptedException {
         CompletableFuture<T> result = new CompletableFuture<>();
         thread.execute(() -> {
             try {
@@ -66,8 +66,8 @@ final class Phone implements AutoCloseable {
         }
     }
 
-    /** Waits until queued keys have left and messages are acknowledged, but no longer than that. */
-    void settle(long boundNanos) throws InterruptedException {
+    @Override
+    public void settle(long boundNanos) throws InterruptedException {
         CompletableFuture<Boolean> settled = new CompletableFuture<>();
         thread.execute(() -> handset.whenSettled(() -> settled.complete(true)));
         try {

@@ -22,10 +22,10 @@ final class PhoneCommands implements Console.Commands {
     private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     private final Console console;
-    private final Phone phone;
+    private final HandsetAccess phone;
     private long keysPressed;
 
-    PhoneCommands(Console console, Phone phone) {
+    PhoneCommands(Console console, HandsetAccess phone) {
         this.console = console;
         this.phone = phone;
     }

@@ -38,7 +38,7 @@ public final class PhoneMain {
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
-    private static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
+    static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
         StationIdentity identity = identity(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         Locale language = arguments.language();

@@ -1,8 +1,10 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
@@ -41,6 +43,9 @@ public final class Handset {
     private final KeySender local = new KeySender(keys -> {});
     private final DtmfReceiver ear = new DtmfReceiver(this::toneHeard);
     private final short[] localFrame = new short[160];
+
+    /** References of messages that failed while they were being handed in. */
+    private final Set<Integer> failedEarly = new HashSet<>();
 
     private StationSide station;
     private CallSnapshot call = CallSnapshot.NONE;
@@ -138,6 +143,9 @@ public final class Handset {
             return Optional.of(Refusal.TEXT_TOO_LONG);
         }
         mailbox.handedIn(id, to.digits(), text, wallClock.instant());
+        if (failedEarly.remove(id)) {
+            mailbox.failed(id);
+        }
         screens.added(Box.OUTBOX);
         changed();
         return Optional.empty();
@@ -502,7 +510,9 @@ public final class Handset {
 
         @Override
         public void messageFailed(int id, Msisdn to, RpCause cause) {
-            mailbox.failed(id);
+            if (!mailbox.failed(id)) {
+                failedEarly.add(id);
+            }
             listener.messageFailed(to, cause);
             changed();
             checkSettled();

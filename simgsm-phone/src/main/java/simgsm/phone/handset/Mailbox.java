@@ -53,12 +53,13 @@ final class Mailbox {
         advance(id, Delivery.DELIVERED, 0);
     }
 
-    void failed(int id) {
-        advance(id, Delivery.FAILED, 0);
+    /** @return whether the message lies here */
+    boolean failed(int id) {
+        return advance(id, Delivery.FAILED, 0);
     }
 
     /** References run from 0 to 255 and come round, so the newest that is not settled is meant. */
-    private void advance(int id, Delivery next, int parts) {
+    private boolean advance(int id, Delivery next, int parts) {
         List<StoredMessage> messages = new ArrayList<>(in(Box.OUTBOX));
         for (int i = messages.size() - 1; i >= 0; i--) {
             StoredMessage message = messages.get(i);
@@ -66,9 +67,10 @@ final class Mailbox {
             if (message.id() == id && open) {
                 messages.set(i, message.advanced(next, parts > 0 ? parts : message.parts()));
                 boxes.put(Box.OUTBOX, List.copyOf(messages));
-                return;
+                return true;
             }
         }
+        return false;
     }
 
     /** Marks one as read. @param index counted from the oldest */

@@ -8,25 +8,21 @@ import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
-import javax.swing.Timer;
 import simgsm.phone.handset.PhoneKey;
 
 /**
  * The computer's keyboard as the handset's: what is typed goes in as characters, whatever layout makes them; Enter, Escape
- * and the arrows are keys. A character is down until a key is let go; a keyboard that repeats lets go and presses again
- * within a few milliseconds, which is bridged.
+ * and the arrows are keys. A character is down until a key is let go; while it is held the keyboard repeats it, which is no
+ * further press.
  */
 final class Keyboard {
-    private static final int REPEAT_GAP_MILLIS = 15;
     private static final char NONE = '\0';
 
     private final HandsetControls controls;
-    private final Timer letGo = new Timer(REPEAT_GAP_MILLIS, event -> release());
     private char down = NONE;
 
     private Keyboard(HandsetControls controls) {
         this.controls = controls;
-        letGo.setRepeats(false);
     }
 
     /** Binds the keyboard to a panel and everything in it that has the focus. */
@@ -36,7 +32,7 @@ final class Keyboard {
         inputs.setParent(panel.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT));
         ActionMap actions = panel.getActionMap();
         actions.put("typed", action(keyboard::typed));
-        actions.put("released", action(event -> keyboard.letGo.restart()));
+        actions.put("released", action(event -> keyboard.release()));
         bind(inputs, actions, controls, PhoneKey.CALL, KeyEvent.VK_ENTER);
         bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
         bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
@@ -66,9 +62,7 @@ final class Keyboard {
             return;
         }
         char character = text.charAt(0);
-        boolean repeated = letGo.isRunning() && character == down;
-        letGo.stop();
-        if (repeated || character == down && PhoneKey.ofSymbol(character).isPresent()) {
+        if (character == down && PhoneKey.ofSymbol(character).isPresent()) {
             return;
         }
         release();
@@ -77,7 +71,6 @@ final class Keyboard {
     }
 
     private void release() {
-        letGo.stop();
         if (down != NONE) {
             controls.charUp(down);
             down = NONE;

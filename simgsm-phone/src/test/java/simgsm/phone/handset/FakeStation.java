@@ -1,0 +1,96 @@
+package simgsm.phone.handset;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.station.CallState;
+import simgsm.station.StationListener;
+import simgsm.station.StationSnapshot;
+
+/** A station that does at once what a real one does in the end, and remembers what it was asked. */
+public final class FakeStation implements StationSide {
+    /** What was asked, in order. */
+    public final List<String> asked = new ArrayList<>();
+
+    private boolean powered = true;
+    private boolean inCall;
+    private boolean ringing;
+    private int nextId;
+    private StationListener listener;
+
+    public void tell(StationListener newListener) {
+        listener = newListener;
+    }
+
+    /** Somebody calls. */
+    public void ring(String from) {
+        ringing = true;
+        inCall = true;
+        listener.ringing(Optional.of(new Msisdn(from)));
+    }
+
+    /** The far end clears, or the network does. */
+    public void release(Cause cause) {
+        inCall = false;
+        ringing = false;
+        listener.released(cause);
+    }
+
+    @Override
+    public boolean dial(Msisdn number) {
+        asked.add("dial " + number);
+        if (inCall || !powered) {
+            return false;
+        }
+        inCall = true;
+        listener.calling(number);
+        return true;
+    }
+
+    @Override
+    public boolean answer() {
+        asked.add("answer");
+        if (!ringing) {
+            return false;
+        }
+        ringing = false;
+        listener.connected(Optional.of(new Msisdn("5550200")));
+        return true;
+    }
+
+    @Override
+    public boolean hangUp() {
+        asked.add("hangUp");
+        if (!inCall) {
+            return false;
+        }
+        release(Cause.NORMAL_CALL_CLEARING);
+        return true;
+    }
+
+    @Override
+    public int sendMessage(Msisdn to, String text) {
+        asked.add("sms " + to + " " + text);
+        return nextId++;
+    }
+
+    @Override
+    public void powerOn() {
+        powered = true;
+        listener.stateChanged(snapshot());
+    }
+
+    @Override
+    public void powerOff() {
+        powered = false;
+        listener.stateChanged(snapshot());
+    }
+
+    @Override
+    public StationSnapshot snapshot() {
+        return new StationSnapshot(
+                powered, true, powered, Optional.empty(), "SIMGSM", CallState.NULL, Optional.empty());
+    }
+}

@@ -1,0 +1,185 @@
+package simgsm.phone.handset;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+
+/** Calls, by console and by keys, and the tones that come back. */
+class HandsetCallTest {
+    private static final Msisdn ROBOT = new Msisdn("5550200");
+
+    @Test
+    void aCallIsToldStepByStep() {
+        Bench bench = new Bench();
+        bench.handset.dial(ROBOT);
+        bench.ears.alerting();
+        bench.ears.connected(Optional.of(ROBOT));
+        bench.handset.hangUp();
+        assertEquals(List.of("calling 5550200", "alerting", "connected 5550200", "released 16"), bench.events);
+    }
+
+    @Test
+    void diallingDuringACallIsRefusedAndTheCallGoesOn() {
+        Bench bench = Bench.connected();
+        assertEquals(Optional.of(Refusal.CALL_UNDER_WAY), bench.handset.dial(ROBOT));
+        assertEquals(CallPhase.CONNECTED, bench.snapshot().call().phase());
+    }
+
+    @Test
+    void diallingWhileSwitchedOffIsRefused() {
+        Bench bench = new Bench();
+        bench.handset.powerOff();
+        assertEquals(Optional.of(Refusal.SWITCHED_OFF), bench.handset.dial(ROBOT));
+    }
+
+    @Test
+    void answeringWhenNothingRingsIsRefused() {
+        assertEquals(Optional.of(Refusal.NOTHING_RINGS), new Bench().handset.answer());
+    }
+
+    @Test
+    void hangingUpWithoutACallIsRefused() {
+        assertEquals(Optional.of(Refusal.NO_CALL), new Bench().handset.hangUp());
+    }
+
+    @ParameterizedTest
+    @ValueSource(chars = {'1', '2', '3', '4', '5', '6', '7', '8', '9', '0', '*', '#'})
+    void aToneFromTheFarEndIsHeardOnce(char key) {
+        Bench bench = Bench.connected();
+        bench.farEndPlays(key);
+        assertEquals(List.of("tone " + key), bench.events);
+        assertEquals(Optional.of(DtmfKey.of(key)), bench.snapshot().call().tone());
+    }
+
+    @Test
+    void noToneIsHeardBeforeTheCallIsConnected() {
+        Bench bench = new Bench();
+        bench.handset.dial(ROBOT);
+        bench.farEndPlays('1');
+        assertEquals(List.of("calling 5550200"), bench.events);
+        bench.ears.connected(Optional.empty());
+        assertEquals(Optional.empty(), bench.snapshot().call().tone());
+    }
+
+    @Test
+    void oneSoundCutByTheConnectionIsNotHeardAsAKeyOfTheNextCall() {
+        Bench bench = Bench.connected();
+        bench.farEndPlays('3');
+        bench.station.release(Cause.NORMAL_CALL_CLEARING);
+        bench.handset.dial(ROBOT);
+        bench.ears.connected(Optional.empty());
+        assertEquals(Optional.empty(), bench.snapshot().call().tone());
+    }
+
+    @Test
+    void theCallsTimeIsCountedInSpeech() {
+        Bench bench = Bench.connected();
+        bench.speechMillis(61_000);
+        assertEquals(61, bench.snapshot().call().seconds());
+    }
+
+    @Test
+    void aNumberKeyedAndTheGreenKeyMakeACall() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.FIVE, PhoneKey.FIVE, PhoneKey.FIVE, PhoneKey.ZERO, PhoneKey.TWO, PhoneKey.CALL);
+        assertEquals(List.of("calling 55502"), bench.events);
+    }
+
+    @Test
+    void leftErasesTheLastDigitAndTheRedKeyAll() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.FIVE, PhoneKey.SIX, PhoneKey.LEFT);
+        assertEquals("5", bench.snapshot().typed());
+        bench.tap(PhoneKey.END);
+        assertEquals("", bench.snapshot().typed());
+    }
+
+    @Test
+    void theGreenKeyAloneRecallsTheLastNumber() {
+        Bench bench = Bench.connected();
+        bench.handset.hangUp();
+        bench.tap(PhoneKey.CALL);
+        assertEquals("5550200", bench.snapshot().typed());
+    }
+
+    @Test
+    void aStarIsNoTelephoneNumberAndNothingIsDialled() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.STAR, PhoneKey.ONE, PhoneKey.CALL);
+        assertEquals(
+                new Screen.Note(Screen.Note.Kind.NOT_A_NUMBER, "*1"),
+                bench.snapshot().screen());
+        assertEquals(List.of(), bench.station.asked);
+    }
+
+    @Test
+    void theGreenKeyAnswersAndTheRedKeyEnds() {
+        Bench bench = new Bench();
+        bench.station.ring("5550101");
+        bench.tap(PhoneKey.CALL);
+        assertEquals(CallPhase.CONNECTED, bench.snapshot().call().phase());
+        bench.tap(PhoneKey.END);
+        assertEquals(
+                Optional.of(Cause.NORMAL_CALL_CLEARING), bench.snapshot().call().ended());
+    }
+
+    @Test
+    void aCallThatRingsComesToTheFrontAndADraftIsKept() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.MESSAGE);
+        bench.handset.charDown('h', bench.nowNanos);
+        bench.station.ring("5550101");
+        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        bench.tap(PhoneKey.END, PhoneKey.MESSAGE);
+        assertEquals("h", ((Screen.Writing) bench.snapshot().screen()).text());
+    }
+
+    @Test
+    void holdingOneOpensTheMailbox() {
+        Bench bench = new Bench();
+        bench.down(PhoneKey.ONE);
+        bench.millis(1000);
+        assertEquals(new Screen.MessageList(Box.INBOX, 0), bench.snapshot().screen());
+        assertEquals("", bench.snapshot().typed());
+    }
+
+    @Test
+    void holdingZeroGivesAPlusSign() {
+        Bench bench = new Bench();
+        bench.down(PhoneKey.ZERO);
+        bench.millis(1000);
+        bench.up(PhoneKey.ZERO);
+        bench.tap(PhoneKey.SEVEN);
+        assertEquals("+7", bench.snapshot().typed());
+    }
+
+    @Test
+    void aKeyHeldWithoutACallSoundsAtTheEarAndThenTimeIsWantedNoMore() {
+        Bench bench = new Bench();
+        bench.down(PhoneKey.NINE);
+        bench.millis(100);
+        assertEquals(Optional.of(DtmfKey.NINE), bench.snapshot().sounding());
+        bench.up(PhoneKey.NINE);
+        bench.millis(1000);
+        assertEquals(Optional.empty(), bench.snapshot().sounding());
+        assertEquals(false, bench.handset.wantsTime());
+    }
+
+    @Test
+    void theRedKeySwitchesAPhoneOnThatIsOff() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.MENU, PhoneKey.FIVE);
+        assertEquals(false, bench.snapshot().station().powered());
+        bench.tap(PhoneKey.FIVE);
+        assertEquals("", bench.snapshot().typed());
+        bench.tap(PhoneKey.END);
+        assertEquals(true, bench.snapshot().station().powered());
+    }
+}

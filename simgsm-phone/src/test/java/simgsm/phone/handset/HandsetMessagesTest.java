@@ -1,0 +1,179 @@
+package simgsm.phone.handset;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
+import simgsm.phone.handset.StoredMessage.Delivery;
+
+/** Messages in, out and broadcast, by console and by keys. */
+class HandsetMessagesTest {
+    private static final Msisdn ROBOT = new Msisdn("5550200");
+
+    private static Delivery lastDelivery(Bench bench) {
+        List<StoredMessage> outbox = bench.snapshot().outbox();
+        return outbox.get(outbox.size() - 1).delivery();
+    }
+
+    @Test
+    void aMessagesDeliveryIsMarkedStepByStep() {
+        Bench bench = new Bench();
+        bench.handset.sendMessage(ROBOT, "** #**20 **");
+        assertEquals(Delivery.SENDING, lastDelivery(bench));
+        bench.ears.messageSent(0, ROBOT, 1);
+        assertEquals(Delivery.SENT, lastDelivery(bench));
+        bench.ears.messageDelivered(0, ROBOT);
+        assertEquals(Delivery.DELIVERED, lastDelivery(bench));
+        assertEquals(List.of("sms-sent 5550200 1 0", "sms-delivered 5550200 0"), bench.events);
+    }
+
+    @Test
+    void aMessageThatFailsIsMarked() {
+        Bench bench = new Bench();
+        bench.handset.sendMessage(ROBOT, "x");
+        bench.ears.messageFailed(0, ROBOT, RpCause.UNASSIGNED_NUMBER);
+        assertEquals(Delivery.FAILED, lastDelivery(bench));
+        assertEquals(List.of("sms-failed 5550200 1"), bench.events);
+    }
+
+    @Test
+    void anEmptyTextIsRefused() {
+        Bench bench = new Bench();
+        assertEquals(Optional.of(Refusal.EMPTY_TEXT), bench.handset.sendMessage(ROBOT, ""));
+        assertEquals(List.of(), bench.station.asked);
+    }
+
+    @Test
+    void theInboxIsListedOldestFirstAndReadAfterwards() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("5550200", "3 Done");
+        bench.ears.messageReceived("Robot", "4 Collision");
+        List<StoredMessage> first = bench.handset.readInbox();
+        assertEquals(
+                List.of("3 Done", "4 Collision"),
+                first.stream().map(StoredMessage::text).toList());
+        assertEquals(
+                List.of(false, false), first.stream().map(StoredMessage::read).toList());
+        assertEquals(
+                List.of(true, true),
+                bench.handset.readInbox().stream().map(StoredMessage::read).toList());
+    }
+
+    @Test
+    void aBroadcastIsKeptInItsOwnBox() {
+        Bench bench = new Bench();
+        bench.ears.broadcastReceived(50, 2, "storm");
+        assertEquals("50", bench.snapshot().broadcasts().get(0).party());
+        assertEquals(0, bench.snapshot().inbox().size());
+        assertEquals(List.of("broadcast 50 storm"), bench.events);
+    }
+
+    @Test
+    void beforeTheEndMessagesAreAcknowledged() {
+        Bench bench = new Bench();
+        bench.handset.sendMessage(ROBOT, "x");
+        bench.handset.whenSettled(() -> bench.events.add("settled"));
+        bench.ears.messageSent(0, ROBOT, 1);
+        assertEquals(List.of("sms-sent 5550200 1 0", "settled"), bench.events);
+    }
+
+    @Test
+    void aTextIsWrittenWithTheKeysAndSent() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.MESSAGE, PhoneKey.FOUR, PhoneKey.FOUR, PhoneKey.RIGHT);
+        bench.tap(PhoneKey.FOUR, PhoneKey.FOUR, PhoneKey.FOUR, PhoneKey.OK);
+        bench.tap(PhoneKey.FIVE, PhoneKey.FIVE, PhoneKey.OK);
+        assertEquals(List.of("sms 55 Hi"), bench.station.asked);
+        assertEquals(
+                new Screen.Note(Screen.Note.Kind.SENDING, "55"),
+                bench.snapshot().screen());
+        bench.tap(PhoneKey.OK, PhoneKey.MESSAGE);
+        assertEquals("", ((Screen.Writing) bench.snapshot().screen()).text());
+    }
+
+    @Test
+    void aKeyboardWritesAnyLetter() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.MESSAGE);
+        "** #*#90 **\u00e1".chars().forEach(letter -> bench.handset.charDown((char) letter, bench.nowNanos));
+        assertEquals("** #*#90 **\u00e1", ((Screen.Writing) bench.snapshot().screen()).text());
+    }
+
+    @Test
+    void aMessageIsReadInTheListAndAnswered() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("5550200", "3 Done");
+        assertEquals(1, bench.snapshot().unread());
+        bench.tap(PhoneKey.DOWN, PhoneKey.OK);
+        assertEquals(new Screen.MessageView(Box.INBOX, 0, 0), bench.snapshot().screen());
+        assertEquals(0, bench.snapshot().unread());
+        bench.tap(PhoneKey.OK);
+        bench.handset.charDown('k', bench.nowNanos);
+        bench.tap(PhoneKey.OK, PhoneKey.OK);
+        assertEquals(List.of("sms 5550200 k"), bench.station.asked);
+    }
+
+    @Test
+    void aMessageThatComesWhileOneIsReadDoesNotChangeWhatIsRead() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("1", "old");
+        bench.tap(PhoneKey.DOWN, PhoneKey.OK);
+        bench.ears.messageReceived("2", "new");
+        assertEquals(new Screen.MessageView(Box.INBOX, 1, 0), bench.snapshot().screen());
+    }
+
+    @Test
+    void theHashKeyErasesTheMessageShown() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("1", "old");
+        bench.ears.messageReceived("2", "new");
+        bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.HASH);
+        assertEquals(
+                List.of("old"),
+                bench.snapshot().inbox().stream().map(StoredMessage::text).toList());
+        assertEquals(new Screen.MessageList(Box.INBOX, 0), bench.snapshot().screen());
+    }
+
+    @Test
+    void theSenderOfAMessageIsCalledWithTheGreenKey() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("5550200", "3 Done");
+        bench.tap(PhoneKey.DOWN, PhoneKey.CALL);
+        assertEquals(List.of("sms 5550200 3 Done", "calling 5550200"), bench.events);
+    }
+
+    @Test
+    void anEmptyListTakesEveryKeyWithoutHarm() {
+        Bench bench = new Bench();
+        for (PhoneKey key : PhoneKey.values()) {
+            bench.tap(PhoneKey.END, PhoneKey.MENU, PhoneKey.ONE, key);
+        }
+        assertEquals(List.of(), bench.snapshot().inbox());
+    }
+
+    @Test
+    void aFullBoxForgetsItsOldest() {
+        Bench bench = new Bench();
+        for (int i = 0; i <= Mailbox.CAPACITY; i++) {
+            bench.ears.messageReceived("1", "m" + i);
+        }
+        assertEquals(Mailbox.CAPACITY, bench.snapshot().inbox().size());
+        assertEquals("m1", bench.snapshot().inbox().get(0).text());
+    }
+
+    @Test
+    void aReferenceThatComesRoundMeansTheNewestMessage() {
+        Bench bench = new Bench();
+        for (int i = 0; i < 2; i++) {
+            bench.handset.sendMessage(ROBOT, "m" + i);
+            bench.ears.messageSent(i, ROBOT, 1);
+        }
+        bench.ears.messageDelivered(1, ROBOT);
+        assertEquals(
+                List.of(Delivery.SENT, Delivery.DELIVERED),
+                bench.snapshot().outbox().stream().map(StoredMessage::delivery).toList());
+    }
+}

@@ -1,0 +1,202 @@
+package simgsm.phone.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import javax.swing.AbstractButton;
+import javax.swing.ButtonModel;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.phone.handset.Bench;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.Appearance;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** The handset's panel, built and painted without a display. */
+class HandsetPanelTest {
+    private static final Locale SPANISH = Locale.forLanguageTag("es");
+
+    @BeforeEach
+    void light() {
+        Theme.zoomTo(1);
+        Theme.install(Appearance.LIGHT);
+    }
+
+    @AfterEach
+    void asItWas() {
+        light();
+    }
+
+    private static void press(PanelBench bench, String name) {
+        ButtonModel model = ((AbstractButton) bench.find(name)).getModel();
+        model.setArmed(true);
+        model.setPressed(true);
+    }
+
+    private static void letGo(PanelBench bench, String name) {
+        ButtonModel model = ((AbstractButton) bench.find(name)).getModel();
+        model.setPressed(false);
+        model.setArmed(false);
+    }
+
+    @Test
+    void aNumberIsPressedAndCalled() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        for (String key : List.of("5", "5", "5", "0", "2", "0", "0", "call")) {
+            press(bench, "key." + key);
+            letGo(bench, "key." + key);
+        }
+        assertEquals(List.of("calling 5550200"), bench.bench.events);
+    }
+
+    @Test
+    void aKeyIsDownAsLongAsTheMouseHoldsIt() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        press(bench, "key.#");
+        assertEquals(List.of("down HASH"), bench.acts);
+        letGo(bench, "key.#");
+        assertEquals(List.of("down HASH", "up HASH"), bench.acts);
+    }
+
+    @Test
+    void aKeyIsUpWhenTheMouseIsDraggedOffIt() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        press(bench, "key.1");
+        ((AbstractButton) bench.find("key.1")).getModel().setArmed(false);
+        assertEquals(List.of("down ONE", "up ONE"), bench.acts);
+    }
+
+    @ParameterizedTest
+    @EnumSource(PhoneKey.class)
+    void everyKeyHasANameForTestsAndOneForTheEar(PhoneKey key) {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        Component button = bench.find(PhoneKeyButton.nameOf(key));
+        String spoken = button.getAccessibleContext().getAccessibleName();
+        assertFalse(spoken.startsWith("key."), spoken);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void noTwoKeysSoundAlikeToTheEar(String language) {
+        PanelBench bench = new PanelBench(Locale.forLanguageTag(language));
+        Set<String> names = new HashSet<>();
+        for (PhoneKey key : PhoneKey.values()) {
+            names.add(bench.find(PhoneKeyButton.nameOf(key))
+                    .getAccessibleContext()
+                    .getAccessibleName());
+        }
+        assertEquals(PhoneKey.values().length, names.size());
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.25, 2})
+    void theHandsetIsPaintedAtEveryScale(double scale) {
+        BufferedImage image = new PanelBench(Locale.ENGLISH).paint(scale);
+        double area = scale * scale;
+        assertTrue(PanelBench.count(image, Ink.LCD_PAPER) > 30_000 * area);
+        assertTrue(PanelBench.count(image, Ink.KEY_FACE) > 40_000 * area);
+        assertTrue(PanelBench.count(image, Ink.GOOD) > 1_500 * area);
+        assertTrue(PanelBench.count(image, Ink.DANGER) > 1_500 * area);
+        assertTrue(PanelBench.count(image, Ink.LCD_INK) > 300 * area);
+    }
+
+    @Test
+    void lightAndDarkAreTwoPicturesAndTheDisplayIsTheSameInBoth() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        BufferedImage light = bench.paint(1);
+        Theme.install(Appearance.DARK);
+        Theme.refresh(bench.panel);
+        BufferedImage dark = bench.paint(1);
+        assertNotEquals(light.getRGB(160, 330), dark.getRGB(160, 330));
+        assertEquals(light.getRGB(160, 60), dark.getRGB(160, 60));
+    }
+
+    @Test
+    void theHandsetScalesAsAWholeWithThePanel() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        Rectangle before = bench.find("key.5").getBounds();
+        bench.panel.setSize(bench.panel.getWidth() * 2, bench.panel.getHeight() * 2);
+        bench.panel.doLayout();
+        Rectangle after = bench.find("key.5").getBounds();
+        assertEquals(before.width * 2, after.width, 1);
+        assertEquals(before.y * 2, after.y, 1);
+    }
+
+    @Test
+    void noTwoKeysOverlap() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        for (PhoneKey one : PhoneKey.values()) {
+            for (PhoneKey other : PhoneKey.values()) {
+                Rectangle a = bench.find(PhoneKeyButton.nameOf(one)).getBounds();
+                Rectangle b = bench.find(PhoneKeyButton.nameOf(other)).getBounds();
+                assertFalse(one != other && a.intersects(b), one + " and " + other);
+            }
+        }
+    }
+
+    @Test
+    void theKeyWhoseToneSoundsIsLit() {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        int before = PanelBench.count(bench.paint(1), Ink.ACCENT_WASH);
+        bench.bench.handset.press(simgsm.dtmf.DtmfKey.sequence("5"));
+        bench.bench.speechMillis(40);
+        assertTrue(PanelBench.count(bench.paint(1), Ink.ACCENT_WASH) > before + 2_000);
+    }
+
+    @Test
+    void theScopeFoldsOpenAndShowsTheTone() {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        int closed = bench.panel.getPreferredSize().height;
+        assertFalse(bench.find("scope").isVisible());
+        ((AbstractButton) bench.find("scope.switch")).doClick(0);
+        assertTrue(bench.find("scope").isVisible());
+        assertTrue(bench.panel.getPreferredSize().height > closed + 100);
+        int quiet = PanelBench.count(bench.paint(1), Ink.ACCENT);
+        bench.bench.handset.press(simgsm.dtmf.DtmfKey.sequence("5"));
+        bench.bench.speechMillis(80);
+        assertTrue(PanelBench.count(bench.paint(1), Ink.ACCENT) > quiet + 300);
+    }
+
+    @Test
+    void withoutASoundDeviceAQuietNoteSaysSo() {
+        PanelBench bench = new PanelBench(SPANISH);
+        assertEquals("sin sonido", ((javax.swing.JLabel) bench.find("sound")).getText());
+    }
+
+    @Test
+    void theLampTellsTheLinkInWords() {
+        PanelBench bench = new PanelBench(Locale.ENGLISH);
+        assertEquals(
+                "Link to the centre: in service",
+                bench.find("lamp.link").getAccessibleContext().getAccessibleName());
+        bench.bench.handset.powerOff();
+        bench.paint(1);
+        assertEquals(
+                "Link to the centre: off",
+                bench.find("lamp.link").getAccessibleContext().getAccessibleName());
+    }
+
+    @Test
+    void theDisplaySpeaksTheToneThatCameBack() {
+        PanelBench bench = new PanelBench(Bench.connected(), SPANISH);
+        bench.bench.farEndPlays('4');
+        bench.paint(1);
+        assertEquals(
+                "conectado 5550200, colisi\u00f3n",
+                bench.find("lcd").getAccessibleContext().getAccessibleName());
+    }
+}

@@ -1,0 +1,102 @@
+package simgsm.phone.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.phone.handset.Screen;
+
+/** The computer's keyboard as the handset's. */
+class KeyboardTest {
+    private final PanelBench bench = new PanelBench(Locale.ENGLISH);
+
+    private Object bindingOf(KeyStroke stroke) {
+        return bench.panel
+                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .get(stroke);
+    }
+
+    private void strike(KeyStroke stroke, String character, int modifiers) {
+        Object name = bindingOf(stroke);
+        Action action = bench.panel.getActionMap().get(name);
+        action.actionPerformed(new ActionEvent(bench.panel, ActionEvent.ACTION_PERFORMED, character, modifiers));
+    }
+
+    private void type(char character) {
+        strike(KeyStroke.getKeyStroke(character), String.valueOf(character), 0);
+    }
+
+    private void letGo() {
+        strike(KeyStroke.getKeyStroke(KeyEvent.VK_5, 0, true), null, 0);
+    }
+
+    @Test
+    void digitsStarAndHashAreTypedWhateverTheLayout() {
+        for (char key : "0123456789*#".toCharArray()) {
+            type(key);
+            letGo();
+        }
+        assertEquals("0123456789*#", bench.bench.snapshot().typed());
+    }
+
+    @Test
+    void aKeyThatRepeatsWhileHeldIsOnePress() {
+        type('5');
+        type('5');
+        type('5');
+        assertEquals("5", bench.bench.snapshot().typed());
+    }
+
+    @Test
+    void theSameKeyPressedTwiceIsTwoPresses() {
+        type('5');
+        letGo();
+        type('5');
+        assertEquals("55", bench.bench.snapshot().typed());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        KeyEvent.VK_ENTER + ", CALL",
+        KeyEvent.VK_ESCAPE + ", END",
+        KeyEvent.VK_BACK_SPACE + ", LEFT",
+        KeyEvent.VK_UP + ", UP",
+        KeyEvent.VK_F2 + ", MESSAGE",
+        KeyEvent.VK_F3 + ", MENU"
+    })
+    void otherKeysAreKeysOfTheHandset(int code, String key) {
+        strike(KeyStroke.getKeyStroke(code, 0, false), null, 0);
+        strike(KeyStroke.getKeyStroke(code, 0, true), null, 0);
+        assertEquals(List.of("down " + key, "up " + key), bench.acts);
+    }
+
+    @Test
+    void lettersAreWrittenInAMessage() {
+        strike(KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0, false), null, 0);
+        "Hola, \u00f1and\u00fa".chars().forEach(letter -> type((char) letter));
+        assertEquals(
+                "Hola, \u00f1and\u00fa",
+                ((Screen.Writing) bench.bench.snapshot().screen()).text());
+    }
+
+    @Test
+    void whatIsTypedWithControlIsACommandAndNoText() {
+        strike(KeyStroke.getKeyStroke('+'), "+", ActionEvent.CTRL_MASK);
+        assertEquals(List.of(), bench.acts);
+    }
+
+    @Test
+    void controlCharactersAreNotTyped() {
+        assertNull(bindingOf(KeyStroke.getKeyStroke('\t')));
+        assertNull(bindingOf(KeyStroke.getKeyStroke((char) 0x1b)));
+    }
+}

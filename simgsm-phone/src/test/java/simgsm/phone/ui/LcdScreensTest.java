@@ -1,0 +1,123 @@
+package simgsm.phone.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.air.Msisdn;
+import simgsm.phone.handset.Bench;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.Appearance;
+import simgsm.ui.Theme;
+
+/** Every screen of the display is painted, in both languages, and no two look alike. */
+class LcdScreensTest {
+    @BeforeEach
+    void light() {
+        Theme.zoomTo(1);
+        Theme.install(Appearance.LIGHT);
+    }
+
+    private static Map<String, Bench> screens() {
+        Map<String, Bench> screens = new LinkedHashMap<>();
+        screens.put("rest", new Bench());
+        screens.put("typed", with(bench -> bench.tap(PhoneKey.FIVE, PhoneKey.STAR)));
+        screens.put("long number", with(bench -> {
+            for (int i = 0; i < 60; i++) {
+                bench.tap(PhoneKey.NINE);
+            }
+        }));
+        screens.put("calling", with(bench -> bench.handset.dial(new Msisdn("5550200"))));
+        screens.put("ringing", with(bench -> bench.station.ring("5550101")));
+        screens.put("connected", Bench.connected());
+        screens.put("menu", with(bench -> bench.tap(PhoneKey.MENU)));
+        screens.put("menu, second", with(bench -> bench.tap(PhoneKey.MENU, PhoneKey.DOWN)));
+        screens.put("empty inbox", with(bench -> bench.tap(PhoneKey.DOWN)));
+        screens.put("empty outbox", with(bench -> bench.tap(PhoneKey.UP)));
+        screens.put("inbox", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.DOWN);
+        }));
+        screens.put("message", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.DOWN, PhoneKey.OK);
+        }));
+        screens.put("message, scrolled", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.DOWN);
+        }));
+        screens.put("writing", with(bench -> bench.tap(PhoneKey.MESSAGE)));
+        screens.put("writing, pending", with(bench -> bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO)));
+        screens.put("recipient", with(bench -> bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK)));
+        screens.put("note", with(bench -> bench.tap(PhoneKey.STAR, PhoneKey.CALL)));
+        screens.put("off", with(bench -> bench.handset.powerOff()));
+        return screens;
+    }
+
+    private static void messages(Bench bench) {
+        for (int i = 0; i < 5; i++) {
+            bench.ears.messageReceived(
+                    "5550200", "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0. ".repeat(4) + i);
+        }
+    }
+
+    private interface Deed {
+        void on(Bench bench);
+    }
+
+    private static Bench with(Deed deed) {
+        Bench bench = new Bench();
+        deed.on(bench);
+        return bench;
+    }
+
+    private static BufferedImage picture(Bench bench, String language) {
+        return new PanelBench(bench, Locale.forLanguageTag(language)).paint(1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyScreenLooksDifferent(String language) {
+        Map<Integer, String> seen = new LinkedHashMap<>();
+        screens().forEach((name, bench) -> {
+            BufferedImage image = picture(bench, language);
+            int hash = Arrays.hashCode(((DataBufferInt) image.getRaster().getDataBuffer()).getData());
+            String before = seen.put(hash, name);
+            assertEquals(null, before, name + " looks like " + before);
+        });
+        assertEquals(screens().size(), seen.size());
+    }
+
+    @Test
+    void theToneThatComesBackIsShown() {
+        Bench bench = Bench.connected();
+        BufferedImage before = picture(bench, "en");
+        bench.farEndPlays('3');
+        assertTrue(differences(before, picture(bench, "en")) > 200);
+    }
+
+    @Test
+    void theTwoLanguagesDiffer() {
+        assertNotEquals(0, differences(picture(new Bench(), "en"), picture(new Bench(), "es")));
+    }
+
+    private static int differences(BufferedImage one, BufferedImage other) {
+        int count = 0;
+        for (int y = 0; y < one.getHeight(); y++) {
+            for (int x = 0; x < one.getWidth(); x++) {
+                count += one.getRGB(x, y) == other.getRGB(x, y) ? 0 : 1;
+            }
+        }
+        return count;
+    }
+}

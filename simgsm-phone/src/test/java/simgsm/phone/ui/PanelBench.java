@@ -1,0 +1,99 @@
+package simgsm.phone.ui;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.time.Clock;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import simgsm.phone.handset.Bench;
+import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+
+/** A handset's panel on a bench: acts are noted and go into a handset at once; pictures are painted without a display. */
+final class PanelBench {
+    final Bench bench;
+    final List<String> acts = new ArrayList<>();
+    final HandsetPanel panel;
+
+    PanelBench(Locale language) {
+        this(new Bench(), language);
+    }
+
+    PanelBench(Bench bench, Locale language) {
+        this.bench = bench;
+        Texts texts =
+                new Texts(ResourceBundle.getBundle("simgsm.phone.messages", Texts.bundleLocale(language)), Locale.ROOT);
+        Clock clock = Clock.fixed(Bench.NOON, ZoneOffset.UTC);
+        panel = new HandsetPanel(texts, language, clock, bench.snapshot(), new Controls());
+        panel.setSize(panel.getPreferredSize());
+        layOut();
+    }
+
+    private void layOut() {
+        panel.doLayout();
+    }
+
+    Component find(String name) {
+        return Named.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name));
+    }
+
+    /** Shows the handset's newest snapshot and paints it at a scale. */
+    BufferedImage paint(double scale) {
+        panel.show(bench.snapshot());
+        Dimension size = panel.getPreferredSize();
+        panel.setSize(size);
+        layOut();
+        BufferedImage image = new BufferedImage(
+                (int) Math.ceil(size.width * scale), (int) Math.ceil(size.height * scale), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        panel.printAll(g);
+        g.dispose();
+        return image;
+    }
+
+    /** How many pixels of the picture have the ink's colour exactly. */
+    static int count(BufferedImage image, Theme.Ink ink) {
+        int count = 0;
+        int wanted = ink.color().getRGB();
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                count += image.getRGB(x, y) == wanted ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    private final class Controls implements HandsetControls {
+        @Override
+        public void keyDown(PhoneKey key) {
+            acts.add("down " + key);
+            bench.handset.keyDown(key, bench.nowNanos);
+        }
+
+        @Override
+        public void keyUp(PhoneKey key) {
+            acts.add("up " + key);
+            bench.handset.keyUp(key, bench.nowNanos);
+        }
+
+        @Override
+        public void charDown(char character) {
+            acts.add("down " + character);
+            bench.handset.charDown(character, bench.nowNanos);
+        }
+
+        @Override
+        public void charUp(char character) {
+            acts.add("up " + character);
+            bench.handset.charUp(character, bench.nowNanos);
+        }
+    }
+}
