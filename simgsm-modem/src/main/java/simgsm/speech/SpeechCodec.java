@@ -40,7 +40,7 @@ public interface SpeechCodec {
             return switch (this) {
                 case MU_LAW -> G711.MU_LAW;
                 case A_LAW -> G711.A_LAW;
-                case GSM_FULL_RATE -> throw new UnsupportedOperationException("GSM 06.10");
+                case GSM_FULL_RATE -> new GsmFullRate();
             };
         }
     }

@@ -100,6 +100,29 @@ class ModemMainTest {
     }
 
     @Test
+    void speechGoesThroughGsmAndBackWithItsKeys() throws IOException {
+        run("tones", "159D", file("a.wav"), "--pause-ms", "110");
+        assertEquals(0, run("gsm", "encode", file("a.wav"), file("a.gsm")));
+        assertEquals(42 * 33, Files.size(folder.resolve("a.gsm")));
+        assertEquals(0, run("gsm", "decode", file("a.gsm"), file("b.wav")));
+        assertEquals(42 * 160, SpeechFile.readAll(folder.resolve("b.wav")).length);
+        run("decode", file("b.wav"));
+        assertTrue(out().contains("\t159D\t"), out());
+    }
+
+    @Test
+    void gsmFilesThatAreDamagedEndWith1() throws IOException {
+        Files.write(folder.resolve("a.gsm"), new byte[33]);
+        assertEquals(1, run("gsm", "decode", file("a.gsm"), file("a.wav")));
+        assertTrue(err().contains("octet 0"), err());
+        run("tones", "1", file("b.wav"));
+        run("gsm", "encode", file("b.wav"), file("b.gsm"));
+        Files.write(folder.resolve("b.gsm"), java.util.Arrays.copyOf(Files.readAllBytes(folder.resolve("b.gsm")), 40));
+        assertEquals(1, run("gsm", "decode", file("b.gsm"), file("c.wav")));
+        assertEquals(160, SpeechFile.readAll(folder.resolve("c.wav")).length);
+    }
+
+    @Test
     void wrongUseIsExplainedAndEndsWith2() {
         String wav = file("a.wav");
         List<String[]> wrong = List.of(
@@ -116,6 +139,9 @@ class ModemMainTest {
                 new String[] {"tones", "1", wav, "--level", "4"},
                 new String[] {"tones", "1", wav, "--level", "NaN"},
                 new String[] {"tones", "1", wav, "--loud"},
+                new String[] {"gsm"},
+                new String[] {"gsm", "squeeze", wav, wav},
+                new String[] {"gsm", "encode", wav},
                 new String[] {"decode"},
                 new String[] {"decode", "--fast", wav});
         for (String[] words : wrong) {

@@ -1,0 +1,60 @@
+package simgsm.speech;
+
+/** The 16-bit fixed-point operations in which GSM 06.10 is written (ETS 300 961, 5.1): saturating, rounded as there. */
+final class Fixed {
+    static final int MOST = Short.MAX_VALUE;
+    static final int LEAST = Short.MIN_VALUE;
+
+    private Fixed() {}
+
+    static int saturate(int value) {
+        return value > MOST ? MOST : Math.max(value, LEAST);
+    }
+
+    static int add(int a, int b) {
+        return saturate(a + b);
+    }
+
+    static int subtract(int a, int b) {
+        return saturate(a - b);
+    }
+
+    static int absolute(int a) {
+        return a == LEAST ? MOST : Math.abs(a);
+    }
+
+    /** Product of two fractions of 15 bits, cut off. */
+    static int multiply(int a, int b) {
+        return a == LEAST && b == LEAST ? MOST : a * b >> 15;
+    }
+
+    /** Product of two fractions of 15 bits, rounded. */
+    static int multiplyRounded(int a, int b) {
+        return a == LEAST && b == LEAST ? MOST : a * b + 16384 >> 15;
+    }
+
+    /** How far a positive 32-bit number can be shifted left without touching the sign. */
+    static int headroom(int a) {
+        return Integer.numberOfLeadingZeros(a) - 1;
+    }
+
+    /** The fraction {@code numerator / denominator} in 15 bits, cut off; 0 to 1. */
+    static int divide(int numerator, int denominator) {
+        int quotient = 0;
+        int rest = numerator;
+        for (int i = 0; i < 15; i++) {
+            quotient <<= 1;
+            rest <<= 1;
+            if (rest >= denominator) {
+                rest -= denominator;
+                quotient++;
+            }
+        }
+        return quotient;
+    }
+
+    /** Shifts right, or left by a negative count. */
+    static int shiftRight(int a, int count) {
+        return count >= 0 ? a >> count : (short) (a << -count);
+    }
+}
