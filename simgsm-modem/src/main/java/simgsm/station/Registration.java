@@ -209,7 +209,9 @@ final class Registration {
         keySequence = NO_KEY;
     }
 
+    /** On a connection of its own: one that the network is about to release would not be listened to any more. */
     private void sendImsiDetach() {
+        parts.radio().release();
         parts.radio().send(new ImsiDetachIndication(identity()));
         parts.timers().start(StationTimer.T3220);
     }

@@ -418,7 +418,8 @@ class CallTest {
         Scene scene = active();
         scene.station.powerOff();
         scene.expect(new Disconnect(OWN, Cause.NORMAL_CALL_CLEARING));
-        scene.expect(ImsiDetachIndication.class);
+        scene.expectReleaseIndication();
+        scene.expectFirst(ImsiDetachIndication.class);
         assertEquals(List.of("released 16", "unregistered"), scene.told.lines());
     }
 
