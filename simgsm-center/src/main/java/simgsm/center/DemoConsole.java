@@ -17,6 +17,7 @@ import simgsm.console.Event;
 /** The console of one program of the demo: commands go in, events come out and into the transcript. */
 final class DemoConsole {
     private final String name;
+    private final Process process;
     private final OutputStream commands;
     private final Transcript transcript;
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
@@ -24,9 +25,10 @@ final class DemoConsole {
 
     DemoConsole(String name, Process process, Transcript transcript) {
         this.name = name;
+        this.process = process;
         this.commands = process.getOutputStream();
         this.transcript = transcript;
-        Thread reader = new Thread(() -> read(process), "console of " + name);
+        Thread reader = new Thread(this::read, "console of " + name);
         reader.setDaemon(true);
         reader.start();
     }
@@ -68,6 +70,16 @@ final class DemoConsole {
         }
     }
 
+    /** Waits for the program's own end, which must be a good one. */
+    void awaitEnd(int seconds) throws DemoFailure, InterruptedException {
+        if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
+            throw new DemoFailure(name + ": expected to end within " + seconds + " s");
+        }
+        if (process.exitValue() != 0) {
+            throw new DemoFailure(name + ": expected to end with status 0, found " + process.exitValue());
+        }
+    }
+
     private static boolean holds(Event event, String... fields) {
         for (String field : fields) {
             int equals = field.indexOf('=');
@@ -78,7 +90,7 @@ final class DemoConsole {
         return true;
     }
 
-    private void read(Process process) {
+    private void read() {
         try (BufferedReader lines =
                 new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {

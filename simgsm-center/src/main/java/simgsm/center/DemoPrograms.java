@@ -73,7 +73,8 @@ final class DemoPrograms implements AutoCloseable {
     private List<String> words(List<String> own, String... more) {
         List<String> words = new ArrayList<>(own);
         words.addAll(List.of("--center", "127.0.0.1:" + center.port()));
-        for (String passed : List.of("lang", "theme", "log-level", "seed")) {
+        words.addAll(List.of("--log-level", arguments.text("log-level").orElse("warning")));
+        for (String passed : List.of("lang", "theme", "seed")) {
             arguments.text(passed).ifPresent(value -> words.addAll(List.of("--" + passed, value)));
         }
         if (arguments.has("no-sound")) {

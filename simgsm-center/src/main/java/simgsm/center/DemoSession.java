@@ -34,6 +34,7 @@ final class DemoSession {
         beRefused();
         driveByMessage();
         collide();
+        end();
     }
 
     private void driveByTones() throws DemoFailure, InterruptedException {
@@ -85,6 +86,13 @@ final class DemoSession {
         hangUp();
         robot.command("pose");
         robot.await(ANSWER_SECONDS, "pose");
+    }
+
+    private void end() throws DemoFailure, InterruptedException {
+        phone.command("quit");
+        phone.awaitEnd(ANSWER_SECONDS);
+        robot.command("quit");
+        robot.awaitEnd(ANSWER_SECONDS);
     }
 
     private double x() throws DemoFailure, InterruptedException {

@@ -16,22 +16,27 @@ final class HeadlessDemo {
         Transcript transcript = new Transcript(Program.standardOutput());
         Texts texts = Messages.in(arguments.language());
         try (DemoPrograms programs = DemoPrograms.open(arguments)) {
-            programs.center()
-                    .start(
-                            CenterMain.seed(arguments),
-                            event -> transcript.line(
-                                    "centre", ConsoleEvents.of(event).toString()));
-            transcript.heading(
-                    texts.of("demo.start", Integer.toString(programs.center().port())));
-            DemoConsole robot = new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless"), transcript);
-            DemoConsole phone = new DemoConsole(
-                    "phone", programs.startPhone(Redirect.PIPE, "--headless", "--no-sound"), transcript);
-            new DemoSession(phone, robot, transcript, texts).play();
-            transcript.heading(texts.of("demo.passed"));
-            return ExitStatus.OK;
+            play(programs, CenterMain.seed(arguments), transcript, texts);
         } catch (DemoFailure failure) {
             transcript.heading(texts.of("demo.failed", failure.getMessage()));
             return ExitStatus.FAILED;
         }
+        transcript.heading(texts.of("demo.passed"));
+        return ExitStatus.OK;
+    }
+
+    private static void play(DemoPrograms programs, long seed, Transcript transcript, Texts texts)
+            throws IOException, DemoFailure, InterruptedException {
+        transcript.heading(
+                texts.of("demo.start", Integer.toString(programs.center().port())));
+        programs.center()
+                .start(
+                        seed,
+                        event -> transcript.line(
+                                "centre", ConsoleEvents.of(event).toString()));
+        DemoConsole robot = new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless"), transcript);
+        DemoConsole phone =
+                new DemoConsole("phone", programs.startPhone(Redirect.PIPE, "--headless", "--no-sound"), transcript);
+        new DemoSession(phone, robot, transcript, texts).play();
     }
 }

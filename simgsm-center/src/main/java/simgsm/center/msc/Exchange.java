@@ -108,7 +108,8 @@ public final class Exchange {
     public void linkClosed(long nowNanos, Link link, String reason) {
         timers.advance(nowNanos);
         if (!link.isClosed) {
-            LOG.log(Level.INFO, "{0}: gone, {1}", link, reason);
+            // Whoever has detached before may go without a word.
+            LOG.log(link.subscriber == null ? Level.DEBUG : Level.INFO, "{0}: gone, {1}", link, reason);
             link.forget();
         }
         settle();

@@ -258,6 +258,9 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     private void shutAll() {
+        if (!selector.isOpen()) {
+            return;
+        }
         for (SelectionKey key : selector.keys()) {
             if (key.attachment() instanceof Connection connection) {
                 connection.shut();
