@@ -153,7 +153,7 @@ public final class StationThread implements AutoCloseable {
         try {
             act.run();
         } catch (RuntimeException e) {
-            LOGGER.log(Level.ERROR, "an act failed: {0}", e);
+            LOGGER.log(Level.ERROR, "an act failed: {0}", e.toString());
             LOGGER.log(Level.DEBUG, "where it failed", e);
         }
     }
