@@ -215,7 +215,8 @@ public final class CommandRecognizer {
     }
 
     private Recognition complete() {
-        Order order = new Order(keys.append('*').toString(), instructions);
+        int stars = keys.indexOf("#");
+        Order order = new Order(keys.append('*').substring(stars - 2), instructions);
         state = State.IDLE;
         keys.setLength(0);
         return new Recognition.Complete(order);

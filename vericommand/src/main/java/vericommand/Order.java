@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 /**
  * One whole order, right in grammar and range.
  *
- * @param keys as they came, without blanks
+ * @param keys as they came, without blanks and without further stars of the opening
  */
 public record Order(String keys, List<Instruction> instructions) {
     public static final int MAX_INSTRUCTIONS = 32;

@@ -65,10 +65,10 @@ class CommandRecognizerTest {
     }
 
     @Test
-    void anOrderKeepsTheKeysAsTheyCame() {
+    void anOrderKeepsTheKeysAsTheyCameButForFurtherStarsOfItsOpening() {
         press("*** #**0020 *");
         Recognition.Complete complete = (Recognition.Complete) recognizer.key('*');
-        assertEquals("***#**0020**", complete.order().keys());
+        assertEquals("**#**0020**", complete.order().keys());
     }
 
     @ParameterizedTest
