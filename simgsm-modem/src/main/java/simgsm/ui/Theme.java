@@ -79,6 +79,10 @@ public final class Theme {
         BODY(0xDCE1E8, 0x2D3239),
         BODY_LINE(0xB4BCC7, 0x4A515B),
         KEY_FACE(0xFDFDFE, 0x3A4048),
+        CALL_FACE(0x1E7F4F, 0x278052),
+        END_FACE(0xB3261E, 0xC03A30),
+        /** Signs on those two. */
+        ON_FACE(0xFFFFFF, 0xFFFFFF),
         KEY_LINE(0xAAB3BF, 0x565E69),
         KEY_HOVER(0xF0F3F7, 0x434A53),
         /** The display of the phone: the same in both appearances, as a real one is. */

@@ -23,6 +23,10 @@ final class PhoneControls implements HandsetControls {
 
     PhoneControls(Phone phone) {
         this.phone = phone;
+        phone.execute(() -> {
+            phone.handset().whenTimeIsWanted(this::tickWhileWanted);
+            tickWhileWanted();
+        });
     }
 
     @Override

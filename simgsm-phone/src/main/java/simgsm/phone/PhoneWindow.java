@@ -25,8 +25,10 @@ import simgsm.phone.ui.HandsetPanel;
 import simgsm.station.StationIdentity;
 import simgsm.ui.Appearance;
 import simgsm.ui.Newest;
+import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
+import simgsm.ui.WindowIcon;
 import simgsm.ui.WindowKeys;
 
 /** The phone in a window: builds it, shows it, and cleans up once it is closed. */
@@ -85,6 +87,7 @@ final class PhoneWindow {
                 new HandsetPanel(texts, language, Clock.systemDefaultZone(), first, new PhoneControls(phone));
         JFrame frame = new JFrame(texts.of("window.title") + " " + number);
         frame.setContentPane(panel);
+        frame.setIconImages(WindowIcon.images(Symbol.PHONE));
         WindowKeys.install(frame.getRootPane(), language);
         Newest<HandsetSnapshot> newest = new Newest<>(phone.handset()::snapshot, panel::show);
         Timer clock = new Timer(1000, event -> panel.lookAtClock());

@@ -25,11 +25,12 @@ import simgsm.station.StationSnapshot;
  */
 public final class Handset {
     private static final int MAX_TYPED = 40;
-    private static final int MAX_KEYED = 200;
     private static final int FRAMES_PER_SECOND = 50;
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
     /** A key held this long does its second task: 1 opens the mailbox, 0 becomes a plus sign. */
     private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
+    /** For local sound that the station's news begin: they come without a time. */
+    private static final long WHEN_TIME_IS_TOLD = Long.MIN_VALUE;
     /** So long the scope goes on after a tone, until its picture is quiet. */
     private static final int TAIL_FRAMES = 8;
 
@@ -42,6 +43,7 @@ public final class Handset {
     private final KeySender line;
     private final KeySender local = new KeySender(keys -> {});
     private final DtmfReceiver ear = new DtmfReceiver(this::toneHeard);
+    private final SupervisoryTonePlayer supervisory = new SupervisoryTonePlayer();
     private final short[] localFrame = new short[160];
 
     /** References of messages that failed while they were being handed in. */
@@ -57,6 +59,7 @@ public final class Handset {
     private long nextLocalFrameNanos = Long.MAX_VALUE;
     private int tailFrames;
     private Runnable whenSettled;
+    private Runnable timeWanted = () -> {};
     private volatile HandsetSnapshot newest;
 
     /**
@@ -241,8 +244,10 @@ public final class Handset {
     }
 
     private void pressAtHome(PhoneKey key, long nowNanos) {
-        call = new CallSnapshot(
-                call.phase(), call.number(), call.seconds(), call.keyed(), call.tone(), Optional.empty());
+        call = call.withoutEnd();
+        if (call.phase() == CallPhase.NONE) {
+            supervise(SupervisoryTone.NONE);
+        }
         switch (key) {
             case CALL -> callTyped();
             case OK -> {
@@ -272,11 +277,16 @@ public final class Handset {
             return;
         }
         local.down(tone);
-        nextLocalFrameNanos = Math.min(nextLocalFrameNanos, nowNanos);
-        tailFrames = TAIL_FRAMES;
+        soundLocally(nowNanos);
         if (call.phase() == CallPhase.NONE && typed.length() < MAX_TYPED) {
             typed += tone.symbol();
         }
+    }
+
+    /** Begins to give frames to the ear without a call's beat. */
+    private void soundLocally(long nowNanos) {
+        nextLocalFrameNanos = Math.min(nextLocalFrameNanos, nowNanos);
+        tailFrames = TAIL_FRAMES;
     }
 
     private void callTyped() {
@@ -300,13 +310,24 @@ public final class Handset {
 
     // Time, for what happens without a call: key tones, letters, long presses.
 
-    /** Whether {@link #timePassed} is to be called within the next 20 ms. */
+    /** Whether {@link #timePassed} is to be called within the next 20 ms; may become true by acts and by the station. */
     public boolean wantsTime() {
-        return nextLocalFrameNanos != Long.MAX_VALUE || screens.wantsTime() || canBeLongPress();
+        return nextLocalFrameNanos == WHEN_TIME_IS_TOLD
+                || nextLocalFrameNanos != Long.MAX_VALUE
+                || screens.wantsTime()
+                || canBeLongPress();
+    }
+
+    /** Has the act run whenever the station's news make the handset want time. */
+    public void whenTimeIsWanted(Runnable act) {
+        timeWanted = act;
     }
 
     public void timePassed(long nowNanos) {
         boolean changed = screens.timePassed(nowNanos);
+        if (nextLocalFrameNanos == WHEN_TIME_IS_TOLD) {
+            nextLocalFrameNanos = nowNanos;
+        }
         while (nextLocalFrameNanos <= nowNanos) {
             changed |= localFrame();
         }
@@ -327,8 +348,9 @@ public final class Handset {
         }
         DtmfKey before = local.sounding();
         local.read(localFrame);
+        supervisory.addTo(localFrame);
         earpiece.said(localFrame);
-        tailFrames = local.isIdle() ? tailFrames - 1 : TAIL_FRAMES;
+        tailFrames = local.isIdle() && supervisory.isIdle() ? tailFrames - 1 : TAIL_FRAMES;
         nextLocalFrameNanos = tailFrames > 0 ? nextLocalFrameNanos + FRAME_NANOS : Long.MAX_VALUE;
         return earpiece.pollChanged() || before != local.sounding();
     }
@@ -368,18 +390,21 @@ public final class Handset {
     }
 
     private void toneHeard(DtmfDigit digit) {
-        call = new CallSnapshot(
-                call.phase(), call.number(), call.seconds(), call.keyed(), Optional.of(digit.key()), call.ended());
+        call = call.withHeard(digit.key().symbol());
         listener.toneHeard(digit.key());
         changed();
     }
 
     private void keyed(char symbol) {
-        String keyed = call.keyed() + symbol;
-        if (keyed.length() > MAX_KEYED) {
-            keyed = keyed.substring(keyed.length() - MAX_KEYED);
+        call = call.withKeyed(symbol);
+    }
+
+    private void supervise(SupervisoryTone tone) {
+        supervisory.start(tone);
+        if (tone != SupervisoryTone.NONE) {
+            soundLocally(WHEN_TIME_IS_TOLD);
+            timeWanted.run();
         }
-        call = new CallSnapshot(call.phase(), call.number(), call.seconds(), keyed, call.tone(), call.ended());
     }
 
     private boolean isPowered() {
@@ -389,8 +414,7 @@ public final class Handset {
     private void changed() {
         StationSnapshot state = station.snapshot();
         DtmfKey sounding = call.phase() == CallPhase.CONNECTED ? line.sounding() : local.sounding();
-        int seconds = (int) (callFrames / FRAMES_PER_SECOND);
-        call = new CallSnapshot(call.phase(), call.number(), seconds, call.keyed(), call.tone(), call.ended());
+        call = call.at((int) (callFrames / FRAMES_PER_SECOND));
         newest = new HandsetSnapshot(
                 own,
                 state,
@@ -406,16 +430,17 @@ public final class Handset {
     }
 
     private void beginCall(CallPhase phase, String number) {
-        call = new CallSnapshot(phase, number, 0, "", Optional.empty(), Optional.empty());
+        call = CallSnapshot.begun(phase, number);
         callFrames = 0;
         typed = "";
         line.drop();
+        supervise(SupervisoryTone.NONE);
         screens.home();
         changed();
     }
 
     private void advanceCall(CallPhase phase, String number) {
-        call = new CallSnapshot(phase, number, call.seconds(), call.keyed(), call.tone(), call.ended());
+        call = call.in(phase, number);
         changed();
     }
 
@@ -462,6 +487,7 @@ public final class Handset {
         @Override
         public void alerting() {
             advanceCall(CallPhase.ALERTING, call.number());
+            supervise(SupervisoryTone.RINGING);
             listener.alerting();
         }
 
@@ -470,12 +496,14 @@ public final class Handset {
             String number = from.map(Msisdn::digits).orElse("");
             beginCall(CallPhase.RINGING, number);
             lastNumber = number.isEmpty() ? lastNumber : number;
+            supervise(SupervisoryTone.INCOMING);
             listener.ringing(from);
         }
 
         @Override
         public void connected(Optional<Msisdn> peer) {
             ear.reset();
+            supervise(SupervisoryTone.NONE);
             advanceCall(CallPhase.CONNECTED, peer.map(Msisdn::digits).orElse(call.number()));
             listener.connected(peer);
         }
@@ -484,9 +512,8 @@ public final class Handset {
         public void released(Cause cause) {
             line.drop();
             earpiece.callEnded();
-            tailFrames = TAIL_FRAMES;
-            call = new CallSnapshot(
-                    CallPhase.NONE, call.number(), call.seconds(), call.keyed(), call.tone(), Optional.of(cause));
+            call = call.over(cause);
+            supervise(SupervisoryTone.of(cause));
             listener.released(cause);
             changed();
             checkSettled();

@@ -1,7 +1,6 @@
 package simgsm.phone.ui;
 
 import java.util.Locale;
-import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.CallPhase;
@@ -16,7 +15,8 @@ import simgsm.ui.Theme.Ink;
 
 /** The display at rest, with a number being typed, and in a call. */
 final class LcdHome {
-    private static final int KEYED_SHOWN = 26;
+    private static final int KEYED_SHOWN = 25;
+    private static final int EARLIER_SHOWN = 5;
 
     private final Texts texts;
 
@@ -75,7 +75,7 @@ final class LcdHome {
         String line = call.number() + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
         pen.centred(line.strip(), pen.mono(13, false), 112);
         pen.ink(Ink.LCD_INK);
-        tone(pen, call.tone(), 140);
+        tone(pen, call.heard(), 140);
     }
 
     private String causeInWords(Cause cause) {
@@ -95,7 +95,7 @@ final class LcdHome {
         pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
         if (call.phase() == CallPhase.CONNECTED) {
             keyed(pen, call.keyed());
-            tone(pen, call.tone(), 146);
+            tone(pen, call.heard(), 146);
         }
         hint(pen, texts.of("lcd.hint.call." + call.phase().name().toLowerCase(Locale.ROOT)));
     }
@@ -111,26 +111,32 @@ final class LcdHome {
     private void keyed(LcdPen pen, String keys) {
         String shown = keys.length() <= KEYED_SHOWN ? keys : "\u2026" + keys.substring(keys.length() - KEYED_SHOWN);
         var font = pen.mono(keys.length() <= 15 ? 20 : 15, true);
-        pen.left(shown, font, LcdPen.MARGIN, 112);
-        if (keys.isEmpty()) {
+        if (!keys.isEmpty()) {
+            pen.symbol(Symbol.RIGHT, LcdPen.MARGIN + 4, 107, 13);
+            pen.left(shown, font, LcdPen.MARGIN + 15, 114);
+        } else {
             pen.ink(Ink.LCD_QUIET);
-            pen.left(texts.of("lcd.nokeys"), pen.sans(12, false), LcdPen.MARGIN, 112);
+            pen.left(texts.of("lcd.nokeys"), pen.sans(12, false), LcdPen.MARGIN, 114);
             pen.ink(Ink.LCD_INK);
         }
     }
 
-    /** The key that came back, as on a keycap, and its meaning. */
-    private void tone(LcdPen pen, Optional<DtmfKey> tone, double baseline) {
-        if (tone.isEmpty()) {
+    /** The key that came back, as on a keycap, and its meaning; at the right those that came before it. */
+    private void tone(LcdPen pen, String heard, double baseline) {
+        if (heard.isEmpty()) {
             return;
         }
-        String symbol = String.valueOf(tone.get().symbol());
+        DtmfKey tone = DtmfKey.of(heard.charAt(heard.length() - 1));
+        String symbol = String.valueOf(tone.symbol());
         pen.symbol(Symbol.LEFT, LcdPen.MARGIN + 4, baseline - 5, 13);
         pen.inverse(symbol, pen.mono(15, true), LcdPen.MARGIN + 14, baseline, 20);
-        String meaning =
-                ToneMeaning.textKey(tone.get()).map(key -> texts.of(key)).orElse("");
+        String meaning = ToneMeaning.textKey(tone).map(key -> texts.of(key)).orElse("");
         var font = pen.sans(14, true);
-        double room = LcdPen.WIDTH - LcdPen.MARGIN - 50;
+        String earlier = heard.substring(Math.max(0, heard.length() - 1 - EARLIER_SHOWN), heard.length() - 1);
+        pen.ink(Ink.LCD_QUIET);
+        pen.right(earlier, pen.mono(13, false), LcdPen.WIDTH - LcdPen.MARGIN, baseline);
+        pen.ink(Ink.LCD_INK);
+        double room = LcdPen.WIDTH - LcdPen.MARGIN - 58 - pen.width(pen.mono(13, false), earlier);
         double natural = pen.width(font, meaning);
         pen.left(meaning, natural > room ? pen.sans(14 * room / natural, true) : font, 50, baseline);
     }

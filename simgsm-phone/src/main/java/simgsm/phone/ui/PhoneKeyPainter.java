@@ -64,16 +64,16 @@ final class PhoneKeyPainter {
 
     private Ink lower() {
         return switch (key) {
-            case CALL -> Ink.GOOD;
-            case END -> Ink.DANGER;
+            case CALL -> Ink.CALL_FACE;
+            case END -> Ink.END_FACE;
             default -> Ink.KEY_LINE;
         };
     }
 
     private Ink face(Look look) {
         return switch (key) {
-            case CALL -> Ink.GOOD;
-            case END -> Ink.DANGER;
+            case CALL -> Ink.CALL_FACE;
+            case END -> Ink.END_FACE;
             default ->
                 look.sounding
                         ? Ink.ACCENT_WASH
@@ -82,7 +82,7 @@ final class PhoneKeyPainter {
     }
 
     private Ink sign() {
-        return key == PhoneKey.CALL || key == PhoneKey.END ? Ink.ON_SIGNAL : Ink.TEXT;
+        return key == PhoneKey.CALL || key == PhoneKey.END ? Ink.ON_FACE : Ink.TEXT;
     }
 
     private void labelled(Graphics2D g, Symbol symbol, String textKey, double width, double middle, double unit) {

@@ -109,8 +109,8 @@ class HandsetPanelTest {
         double area = scale * scale;
         assertTrue(PanelBench.count(image, Ink.LCD_PAPER) > 30_000 * area);
         assertTrue(PanelBench.count(image, Ink.KEY_FACE) > 40_000 * area);
-        assertTrue(PanelBench.count(image, Ink.GOOD) > 1_500 * area);
-        assertTrue(PanelBench.count(image, Ink.DANGER) > 1_500 * area);
+        assertTrue(PanelBench.count(image, Ink.CALL_FACE) > 1_500 * area);
+        assertTrue(PanelBench.count(image, Ink.END_FACE) > 1_500 * area);
         assertTrue(PanelBench.count(image, Ink.LCD_INK) > 300 * area);
     }
 

@@ -1,0 +1,34 @@
+package simgsm.ui;
+
+import java.awt.Graphics2D;
+import java.awt.Image;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.ui.Theme.Ink;
+
+/** The icon of a window in the sizes that desktops ask for: a symbol on a square of the accent. */
+public final class WindowIcon {
+    private static final int[] SIZES = {16, 24, 32, 48, 64, 128};
+
+    private WindowIcon() {}
+
+    public static List<Image> images(Symbol symbol) {
+        List<Image> images = new ArrayList<>();
+        for (int size : SIZES) {
+            images.add(image(symbol, size));
+        }
+        return images;
+    }
+
+    private static BufferedImage image(Symbol symbol, int size) {
+        BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = Drawing.on(image.createGraphics());
+        g.setColor(Ink.ACCENT.in(Appearance.LIGHT));
+        g.fill(Drawing.round(0, 0, size, size, size * 0.22));
+        g.setColor(Ink.ON_ACCENT.in(Appearance.LIGHT));
+        symbol.paint(g, size / 2.0, size / 2.0, size * 0.78);
+        g.dispose();
+        return image;
+    }
+}
