@@ -205,18 +205,4 @@ class MapReaderTest {
         assertEquals("Caf\u00e9", WorldReader.decode(new byte[] {'C', 'a', 'f', (byte) 0xC3, (byte) 0xA9}));
         assertEquals("2D", WorldReader.decode(new byte[] {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF, '2', 'D'}));
     }
-
-    @Test
-    void theListingGivesBackWholeMillimetres() throws Exception {
-        World world = read(
-                "2D-Map",
-                "Cairn: RobotHome -1500 250 270 \"\" ICON \"Home\"",
-                "LINES",
-                "-2147483 7 13 -1",
-                "DATA",
-                "333 -667");
-        assertEquals(
-                List.of("line,-2147483,7,13,-1", "point,333,-667", "home,-1500,250,270,Home"),
-                WorldListing.lines(world).toList());
-    }
 }

@@ -1,0 +1,23 @@
+package simrobot.ui;
+
+import java.util.Objects;
+import simgsm.dtmf.ToneTrace;
+import simgsm.station.StationSnapshot;
+import vericommand.VeriCommandSnapshot;
+
+/**
+ * The telephone's side of one robot: its modem, what the modem hears, and what VeriCommand makes of it.
+ *
+ * @param robot the robot's name
+ * @param number the modem's own number
+ */
+public record LineSnapshot(
+        String robot, String number, StationSnapshot modem, ToneTrace heard, VeriCommandSnapshot orders) {
+    public LineSnapshot {
+        Objects.requireNonNull(robot);
+        Objects.requireNonNull(number);
+        Objects.requireNonNull(modem);
+        Objects.requireNonNull(heard);
+        Objects.requireNonNull(orders);
+    }
+}

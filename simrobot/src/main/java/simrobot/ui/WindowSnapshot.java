@@ -1,0 +1,29 @@
+package simrobot.ui;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import simrobot.simulation.SimulationSnapshot;
+
+/**
+ * All that the window shows, immutable.
+ *
+ * @param lines one for each robot that has a modem
+ * @param speed simulated seconds per second; infinite is as fast as it can
+ * @param worldFile the file of the present world
+ * @param notice a message for the person at the window, empty when there is none
+ */
+public record WindowSnapshot(
+        SimulationSnapshot simulation,
+        List<LineSnapshot> lines,
+        double speed,
+        boolean paused,
+        Path worldFile,
+        String notice) {
+    public WindowSnapshot {
+        Objects.requireNonNull(simulation);
+        lines = List.copyOf(lines);
+        Objects.requireNonNull(worldFile);
+        Objects.requireNonNull(notice);
+    }
+}

@@ -1,0 +1,167 @@
+package simrobot.ui;
+
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
+import simgsm.ui.Theme;
+import simrobot.robot.Pioneer2Dx;
+import simrobot.simulation.RobotSnapshot;
+
+/**
+ * The mouse on the floor: wheel zooms at the pointer; dragging a robot moves it, dragging its handle (or dragging it with
+ * the right button) turns it, dragging the floor pans; a double click on the floor fits the world.
+ */
+final class WorldMouse extends MouseAdapter {
+    private static final double ZOOM_PER_NOTCH = 1.15;
+
+    private enum Drag {
+        NONE,
+        PAN,
+        MOVE,
+        TURN
+    }
+
+    private final WorldView view;
+    private Drag drag = Drag.NONE;
+    private double lastX;
+    private double lastY;
+    private double gripX;
+    private double gripY;
+
+    WorldMouse(WorldView view) {
+        this.view = view;
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        view.requestFocusInWindow();
+        lastX = event.getX();
+        lastY = event.getY();
+        Optional<RobotSnapshot> hit = robotAt(event);
+        if (isOnHandle(event)) {
+            drag = Drag.TURN;
+        } else if (hit.isPresent()) {
+            RobotSnapshot robot = hit.get();
+            view.pick(robot);
+            drag = SwingUtilities.isLeftMouseButton(event) ? Drag.MOVE : Drag.TURN;
+            gripX = robot.xMeters() - worldX(event);
+            gripY = robot.yMeters() - worldY(event);
+        } else {
+            drag = Drag.PAN;
+        }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        switch (drag) {
+            case PAN -> pan(event);
+            case MOVE -> move(event);
+            case TURN -> turn(event);
+            case NONE -> {
+                // a drag that began elsewhere
+            }
+        }
+        lastX = event.getX();
+        lastY = event.getY();
+        mouseMoved(event);
+    }
+
+    private void pan(MouseEvent event) {
+        view.setFollowing(false);
+        view.look(view.viewport().draggedBy(event.getX() - lastX, event.getY() - lastY));
+    }
+
+    private void move(MouseEvent event) {
+        view.selectedRobot()
+                .ifPresent(robot -> view.operator()
+                        .place(
+                                robot.name(),
+                                worldX(event) + gripX,
+                                worldY(event) + gripY,
+                                robot.headingRadians()));
+    }
+
+    /** Towards the pointer, in whole degrees, in steps of 15 with Shift held. */
+    private void turn(MouseEvent event) {
+        view.selectedRobot().ifPresent(robot -> {
+            double towards = Math.atan2(worldY(event) - robot.yMeters(), worldX(event) - robot.xMeters());
+            double step = event.isShiftDown() ? 15 : 1;
+            double degrees = Math.rint(Math.toDegrees(towards) / step) * step;
+            view.operator().place(robot.name(), robot.xMeters(), robot.yMeters(), Math.toRadians(degrees));
+        });
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        drag = Drag.NONE;
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent event) {
+        if (event.getClickCount() == 2 && robotAt(event).isEmpty()) {
+            view.setFollowing(false);
+            view.fit();
+        }
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        view.setReadout(PoseTexts.fixed(worldX(event), 2) + "  " + PoseTexts.fixed(worldY(event), 2) + " m");
+    }
+
+    @Override
+    public void mouseExited(MouseEvent event) {
+        view.setReadout("");
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        double factor = Math.pow(ZOOM_PER_NOTCH, -event.getPreciseWheelRotation());
+        view.look(view.viewport().zoomedAt(event.getX(), event.getY(), factor));
+    }
+
+    private Optional<RobotSnapshot> robotAt(MouseEvent event) {
+        double reach = Math.max(Pioneer2Dx.RADIUS_METERS, Theme.exact(8) / view.viewport().pixelsPerMeter());
+        return view.picture().robots().stream()
+                .filter(robot -> Math.hypot(robot.xMeters() - worldX(event), robot.yMeters() - worldY(event)) <= reach)
+                .findFirst();
+    }
+
+    private boolean isOnHandle(MouseEvent event) {
+        double reach = Math.max(0.06, Theme.exact(8) / view.viewport().pixelsPerMeter());
+        return view.selectedRobot()
+                .filter(robot -> {
+                    double x = robot.xMeters() + RobotPainter.HANDLE_METERS * Math.cos(robot.headingRadians());
+                    double y = robot.yMeters() + RobotPainter.HANDLE_METERS * Math.sin(robot.headingRadians());
+                    return Math.hypot(x - worldX(event), y - worldY(event)) <= reach;
+                })
+                .isPresent();
+    }
+
+    private double worldX(MouseEvent event) {
+        return view.viewport().worldX(event.getX());
+    }
+
+    private double worldY(MouseEvent event) {
+        return view.viewport().worldY(event.getY());
+    }
+
+    /** The focus ring comes and goes. */
+    FocusListener repaintOnFocus() {
+        return new FocusListener() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                view.repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                view.repaint();
+            }
+        };
+    }
+}

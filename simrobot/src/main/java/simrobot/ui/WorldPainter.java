@@ -1,0 +1,78 @@
+package simrobot.ui;
+
+import java.awt.Graphics2D;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+
+/** Paints a snapshot of the simulation into a viewport; it has no state, so it serves screen, files and tests alike. */
+final class WorldPainter {
+    private WorldPainter() {}
+
+    /**
+     * Paints everything.
+     *
+     * @param selected the selected robot's name, or null
+     */
+    static void paint(Graphics2D g, SimulationSnapshot picture, Viewport view, Layers layers, String selected) {
+        Drawing.prepare(g);
+        FloorPainter floor = new FloorPainter(g, view);
+        floor.paper();
+        if (layers.grid()) {
+            floor.grid();
+        }
+        floor.markings(picture.world(), picture.timeNanos());
+        RobotPainter painter = new RobotPainter(g, view);
+        if (layers.trail()) {
+            picture.robots().forEach(robot -> painter.trail(robot, picture.timeNanos()));
+        }
+        floor.obstacles(picture.world());
+        for (RobotSnapshot robot : picture.robots()) {
+            if (layers.sonar() && (robot.name().equals(selected) || picture.robots().size() == 1)) {
+                painter.sonar(robot);
+            }
+        }
+        for (RobotSnapshot robot : picture.robots()) {
+            if (view.shows(robot.xMeters(), robot.yMeters(), 1)) {
+                painter.body(robot, robot.name().equals(selected));
+                painter.badge(robot, picture.robots().size() > 1);
+            }
+        }
+        scaleBar(g, view);
+    }
+
+    /** A bar of 1, 2 or 5 times a power of ten metres, about 100 pixels long. */
+    private static void scaleBar(Graphics2D g, Viewport view) {
+        double meters = scaleBarMeters(view.pixelsPerMeter());
+        double length = meters * view.pixelsPerMeter();
+        double x = Theme.exact(14);
+        double y = view.height() - Theme.exact(14);
+        double tick = Theme.exact(5);
+        g.setColor(Ink.FLOOR.color(0.8));
+        g.fill(Drawing.round(
+                x - Theme.exact(8),
+                y - Theme.exact(22),
+                length + Theme.exact(16),
+                Theme.exact(30),
+                Theme.exact(Theme.CONTROL_RADIUS)));
+        g.setColor(Ink.TEXT.color());
+        Drawing.horizontal(g, x, x + length, y);
+        Drawing.vertical(g, x, y - tick, y + Theme.exact(1));
+        Drawing.vertical(g, x + length - Theme.exact(1), y - tick, y + Theme.exact(1));
+        Drawing.vertical(g, x + length / 2, y - tick / 2, y);
+        Drawing.centred(g, label(meters), Theme.monoSmall(), x + length / 2, y - Theme.exact(12));
+    }
+
+    static double scaleBarMeters(double pixelsPerMeter) {
+        double wanted = Theme.exact(110) / pixelsPerMeter;
+        double power = Math.pow(10, Math.floor(Math.log10(wanted)));
+        double share = wanted / power;
+        return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+    }
+
+    private static String label(double meters) {
+        return meters >= 1 ? Math.round(meters) + " m" : Math.round(meters * 100) + " cm";
+    }
+}

@@ -1,0 +1,267 @@
+package simrobot.ui;
+
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import simgsm.ui.Drawing;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Area;
+import simrobot.world.World;
+
+/** The floor with its robots: zoom, pan, follow, and robots that can be dragged and turned. */
+final class WorldView extends JComponent {
+    private static final double MARGIN_UNITS = 36;
+
+    private final Texts texts;
+    private final Operator operator;
+    private final Consumer<String> selection;
+    private SimulationSnapshot picture;
+    private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
+    private Layers layers = Layers.ALL;
+    private String selected;
+    private boolean fitted = true;
+    private boolean following;
+    private String readout = "";
+
+    /** @param selection told when a robot is picked with the mouse */
+    WorldView(SimulationSnapshot picture, Texts texts, Operator operator, Consumer<String> selection) {
+        this.picture = picture;
+        this.texts = texts;
+        this.operator = operator;
+        this.selection = selection;
+        setName("world");
+        setFocusable(true);
+        setOpaque(true);
+        setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
+        WorldMouse mouse = new WorldMouse(this);
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
+        addFocusListener(mouse.repaintOnFocus());
+        WorldKeys.install(this);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                resized();
+            }
+        });
+    }
+
+    // ---- what is shown ---------------------------------------------------------------------------------------------
+
+    void show(SimulationSnapshot newest) {
+        World before = picture.world();
+        String spoken = spoken();
+        picture = newest;
+        if (newest.world() != before) {
+            fit();
+        }
+        if (following) {
+            selectedRobot().ifPresent(robot -> viewport = viewport.centeredOn(robot.xMeters(), robot.yMeters()));
+        }
+        if (accessibleContext != null && !spoken.equals(spoken())) {
+            accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, spoken, spoken());
+        }
+        repaint();
+    }
+
+    void select(String robot) {
+        selected = robot;
+        repaint();
+    }
+
+    Optional<RobotSnapshot> selectedRobot() {
+        return picture.robots().stream()
+                .filter(robot -> robot.name().equals(selected))
+                .findFirst();
+    }
+
+    Layers layers() {
+        return layers;
+    }
+
+    void setLayers(Layers newLayers) {
+        layers = newLayers;
+        repaint();
+    }
+
+    // ---- where one looks -------------------------------------------------------------------------------------------
+
+    Viewport viewport() {
+        return viewport;
+    }
+
+    /** Looks elsewhere by hand: the view no longer fits itself, nor follows. */
+    void look(Viewport elsewhere) {
+        viewport = elsewhere;
+        fitted = false;
+        repaint();
+    }
+
+    /** Shows the whole world, also when the view's size changes. */
+    void fit() {
+        fitted = true;
+        Area bounds = picture.world().bounds();
+        viewport = Viewport.fitting(bounds, getWidth(), getHeight(), Theme.exact(MARGIN_UNITS));
+        repaint();
+    }
+
+    void zoom(double factor) {
+        look(viewport.zoomedAt(getWidth() / 2.0, getHeight() / 2.0, factor));
+    }
+
+    boolean isFollowing() {
+        return following;
+    }
+
+    /** Keeps the selected robot in the middle. */
+    void setFollowing(boolean follow) {
+        following = follow;
+        if (follow) {
+            look(viewport);
+        }
+        show(picture);
+    }
+
+    private void resized() {
+        viewport = viewport.sized(getWidth(), getHeight());
+        if (fitted) {
+            fit();
+        }
+    }
+
+    /** The place under the pointer, in the corner; empty for none. */
+    void setReadout(String text) {
+        if (!text.equals(readout)) {
+            readout = text;
+            repaint();
+        }
+    }
+
+    // ---- acts ------------------------------------------------------------------------------------------------------
+
+    Operator operator() {
+        return operator;
+    }
+
+    SimulationSnapshot picture() {
+        return picture;
+    }
+
+    Texts texts() {
+        return texts;
+    }
+
+    void pick(RobotSnapshot robot) {
+        selection.accept(robot.name());
+    }
+
+    /** Moves the selected robot by hand. */
+    void nudge(double dxMeters, double dyMeters, double turnRadians) {
+        selectedRobot()
+                .ifPresent(robot -> operator.place(
+                        robot.name(),
+                        robot.xMeters() + dxMeters,
+                        robot.yMeters() + dyMeters,
+                        robot.headingRadians() + turnRadians));
+    }
+
+    // ---- painting --------------------------------------------------------------------------------------------------
+
+    @Override
+    public Dimension getPreferredSize() {
+        return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(720), Theme.px(460));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(Theme.px(200), Theme.px(160));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            WorldPainter.paint(g, picture, viewport, layers, selected);
+            clock(g);
+            place(g);
+            if (isFocusOwner()) {
+                g.setColor(Ink.ACCENT.color());
+                g.setStroke(Theme.stroke(2));
+                g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
+            }
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private void clock(Graphics2D g) {
+        tag(g, clockText(picture.timeNanos()), Theme.exact(12));
+    }
+
+    static String clockText(long nanos) {
+        long centis = nanos / 10_000_000;
+        return "%d:%02d:%02d.%02d"
+                .formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
+    }
+
+    private void place(Graphics2D g) {
+        if (!readout.isEmpty()) {
+            tag(g, readout, getHeight() - Theme.exact(30));
+        }
+    }
+
+    /** A small text on a see-through ground at the right edge. */
+    private void tag(Graphics2D g, String text, double top) {
+        double width = Drawing.width(Theme.monoSmall(), text) + Theme.exact(16);
+        double x = getWidth() - width - Theme.exact(10);
+        g.setColor(Ink.FLOOR.color(0.85));
+        g.fill(Drawing.round(x, top, width, Theme.exact(20), Theme.exact(Theme.CONTROL_RADIUS)));
+        g.setColor(Ink.QUIET.color());
+        Drawing.centred(g, text, Theme.monoSmall(), x + width / 2, top + Theme.exact(10));
+    }
+
+    // ---- accessibility ---------------------------------------------------------------------------------------------
+
+    private String spoken() {
+        return selectedRobot()
+                .map(robot -> texts.of(
+                        "world.spoken",
+                        picture.world().name(),
+                        robot.name(),
+                        PoseTexts.meters(robot.xMeters()),
+                        PoseTexts.meters(robot.yMeters()),
+                        PoseTexts.degrees(robot.headingRadians())))
+                .orElse(texts.of("world.spoken.empty", picture.world().name()));
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.CANVAS;
+                }
+
+                @Override
+                public String getAccessibleName() {
+                    return spoken();
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}
