@@ -1,6 +1,5 @@
 package simrobot;
 
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.HashSet;
@@ -70,12 +69,7 @@ public final class SimRobotMain {
         if (arguments.has("headless")) {
             return headless(arguments, simRobot);
         }
-        if (GraphicsEnvironment.isHeadless()) {
-            System.err.println(NAME + ": there is no display; --headless runs without one");
-            return ExitStatus.UNAVAILABLE;
-        }
-        System.err.println(NAME + ": there is no window yet; --headless runs without one");
-        return ExitStatus.UNAVAILABLE;
+        return RobotWindow.run(arguments, simRobot, WorldFile.find(arguments.path("world")));
     }
 
     private static SimRobot build(Arguments arguments, Settings settings, World world) throws UsageException {

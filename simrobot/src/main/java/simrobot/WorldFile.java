@@ -22,16 +22,20 @@ final class WorldFile {
 
     /** @param name empty: the demo's world, or a bare floor where that is not to be found */
     static World read(Optional<Path> name) throws IOException {
-        Path wanted = name.orElse(Path.of(DEFAULT));
-        for (Path place : places(wanted)) {
-            if (Files.exists(place)) {
-                return WorldReader.read(place);
-            }
+        Path place = find(name);
+        if (Files.exists(place)) {
+            return WorldReader.read(place);
         }
         if (name.isEmpty()) {
             return World.bare();
         }
-        throw new NoSuchFileException(wanted.toString());
+        throw new NoSuchFileException(place.toString());
+    }
+
+    /** Where the world's file is; as named when it is nowhere. */
+    static Path find(Optional<Path> name) {
+        Path wanted = name.orElse(Path.of(DEFAULT));
+        return places(wanted).stream().filter(Files::exists).findFirst().orElse(wanted);
     }
 
     private static List<Path> places(Path wanted) {

@@ -42,7 +42,7 @@ public final class Trail {
 
     /** The robot leaves the floor: no line leads from here to the next crumb. */
     void lift() {
-        if (count > 0) {
+        if (count > 0 && !Double.isNaN(xs[(next + CAPACITY - 1) % CAPACITY])) {
             add(Double.NaN, Double.NaN, times[(next + CAPACITY - 1) % CAPACITY]);
         }
     }

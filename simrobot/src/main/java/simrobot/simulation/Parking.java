@@ -1,8 +1,12 @@
 package simrobot.simulation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import simrobot.robot.Pioneer2Dx;
 import simrobot.world.Area;
 import simrobot.world.Home;
+import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -26,6 +30,26 @@ final class Parking {
             }
         }
         return ringsAround(middle(world), free);
+    }
+
+    /** Places for so many robots at once. */
+    static List<Home> spots(World world, int count) {
+        ObstacleGrid obstacles = new ObstacleGrid(world);
+        double radius = Pioneer2Dx.RADIUS_METERS;
+        List<Home> taken = new ArrayList<>();
+        Free free = (x, y) -> obstacles.clearance(x, y, radius) >= radius
+                && taken.stream()
+                        .allMatch(home -> Math.hypot(
+                                        home.position().xMeters() - x,
+                                        home.position().yMeters() - y)
+                                >= 2 * radius);
+        for (int i = 0; i < count; i++) {
+            int next = i + 1;
+            taken.add(spot(world, free)
+                    .orElseThrow(() ->
+                            new IllegalArgumentException("no free place for robot " + next + " in " + world.name())));
+        }
+        return taken;
     }
 
     private static Position middle(World world) {

@@ -90,15 +90,20 @@ public final class Simulation {
         crowd.remove(robot);
     }
 
-    /** Changes the world while running: every robot stands still and goes to a home. */
+    /**
+     * Changes the world while running: every robot stands still and goes to a home.
+     *
+     * @throws IllegalArgumentException when the robots do not all fit into it; then nothing has changed
+     */
     public void load(World next) {
+        List<Home> spots = Parking.spots(next, robots.size());
         robots.forEach(SimulatedRobot::halt);
         robots.forEach(crowd::remove);
         world = next;
         crowd.load(next);
-        for (SimulatedRobot robot : robots) {
-            Home spot = Parking.spot(next, (x, y) -> crowd.isFree(null, x, y))
-                    .orElseThrow(() -> new IllegalStateException("no free place for all robots in " + next.name()));
+        for (int i = 0; i < robots.size(); i++) {
+            Home spot = spots.get(i);
+            SimulatedRobot robot = robots.get(i);
             robot.place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
             robot.trail().clear();
         }

@@ -6,6 +6,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
 /**
  * The one thread that owns a simulation and gives it a pace: simulated seconds per second. Acts come in through
@@ -56,6 +57,11 @@ public final class SimulationThread implements Executor, AutoCloseable {
     /** Has the act done on the owner thread, before the next step. Acts keep their order. */
     public void post(Runnable act) {
         acts.add(act);
+    }
+
+    /** The same for an act on the simulation itself. */
+    public void withSimulation(Consumer<Simulation> act) {
+        post(() -> act.accept(simulation));
     }
 
     @Override

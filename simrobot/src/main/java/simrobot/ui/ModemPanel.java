@@ -1,0 +1,87 @@
+package simrobot.ui;
+
+import java.awt.BorderLayout;
+import java.util.Locale;
+import javax.swing.JPanel;
+import simgsm.air.Msisdn;
+import simgsm.station.CallState;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Lamp;
+import simgsm.ui.LinkState;
+import simgsm.ui.Mark;
+import simgsm.ui.Named;
+import simgsm.ui.SignalBars;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.ToneScope;
+
+/** M2: its number, the network, the call, and what it hears. */
+final class ModemPanel extends JPanel {
+    private final Texts texts;
+    private final Locale language;
+    private final Line number = new Line("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
+    private final Line network = new Line("modem.network", Theme::base, Ink.QUIET);
+    private final SignalBars signal;
+    private final Lamp link;
+    private final Lamp call;
+    private final Line peer = new Line("modem.peer", Theme::monoStrong, Ink.TEXT);
+    private final ToneScope scope;
+
+    ModemPanel(Texts texts, Locale language) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.language = language;
+        setOpaque(false);
+        signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
+        link = Lamp.ofLink(language);
+        link.setName("modem.link");
+        call = new Lamp(texts.of("modem.call"));
+        call.setName("modem.call");
+        scope = new ToneScope(language);
+        JPanel facts = Arrange.column(
+                6,
+                Arrange.row(10, number, Arrange.spring(), signal),
+                network,
+                link,
+                call,
+                peer,
+                Arrange.spring());
+        JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
+        Card card = new Card(texts.of("modem.title"), content);
+        add(card, BorderLayout.CENTER);
+    }
+
+    void show(LineSnapshot line) {
+        StationSnapshot modem = line.modem();
+        number.show(line.number());
+        network.show(modem.registered() && !modem.networkName().isEmpty() ? modem.networkName() : texts.of("modem.noNetwork"));
+        signal.show(modem.registered() ? SignalBars.BARS : 0);
+        link.show(linkState(modem), language);
+        showCall(modem.callState());
+        peer.show(modem.peer().map(Msisdn::digits).orElse(""));
+        scope.show(line.heard());
+    }
+
+    private void showCall(CallState state) {
+        if (state == CallState.NULL) {
+            call.show(Mark.RING, Ink.QUIET, texts.of("modem.call.none"));
+        } else if (state == CallState.ACTIVE) {
+            call.show(Mark.DISC, Ink.GOOD, texts.of("modem.call.active"));
+        } else {
+            call.show(Mark.HALF_DISC, Ink.WARNING, texts.of("modem.call.setup"));
+        }
+    }
+
+    static LinkState linkState(StationSnapshot modem) {
+        if (!modem.powered()) {
+            return LinkState.OFF;
+        }
+        if (modem.registered()) {
+            return LinkState.UP;
+        }
+        return modem.rejectCause().isPresent() ? LinkState.REFUSED : LinkState.SEARCHING;
+    }
+}

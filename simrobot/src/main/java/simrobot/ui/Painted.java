@@ -1,0 +1,73 @@
+package simrobot.ui;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import simgsm.ui.Drawing;
+
+/** A small painted component that asks the theme whenever it paints, and says what it shows. */
+abstract class Painted extends JComponent {
+    private String spoken = "";
+
+    Painted(String name) {
+        setName(name);
+    }
+
+    /** What it shows, for assistive technology; a change is told and repaints. */
+    final void say(String newSpoken) {
+        if (!newSpoken.equals(spoken)) {
+            String before = spoken;
+            spoken = newSpoken;
+            if (accessibleContext != null) {
+                accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, spoken);
+            }
+            repaint();
+        }
+    }
+
+    /** In logical pixels, at the theme's present zoom. */
+    abstract Dimension preferred();
+
+    abstract void paint(Graphics2D g, double width, double height);
+
+    @Override
+    public final Dimension getPreferredSize() {
+        return preferred();
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return preferred();
+    }
+
+    @Override
+    protected final void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            paint(g, getWidth(), getHeight());
+        } finally {
+            g.dispose();
+        }
+    }
+
+    @Override
+    public final AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return AccessibleRole.LABEL;
+                }
+
+                @Override
+                public String getAccessibleName() {
+                    return spoken;
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}

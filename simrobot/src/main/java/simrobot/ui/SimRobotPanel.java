@@ -1,0 +1,141 @@
+package simrobot.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JPanel;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Drawing;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import simrobot.simulation.RobotSnapshot;
+
+/** SimRobot's whole window without its frame: tools, floor and inspector, and below them modem and VeriCommand. */
+public final class SimRobotPanel extends JPanel {
+    private final Operator operator;
+    private final ToolRow tools;
+    private final WorldView world;
+    private final Inspector inspector;
+    private final ModemPanel modem;
+    private final VeriCommandPanel orders;
+    private final Line notice = new Line("notice", Theme::strong, Ink.DANGER);
+    private final JPanel noticeRow;
+    private WindowSnapshot shown;
+    private String selected;
+
+    /** A window that shows the given snapshot until it gets a newer one. */
+    public SimRobotPanel(Locale language, WindowSnapshot first, Operator operator) {
+        super(new BorderLayout());
+        this.operator = operator;
+        Texts texts = Messages.in(language);
+        shown = first;
+        world = new WorldView(first.simulation(), texts, operator, this::select);
+        tools = new ToolRow(texts, language, operator, world);
+        inspector = new Inspector(texts, this::select);
+        modem = new ModemPanel(texts, language);
+        orders = new VeriCommandPanel(texts, language);
+        noticeRow = new Card(notice);
+        noticeRow.setVisible(false);
+        JPanel floor = new Framed(world);
+        JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(floor), inspector);
+        JPanel bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), Arrange.growing(orders));
+        JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle), bottom);
+        all.setBorder(Theme.padding(Theme.GRID));
+        add(all, BorderLayout.CENTER);
+        setBackground(Ink.SURFACE.color());
+        setName("simrobot");
+        show(first);
+    }
+
+    /** Shows the newest snapshot. */
+    public void show(WindowSnapshot newest) {
+        shown = newest;
+        if (robot(selected).isEmpty()) {
+            selected = newest.simulation().robots().stream()
+                    .findFirst()
+                    .map(RobotSnapshot::name)
+                    .orElse(null);
+            operator.watch(selected);
+        }
+        Optional<RobotSnapshot> robot = robot(selected);
+        Optional<LineSnapshot> line = line(selected);
+        world.select(selected);
+        world.show(newest.simulation());
+        tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
+        inspector.show(rows(), robot);
+        modem.setVisible(line.isPresent());
+        orders.setVisible(line.isPresent());
+        line.ifPresent(modem::show);
+        line.ifPresent(l -> orders.show(l.orders()));
+        notice.show(newest.notice());
+        if (noticeRow.isVisible() == newest.notice().isEmpty()) {
+            noticeRow.setVisible(!newest.notice().isEmpty());
+            revalidate();
+        }
+    }
+
+    /** Makes this robot the one that the whole window is about. */
+    void select(String robot) {
+        if (!robot.equals(selected)) {
+            selected = robot;
+            operator.watch(robot);
+            show(shown);
+        }
+    }
+
+    /** The floor, which should have the keyboard first. */
+    public void focusFloor() {
+        world.requestFocusInWindow();
+    }
+
+    private Optional<RobotSnapshot> robot(String name) {
+        return shown.simulation().robots().stream()
+                .filter(robot -> robot.name().equals(name))
+                .findFirst();
+    }
+
+    private Optional<LineSnapshot> line(String robot) {
+        return shown.lines().stream().filter(line -> line.robot().equals(robot)).findFirst();
+    }
+
+    private List<RobotList.Row> rows() {
+        return shown.simulation().robots().stream()
+                .map(robot -> new RobotList.Row(
+                        robot.name(),
+                        robot.status(),
+                        line(robot.name()).map(LineSnapshot::number).orElse("")))
+                .toList();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBackground(Ink.SURFACE.color());
+    }
+
+    /** A thin line about the floor. */
+    private static final class Framed extends JPanel {
+        Framed(WorldView view) {
+            super(new BorderLayout());
+            setOpaque(false);
+            setBorder(Theme.padding(1));
+            add(view, BorderLayout.CENTER);
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            Graphics2D g = Drawing.on(graphics);
+            try {
+                g.setColor(Ink.LINE.color());
+                g.fillRect(0, 0, getWidth(), getHeight());
+            } finally {
+                g.dispose();
+            }
+        }
+    }
+}

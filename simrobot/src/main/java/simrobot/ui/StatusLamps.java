@@ -1,0 +1,43 @@
+package simrobot.ui;
+
+import java.awt.GridLayout;
+import java.util.EnumMap;
+import java.util.Map;
+import javax.swing.JPanel;
+import simgsm.ui.Lamp;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import vericommand.RobotStatus;
+
+/** The five statuses, each with its own shape and word; the present one is lit. */
+final class StatusLamps extends JPanel {
+    private final Map<RobotStatus, Lamp> lamps = new EnumMap<>(RobotStatus.class);
+    private final Texts texts;
+
+    StatusLamps(Texts texts) {
+        super(new GridLayout(0, 2, 0, Theme.px(4)));
+        this.texts = texts;
+        setOpaque(false);
+        setName("statuses");
+        for (RobotStatus status : RobotStatus.values()) {
+            Lamp lamp = new Lamp(texts.of("status.name"));
+            lamp.setName("status." + status.name().toLowerCase(java.util.Locale.ROOT));
+            lamp.show(StatusLook.mark(status), StatusLook.ink(status), word(texts, status));
+            lamp.setLit(false);
+            lamps.put(status, lamp);
+            add(lamp);
+        }
+    }
+
+    static String word(Texts texts, RobotStatus status) {
+        return texts.of("status." + status.name().toLowerCase(java.util.Locale.ROOT));
+    }
+
+    /** @param present null when no robot is selected */
+    void show(RobotStatus present) {
+        lamps.forEach((status, lamp) -> lamp.setLit(status == present));
+        getAccessibleContext()
+                .setAccessibleName(
+                        texts.of("status.name") + (present == null ? "" : ": " + word(texts, present)));
+    }
+}

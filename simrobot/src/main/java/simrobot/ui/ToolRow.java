@@ -1,0 +1,172 @@
+package simrobot.ui;
+
+import java.awt.BorderLayout;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Lamp;
+import simgsm.ui.LinkState;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.WindowKeys;
+import simrobot.simulation.RobotSnapshot;
+
+/** The row above the floor: world, link, switches, time, and what the floor shows. */
+final class ToolRow extends JPanel {
+    private final Texts texts;
+    private final Locale language;
+    private final Operator operator;
+    private final WorldView view;
+    private final WorldChoice worlds;
+    private final Lamp link;
+    private final JToggleButton power;
+    private final JToggleButton motors;
+    private final JButton pause;
+    private final JButton step;
+    private final JToggleButton follow;
+    private final SpeedChoice speed;
+    private String robot = "";
+    private boolean paused;
+
+    ToolRow(Texts texts, Locale language, Operator operator, WorldView view) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.language = language;
+        this.operator = operator;
+        this.view = view;
+        setOpaque(false);
+        worlds = new WorldChoice(texts, operator);
+        link = Lamp.ofLink(language);
+        power = toggle("power", Symbol.POWER, KeyEvent.VK_P, () -> operator.setPower(robot, switchOf("power")));
+        motors = toggle("motors", Symbol.MOTOR, KeyEvent.VK_M, () -> operator.setMotors(robot, switchOf("motors")));
+        pause = button("pause", Symbol.PAUSE, KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
+        step = button("step", Symbol.STEP, KeyEvent.VK_PERIOD, operator::stepOnce);
+        follow = toggle("follow", Symbol.FOLLOW, KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
+        speed = new SpeedChoice(texts, operator);
+        worded(power, "power");
+        worded(motors, "motors");
+        add(
+                Arrange.row(
+                        Theme.HALF,
+                        worlds.component(),
+                        gap(),
+                        link,
+                        gap(),
+                        power,
+                        motors,
+                        button("brake", Symbol.OK, KeyEvent.VK_B, () -> operator.brake(robot)),
+                        gap(),
+                        pause,
+                        step,
+                        speed.component(),
+                        Arrange.spring(),
+                        button("zoom.out", Symbol.MINUS, 0, () -> view.zoom(0.8)),
+                        button("zoom.in", Symbol.PLUS, 0, () -> view.zoom(1.25)),
+                        button("fit", Symbol.FIT, KeyEvent.VK_F, this::fit),
+                        follow,
+                        layer("trail", Symbol.TRAIL, KeyEvent.VK_T, () -> view.setLayers(
+                                view.layers().withTrail(!view.layers().trail()))),
+                        layer("rays", Symbol.RAYS, KeyEvent.VK_S, () -> view.setLayers(
+                                view.layers().withSonar(!view.layers().sonar()))),
+                        layer("grid", Symbol.MENU, KeyEvent.VK_D, () -> view.setLayers(
+                                view.layers().withGrid(!view.layers().grid()))),
+                        button("appearance", Symbol.SUN_MOON, 0, () -> WindowKeys.switchAppearance(this))),
+                BorderLayout.CENTER);
+    }
+
+    void show(WindowSnapshot newest, Optional<RobotSnapshot> selected, Optional<LinkState> linkState) {
+        worlds.show(newest.worldFile());
+        link.setVisible(linkState.isPresent());
+        linkState.ifPresent(state -> link.show(state, language));
+        robot = selected.map(RobotSnapshot::name).orElse("");
+        boolean on = selected.map(RobotSnapshot::powered).orElse(false);
+        power.setEnabled(selected.isPresent());
+        power.setSelected(on);
+        motors.setEnabled(on);
+        motors.setSelected(selected.map(RobotSnapshot::motors).orElse(false));
+        follow.setSelected(view.isFollowing());
+        speed.show(newest.speed());
+        showPaused(newest.paused());
+    }
+
+    private void showPaused(boolean nowPaused) {
+        step.setEnabled(nowPaused);
+        if (nowPaused != paused) {
+            paused = nowPaused;
+            String key = paused ? "tool.resume" : "tool.pause";
+            pause.setIcon((paused ? Symbol.PLAY : Symbol.PAUSE).icon());
+            pause.setToolTipText(texts.of(key));
+            pause.getAccessibleContext().setAccessibleName(texts.of(key));
+        }
+    }
+
+    private void fit() {
+        view.setFollowing(false);
+        view.fit();
+    }
+
+    /** A switch shows what is, not what was clicked; so a click asks for the opposite of what the robot last told. */
+    private boolean switchOf(String which) {
+        return view.selectedRobot()
+                .map(shown -> which.equals("power") ? !shown.powered() : !shown.motors())
+                .orElse(true);
+    }
+
+    // ---- buttons ---------------------------------------------------------------------------------------------------
+
+    private static javax.swing.JComponent gap() {
+        JPanel gap = new JPanel(null);
+        gap.setOpaque(false);
+        gap.setPreferredSize(new java.awt.Dimension(Theme.GRID, 1));
+        return gap;
+    }
+
+    private void worded(AbstractButton button, String key) {
+        button.setText(texts.of("tool." + key + ".word"));
+        button.setIconTextGap(Theme.HALF);
+    }
+
+    private JToggleButton layer(String id, Symbol symbol, int key, Runnable deed) {
+        JToggleButton button = toggle(id, symbol, key, deed);
+        button.setSelected(true);
+        return button;
+    }
+
+    private JToggleButton toggle(String id, Symbol symbol, int key, Runnable deed) {
+        return dressed(new JToggleButton(act(id, symbol, key, deed)), id);
+    }
+
+    private JButton button(String id, Symbol symbol, int key, Runnable deed) {
+        return dressed(new JButton(act(id, symbol, key, deed)), id);
+    }
+
+    private <B extends AbstractButton> B dressed(B button, String id) {
+        button.setText(null);
+        button.setHideActionText(true);
+        button.setMargin(new java.awt.Insets(4, 6, 4, 6));
+        return Named.name(button, "tool." + id, texts.of("tool." + id));
+    }
+
+    /** With Ctrl and its letter an act is reached from everywhere in the window. */
+    private Act act(String id, Symbol symbol, int key, Runnable deed) {
+        String name = texts.of("tool." + id);
+        Act act = new Act("tool." + id, name, deed).with(symbol.icon());
+        if (key == 0) {
+            return act.described(name);
+        }
+        KeyStroke stroke = KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK);
+        act.bindInWindow(this, stroke);
+        return act.described(name + "  (Ctrl+" + KeyEvent.getKeyText(key) + ")");
+    }
+}

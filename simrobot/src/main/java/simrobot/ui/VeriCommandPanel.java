@@ -1,0 +1,77 @@
+package simrobot.ui;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JPanel;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Keycaps;
+import simgsm.ui.Lamp;
+import simgsm.ui.Mark;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+import vericommand.VeriCommandSnapshot;
+
+/** VeriCommand at work: the keys as they come, the order in words, the verdict, the replies. */
+final class VeriCommandPanel extends JPanel {
+    private final Texts texts;
+    private final Line from = new Line("order.from", Theme::base, Ink.QUIET);
+    private final Keycaps keys;
+    private final Line words = new Line("order.words", Theme::strong, Ink.TEXT);
+    private final Lamp verdict;
+    private final ReplyChips replies;
+    private final Line reply = new Line("order.reply", Theme::small, Ink.QUIET);
+
+    VeriCommandPanel(Texts texts, Locale language) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        keys = new Keycaps(texts.of("order.keys"));
+        keys.setName("order.keys");
+        verdict = new Lamp(texts.of("order.verdict"));
+        verdict.setName("order.verdict");
+        replies = new ReplyChips(language);
+        JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
+        add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
+    }
+
+    void show(VeriCommandSnapshot order) {
+        from.show(origin(order));
+        keys.show(order.keys(), order.failingPosition());
+        words.show(order.words());
+        showVerdict(order);
+        replies.show(order.replies());
+        reply.show(newest(order.replies()));
+    }
+
+    private String origin(VeriCommandSnapshot order) {
+        if (order.from().isEmpty() && !order.inCall() && order.keys().isEmpty()) {
+            return texts.of("order.from.nobody");
+        }
+        String number = order.from().isEmpty() ? texts.of("order.from.unknown") : order.from();
+        String kind = order.message() ? "order.from.sms" : order.inCall() ? "order.from.call" : "order.from.ended";
+        return texts.of(kind, number);
+    }
+
+    private void showVerdict(VeriCommandSnapshot order) {
+        switch (order.verdictWord()) {
+            case "accepted" -> {
+                boolean going = order.underWay();
+                Mark mark = going ? Mark.ARROW : Mark.TICK;
+                verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, order.verdictText());
+            }
+            case "refused" -> verdict.show(Mark.CROSS, Ink.WARNING, order.verdictText());
+            case "invalid" -> verdict.show(Mark.CROSS, Ink.DANGER, order.verdictText());
+            default -> {
+                String waiting = order.keys().isEmpty() ? "order.waiting" : "order.reading";
+                verdict.show(order.keys().isEmpty() ? Mark.RING : Mark.HALF_DISC, Ink.QUIET, texts.of(waiting));
+            }
+        }
+    }
+
+    private static String newest(List<String> replies) {
+        return replies.isEmpty() ? "" : replies.get(replies.size() - 1);
+    }
+}
