@@ -28,7 +28,7 @@ import simrobot.ui.WindowSnapshot;
 
 /** SimRobot in a window: builds it, shows it, and cleans up once it is closed. */
 final class RobotWindow {
-    private static final Dimension SIZE = new Dimension(1160, 820);
+    private static final Dimension SIZE = new Dimension(1180, 860);
     private static final Dimension LEAST = new Dimension(640, 480);
 
     private RobotWindow() {}
@@ -79,7 +79,7 @@ final class RobotWindow {
 
     private static void open(WindowModel model, Locale language, Point place, CountDownLatch closed) {
         SimRobotPanel panel = new SimRobotPanel(language, model.snapshot(), model);
-        JFrame frame = new JFrame(title(model));
+        JFrame frame = new JFrame("SimRobot " + model.firstNumber());
         frame.setContentPane(panel);
         WindowKeys.install(frame.getRootPane(), language);
         Newest<WindowSnapshot> newest = new Newest<>(model::snapshot, panel::show);
@@ -102,13 +102,6 @@ final class RobotWindow {
         newest.start();
         frame.setVisible(true);
         panel.focusFloor();
-    }
-
-    private static String title(WindowModel model) {
-        return "SimRobot"
-                + (model.robots().isEmpty()
-                        ? ""
-                        : " " + model.robots().get(0).number().digits());
     }
 
     /** Whoever started the program holds its input open; when that ends, the program ends. */

@@ -19,24 +19,31 @@ import simrobot.world.WorldReader;
 final class WindowModel implements Operator {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
-    private final SimRobot simRobot;
     private final SimulationThread simulation;
     private volatile Path worldFile;
     private volatile String notice = "";
     private volatile long noticeNanos;
+    private final List<Line> lines;
     private WindowSnapshot newest;
 
+    /** A robot with its telephone, and what it has answered. */
+    private record Line(TelephoneRobot robot, SentTones sent) {}
+
+    /** To be made before the start, for it listens to the robots. */
     WindowModel(SimRobot simRobot, Path worldFile) {
-        this.simRobot = simRobot;
         this.worldFile = worldFile;
         simulation = simRobot.simulation();
+        lines = simRobot.robots().stream()
+                .map(robot -> new Line(robot, new SentTones()))
+                .toList();
+        lines.forEach(line -> line.robot().listen(line.sent()));
     }
 
     /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
     WindowSnapshot snapshot() {
         WindowSnapshot now = new WindowSnapshot(
                 simulation.snapshot(),
-                simRobot.robots().stream().map(WindowModel::line).toList(),
+                lines.stream().map(WindowModel::picture).toList(),
                 simulation.speed(),
                 simulation.isPaused(),
                 worldFile,
@@ -47,9 +54,15 @@ final class WindowModel implements Operator {
         return newest;
     }
 
-    private static LineSnapshot line(TelephoneRobot robot) {
+    private static LineSnapshot picture(Line line) {
+        TelephoneRobot robot = line.robot();
         return new LineSnapshot(
-                robot.name(), robot.number().digits(), robot.modem(), robot.heard(), robot.veriCommand());
+                robot.name(),
+                robot.number().digits(),
+                robot.modem(),
+                robot.heard(),
+                robot.veriCommand(),
+                line.sent().tones());
     }
 
     /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
@@ -129,8 +142,8 @@ final class WindowModel implements Operator {
         notice = message;
     }
 
-    /** For tests. */
-    List<TelephoneRobot> robots() {
-        return simRobot.robots();
+    /** For the title. */
+    String firstNumber() {
+        return lines.isEmpty() ? "" : lines.get(0).robot().number().digits();
     }
 }

@@ -2,6 +2,7 @@ package simrobot.ui;
 
 import java.awt.Graphics2D;
 import java.awt.Shape;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -115,12 +116,25 @@ final class FloorPainter {
         g.setColor(Ink.WALL.color());
         g.setStroke(Theme.stroke(1.4));
         g.draw(outline);
-        Position middle = box.area().center();
-        double room = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
-        caption(box.name(), middle, 0, Math.min(room, room), Ink.QUIET);
+        boxName(box);
     }
 
-    // ---- what does not stop anybody ----------------------------------------------------------------------------------
+    /** Along the longer side when it does not fit across. */
+    private void boxName(Box box) {
+        double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
+        double high = (box.area().maxYMeters() - box.area().minYMeters()) * view.pixelsPerMeter();
+        Position middle = box.area().center();
+        boolean across = Drawing.width(Theme.small(), box.name()) <= wide - Theme.exact(4) || wide >= high;
+        AffineTransform before = g.getTransform();
+        if (!across) {
+            g.rotate(-Math.PI / 2, view.screenX(middle.xMeters()), view.screenY(middle.yMeters()));
+        }
+        caption(box.name(), middle, 0, across ? wide : high, Ink.QUIET);
+        g.setTransform(before);
+    }
+
+    // ---- what does not stop anybody
+    // ----------------------------------------------------------------------------------
 
     void markings(World world, long timeNanos) {
         world.forbiddenAreas().forEach(this::forbidden);

@@ -33,11 +33,10 @@ final class Inspector extends JPanel {
         speed = new Reading("pose.speed", texts.of("pose.speed"), "m/s");
         turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
         sonar = new SonarRose(texts);
-        Card list = new Card(texts.of("robots.title"), robots.component());
-        Card status = new Card(texts.of("status.title"), statuses);
+        Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        add(Arrange.column(Theme.GRID, list, status, pose, Arrange.growing(rose)), BorderLayout.CENTER);
+        add(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose)), BorderLayout.CENTER);
     }
 
     void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected) {

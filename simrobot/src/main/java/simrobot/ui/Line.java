@@ -43,8 +43,7 @@ final class Line extends Painted {
     @Override
     Dimension preferred() {
         Font face = font.get();
-        return new Dimension(
-                Drawing.width(face, text) + 1, getFontMetrics(face).getHeight());
+        return new Dimension(Drawing.width(face, text) + 1, getFontMetrics(face).getHeight());
     }
 
     @Override
@@ -57,9 +56,6 @@ final class Line extends Painted {
         Font face = font.get();
         g.setFont(face);
         g.setColor(ink.color());
-        g.drawString(
-                Drawing.fitted(face, text, width),
-                0,
-                (float) (height / 2 + Drawing.capHeight(g, face) / 2));
+        g.drawString(Drawing.fitted(face, text, width), 0, (float) (height / 2 + Drawing.capHeight(g, face) / 2));
     }
 }

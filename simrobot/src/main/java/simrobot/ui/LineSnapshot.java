@@ -10,14 +10,16 @@ import vericommand.VeriCommandSnapshot;
  *
  * @param robot the robot's name
  * @param number the modem's own number
+ * @param tones the reply tones that have left in the present or last call, the newest last
  */
 public record LineSnapshot(
-        String robot, String number, StationSnapshot modem, ToneTrace heard, VeriCommandSnapshot orders) {
+        String robot, String number, StationSnapshot modem, ToneTrace heard, VeriCommandSnapshot orders, String tones) {
     public LineSnapshot {
         Objects.requireNonNull(robot);
         Objects.requireNonNull(number);
         Objects.requireNonNull(modem);
         Objects.requireNonNull(heard);
         Objects.requireNonNull(orders);
+        Objects.requireNonNull(tones);
     }
 }

@@ -21,11 +21,9 @@ import simgsm.ui.ToneScope;
 /** M2: its number, the network, the call, and what it hears. */
 final class ModemPanel extends JPanel {
     private final Texts texts;
-    private final Locale language;
     private final Line number = new Line("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
     private final Line network = new Line("modem.network", Theme::base, Ink.QUIET);
     private final SignalBars signal;
-    private final Lamp link;
     private final Lamp call;
     private final Line peer = new Line("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final ToneScope scope;
@@ -33,22 +31,13 @@ final class ModemPanel extends JPanel {
     ModemPanel(Texts texts, Locale language) {
         super(new BorderLayout());
         this.texts = texts;
-        this.language = language;
         setOpaque(false);
         signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
-        link = Lamp.ofLink(language);
-        link.setName("modem.link");
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
         scope = new ToneScope(language);
         JPanel facts = Arrange.column(
-                6,
-                Arrange.row(10, number, Arrange.spring(), signal),
-                network,
-                link,
-                call,
-                peer,
-                Arrange.spring());
+                6, Arrange.row(10, number, Arrange.spring(), signal), network, call, peer, Arrange.spring());
         JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
         Card card = new Card(texts.of("modem.title"), content);
         add(card, BorderLayout.CENTER);
@@ -57,9 +46,11 @@ final class ModemPanel extends JPanel {
     void show(LineSnapshot line) {
         StationSnapshot modem = line.modem();
         number.show(line.number());
-        network.show(modem.registered() && !modem.networkName().isEmpty() ? modem.networkName() : texts.of("modem.noNetwork"));
+        network.show(
+                modem.registered() && !modem.networkName().isEmpty()
+                        ? modem.networkName()
+                        : texts.of("modem.noNetwork"));
         signal.show(modem.registered() ? SignalBars.BARS : 0);
-        link.show(linkState(modem), language);
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         scope.show(line.heard());

@@ -22,7 +22,7 @@ final class ReplyChips extends JPanel {
         setLayout(new java.awt.BorderLayout());
     }
 
-    /** @param replies as {@code 3 Done: ...}, the newest last */
+    /** @param replies as {@code 3 Done: ...} or {@code 3}, the newest last */
     void show(List<String> replies) {
         if (!replies.equals(shown)) {
             shown = replies;

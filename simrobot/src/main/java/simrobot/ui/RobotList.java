@@ -95,8 +95,7 @@ final class RobotList {
                 g.fillRect(0, 0, getWidth(), getHeight());
             }
             double r = Theme.exact(5.5);
-            StatusLook.mark(row.status())
-                    .paint(g, Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
+            StatusLook.mark(row.status()).paint(g, Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
             double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
             double number = Drawing.width(Theme.mono(), row.number()) + Theme.exact(8);
             g.setFont(Theme.strong());

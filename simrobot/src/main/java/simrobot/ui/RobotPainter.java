@@ -203,8 +203,7 @@ final class RobotPainter {
         double d = Pioneer2Dx.WHEEL_DIAMETER_METERS;
         double w = Pioneer2Dx.WHEEL_WIDTH_METERS;
         for (int side = -1; side <= 1; side += 2) {
-            g.fill(new RoundRectangle2D.Double(
-                    -d / 2, side * Pioneer2Dx.TRACK_METERS / 2 - w / 2, d, w, w / 2, w / 2));
+            g.fill(new RoundRectangle2D.Double(-d / 2, side * Pioneer2Dx.TRACK_METERS / 2 - w / 2, d, w, w / 2, w / 2));
         }
     }
 
@@ -215,8 +214,7 @@ final class RobotPainter {
         g.draw(new Line2D.Double(0, -Pioneer2Dx.TRACK_METERS / 2, 0, Pioneer2Dx.TRACK_METERS / 2));
         for (int i = 0; i < SonarRing.COUNT; i++) {
             double pull = 0.93;
-            double x = Pioneer2Dx.BODY_MIDDLE_X_METERS
-                    + (SonarRing.mountX(i) - Pioneer2Dx.BODY_MIDDLE_X_METERS) * pull;
+            double x = Pioneer2Dx.BODY_MIDDLE_X_METERS + (SonarRing.mountX(i) - Pioneer2Dx.BODY_MIDDLE_X_METERS) * pull;
             g.fill(circle(x, SonarRing.mountY(i) * pull, 0.011));
         }
         Path2D nose = new Path2D.Double();

@@ -71,7 +71,7 @@ public final class SimRobotPanel extends JPanel {
         modem.setVisible(line.isPresent());
         orders.setVisible(line.isPresent());
         line.ifPresent(modem::show);
-        line.ifPresent(l -> orders.show(l.orders()));
+        line.ifPresent(orders::show);
         notice.show(newest.notice());
         if (noticeRow.isVisible() == newest.notice().isEmpty()) {
             noticeRow.setVisible(!newest.notice().isEmpty());

@@ -61,7 +61,7 @@ final class SpeedChoice {
 
     private String word(double pace) {
         if (Double.isInfinite(pace)) {
-            return texts.of("tool.speed.max");
+            return "\u00d7 " + texts.of("tool.speed.max");
         }
         String number = pace == Math.rint(pace) ? String.valueOf((long) pace) : String.valueOf(pace);
         return "\u00d7 " + number;

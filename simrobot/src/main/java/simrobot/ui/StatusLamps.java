@@ -37,7 +37,6 @@ final class StatusLamps extends JPanel {
     void show(RobotStatus present) {
         lamps.forEach((status, lamp) -> lamp.setLit(status == present));
         getAccessibleContext()
-                .setAccessibleName(
-                        texts.of("status.name") + (present == null ? "" : ": " + word(texts, present)));
+                .setAccessibleName(texts.of("status.name") + (present == null ? "" : ": " + word(texts, present)));
     }
 }

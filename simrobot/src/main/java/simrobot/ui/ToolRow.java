@@ -6,8 +6,8 @@ import java.awt.event.KeyEvent;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.AbstractButton;
+import javax.swing.Icon;
 import javax.swing.JButton;
-import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
@@ -48,12 +48,15 @@ final class ToolRow extends JPanel {
         setOpaque(false);
         worlds = new WorldChoice(texts, operator);
         link = Lamp.ofLink(language);
-        power = toggle("power", Symbol.POWER, KeyEvent.VK_P, () -> operator.setPower(robot, switchOf("power")));
-        motors = toggle("motors", Symbol.MOTOR, KeyEvent.VK_M, () -> operator.setMotors(robot, switchOf("motors")));
-        pause = button("pause", Symbol.PAUSE, KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
-        step = button("step", Symbol.STEP, KeyEvent.VK_PERIOD, operator::stepOnce);
-        follow = toggle("follow", Symbol.FOLLOW, KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
+        power = toggle("power", Symbol.POWER.icon(), KeyEvent.VK_P, () -> operator.setPower(robot, switchOf("power")));
+        motors = toggle(
+                "motors", Symbol.MOTOR.icon(), KeyEvent.VK_M, () -> operator.setMotors(robot, switchOf("motors")));
+        pause = button("pause", Symbol.PAUSE.icon(), KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
+        step = button("step", Symbol.STEP.icon(), KeyEvent.VK_PERIOD, operator::stepOnce);
+        follow = toggle("follow", Symbol.FOLLOW.icon(), KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
         speed = new SpeedChoice(texts, operator);
+        JButton brake = button("brake", Glyph.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
+        worded(brake, "brake");
         worded(power, "power");
         worded(motors, "motors");
         add(
@@ -65,24 +68,43 @@ final class ToolRow extends JPanel {
                         gap(),
                         power,
                         motors,
-                        button("brake", Symbol.OK, KeyEvent.VK_B, () -> operator.brake(robot)),
+                        brake,
                         gap(),
                         pause,
                         step,
                         speed.component(),
                         Arrange.spring(),
-                        button("zoom.out", Symbol.MINUS, 0, () -> view.zoom(0.8)),
-                        button("zoom.in", Symbol.PLUS, 0, () -> view.zoom(1.25)),
-                        button("fit", Symbol.FIT, KeyEvent.VK_F, this::fit),
+                        button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
+                        button("zoom.in", Symbol.PLUS.icon(), 0, () -> view.zoom(1.25)),
+                        button("fit", Symbol.FIT.icon(), KeyEvent.VK_F, this::fit),
                         follow,
-                        layer("trail", Symbol.TRAIL, KeyEvent.VK_T, () -> view.setLayers(
-                                view.layers().withTrail(!view.layers().trail()))),
-                        layer("rays", Symbol.RAYS, KeyEvent.VK_S, () -> view.setLayers(
-                                view.layers().withSonar(!view.layers().sonar()))),
-                        layer("grid", Symbol.MENU, KeyEvent.VK_D, () -> view.setLayers(
-                                view.layers().withGrid(!view.layers().grid()))),
-                        button("appearance", Symbol.SUN_MOON, 0, () -> WindowKeys.switchAppearance(this))),
+                        layer(
+                                "trail",
+                                Symbol.TRAIL.icon(),
+                                KeyEvent.VK_T,
+                                () -> view.setLayers(
+                                        view.layers().withTrail(!view.layers().trail()))),
+                        layer(
+                                "rays",
+                                Symbol.RAYS.icon(),
+                                KeyEvent.VK_S,
+                                () -> view.setLayers(
+                                        view.layers().withSonar(!view.layers().sonar()))),
+                        layer(
+                                "grid",
+                                Glyph.GRID.icon(),
+                                KeyEvent.VK_D,
+                                () -> view.setLayers(
+                                        view.layers().withGrid(!view.layers().grid()))),
+                        button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this))),
                 BorderLayout.CENTER);
+        Compact.buttonsIn(this);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        Compact.buttonsIn(this);
     }
 
     void show(WindowSnapshot newest, Optional<RobotSnapshot> selected, Optional<LinkState> linkState) {
@@ -137,31 +159,30 @@ final class ToolRow extends JPanel {
         button.setIconTextGap(Theme.HALF);
     }
 
-    private JToggleButton layer(String id, Symbol symbol, int key, Runnable deed) {
-        JToggleButton button = toggle(id, symbol, key, deed);
+    private JToggleButton layer(String id, Icon icon, int key, Runnable deed) {
+        JToggleButton button = toggle(id, icon, key, deed);
         button.setSelected(true);
         return button;
     }
 
-    private JToggleButton toggle(String id, Symbol symbol, int key, Runnable deed) {
-        return dressed(new JToggleButton(act(id, symbol, key, deed)), id);
+    private JToggleButton toggle(String id, Icon icon, int key, Runnable deed) {
+        return dressed(new JToggleButton(act(id, icon, key, deed)), id);
     }
 
-    private JButton button(String id, Symbol symbol, int key, Runnable deed) {
-        return dressed(new JButton(act(id, symbol, key, deed)), id);
+    private JButton button(String id, Icon icon, int key, Runnable deed) {
+        return dressed(new JButton(act(id, icon, key, deed)), id);
     }
 
     private <B extends AbstractButton> B dressed(B button, String id) {
         button.setText(null);
         button.setHideActionText(true);
-        button.setMargin(new java.awt.Insets(4, 6, 4, 6));
         return Named.name(button, "tool." + id, texts.of("tool." + id));
     }
 
     /** With Ctrl and its letter an act is reached from everywhere in the window. */
-    private Act act(String id, Symbol symbol, int key, Runnable deed) {
+    private Act act(String id, Icon icon, int key, Runnable deed) {
         String name = texts.of("tool." + id);
-        Act act = new Act("tool." + id, name, deed).with(symbol.icon());
+        Act act = new Act("tool." + id, name, deed).with(icon);
         if (key == 0) {
             return act.described(name);
         }

@@ -37,12 +37,13 @@ final class VeriCommandPanel extends JPanel {
         add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
     }
 
-    void show(VeriCommandSnapshot order) {
+    void show(LineSnapshot line) {
+        VeriCommandSnapshot order = line.orders();
         from.show(origin(order));
         keys.show(order.keys(), order.failingPosition());
         words.show(order.words());
         showVerdict(order);
-        replies.show(order.replies());
+        replies.show(order.message() ? order.replies() : tones(line.tones()));
         reply.show(newest(order.replies()));
     }
 
@@ -69,6 +70,11 @@ final class VeriCommandPanel extends JPanel {
                 verdict.show(order.keys().isEmpty() ? Mark.RING : Mark.HALF_DISC, Ink.QUIET, texts.of(waiting));
             }
         }
+    }
+
+    /** In a call the tones that have left are the answer, one chip each. */
+    private static List<String> tones(String digits) {
+        return digits.chars().mapToObj(digit -> String.valueOf((char) digit)).toList();
     }
 
     private static String newest(List<String> replies) {

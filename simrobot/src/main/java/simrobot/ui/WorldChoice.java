@@ -31,7 +31,6 @@ final class WorldChoice {
         Act open = new Act("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
         button = new JButton(open);
         button.setHorizontalTextPosition(JButton.LEADING);
-        button.setMargin(new java.awt.Insets(4, 10, 4, 8));
         button.setToolTipText(texts.of("tool.world"));
         open.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK));
         Named.name(button, "tool.world", texts.of("tool.world"));
@@ -84,7 +83,8 @@ final class WorldChoice {
     }
 
     private void choose() {
-        JFileChooser chooser = new JFileChooser(file.toAbsolutePath().getParent().toFile());
+        JFileChooser chooser =
+                new JFileChooser(file.toAbsolutePath().getParent().toFile());
         chooser.setFileFilter(new FileNameExtensionFilter(texts.of("tool.world.files"), "map", "wld"));
         if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
             operator.load(chooser.getSelectedFile().toPath());

@@ -78,11 +78,7 @@ final class WorldMouse extends MouseAdapter {
     private void move(MouseEvent event) {
         view.selectedRobot()
                 .ifPresent(robot -> view.operator()
-                        .place(
-                                robot.name(),
-                                worldX(event) + gripX,
-                                worldY(event) + gripY,
-                                robot.headingRadians()));
+                        .place(robot.name(), worldX(event) + gripX, worldY(event) + gripY, robot.headingRadians()));
     }
 
     /** Towards the pointer, in whole degrees, in steps of 15 with Shift held. */
@@ -125,7 +121,8 @@ final class WorldMouse extends MouseAdapter {
     }
 
     private Optional<RobotSnapshot> robotAt(MouseEvent event) {
-        double reach = Math.max(Pioneer2Dx.RADIUS_METERS, Theme.exact(8) / view.viewport().pixelsPerMeter());
+        double reach = Math.max(
+                Pioneer2Dx.RADIUS_METERS, Theme.exact(8) / view.viewport().pixelsPerMeter());
         return view.picture().robots().stream()
                 .filter(robot -> Math.hypot(robot.xMeters() - worldX(event), robot.yMeters() - worldY(event)) <= reach)
                 .findFirst();

@@ -30,7 +30,8 @@ final class WorldPainter {
         }
         floor.obstacles(picture.world());
         for (RobotSnapshot robot : picture.robots()) {
-            if (layers.sonar() && (robot.name().equals(selected) || picture.robots().size() == 1)) {
+            if (layers.sonar()
+                    && (robot.name().equals(selected) || picture.robots().size() == 1)) {
                 painter.sonar(robot);
             }
         }
@@ -41,6 +42,29 @@ final class WorldPainter {
             }
         }
         scaleBar(g, view);
+        axes(g, view);
+    }
+
+    /** Which way x and y run; headings count anticlockwise from x. */
+    private static void axes(Graphics2D g, Viewport view) {
+        double x = Theme.exact(18);
+        double y = view.height() - Theme.exact(46);
+        double length = Theme.exact(24);
+        g.setColor(Ink.QUIET.color());
+        g.setStroke(Theme.stroke(1.2));
+        arrow(g, x, y, 1, 0, length);
+        arrow(g, x, y, 0, -1, length);
+        Drawing.centred(g, "x", Theme.monoSmall(), x + length + Theme.exact(8), y);
+        Drawing.centred(g, "y", Theme.monoSmall(), x, y - length - Theme.exact(8));
+    }
+
+    private static void arrow(Graphics2D g, double x, double y, double ux, double uy, double length) {
+        double tipX = x + ux * length;
+        double tipY = y + uy * length;
+        double barb = Theme.exact(4);
+        Drawing.line(g, x, y, tipX, tipY);
+        Drawing.line(g, tipX, tipY, tipX - barb * (ux + uy), tipY - barb * (uy + ux));
+        Drawing.line(g, tipX, tipY, tipX - barb * (ux - uy), tipY - barb * (uy - ux));
     }
 
     /** A bar of 1, 2 or 5 times a power of ten metres, about 100 pixels long. */

@@ -199,7 +199,7 @@ final class WorldView extends JComponent {
             place(g);
             if (isFocusOwner()) {
                 g.setColor(Ink.ACCENT.color());
-                g.setStroke(Theme.stroke(2));
+                g.setStroke(Theme.stroke(1.6));
                 g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
             }
         } finally {
@@ -213,8 +213,7 @@ final class WorldView extends JComponent {
 
     static String clockText(long nanos) {
         long centis = nanos / 10_000_000;
-        return "%d:%02d:%02d.%02d"
-                .formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
+        return "%d:%02d:%02d.%02d".formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
     }
 
     private void place(Graphics2D g) {
