@@ -23,6 +23,7 @@ public final class Link {
     /** So many breaches are answered as the standard says before the peer is given up. */
     static final int MAX_VIOLATIONS = 100;
 
+    private static final int LOUD_VIOLATIONS = 3;
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
 
     final LinkPort port;
@@ -123,10 +124,10 @@ public final class Link {
         parts.links().remove(this);
     }
 
-    /** Counts and logs what the peer did wrong; who errs too often is given up. */
+    /** Counts and logs what the peer did wrong; who errs too often is given up. A babbler must not fill the log. */
     void violated(String what) {
         violations++;
-        LOG.log(Level.WARNING, "{0}: {1}", this, what);
+        LOG.log(violations <= LOUD_VIOLATIONS ? Level.WARNING : Level.DEBUG, "{0}: {1}", this, what);
         if (violations == MAX_VIOLATIONS) {
             drop("more than " + MAX_VIOLATIONS + " breaches of protocol");
         }

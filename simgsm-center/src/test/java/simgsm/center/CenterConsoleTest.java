@@ -1,0 +1,89 @@
+package simgsm.center;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.ResourceBundle;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simgsm.console.Console;
+import simgsm.console.Event;
+
+class CenterConsoleTest {
+    @TempDir
+    Path temporary;
+
+    private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    private final Console console = new Console(new PrintStream(printed, false, StandardCharsets.UTF_8));
+    private Center center;
+
+    @BeforeEach
+    void open() throws IOException {
+        center = Center.open(DataDirectory.take(temporary), InetAddress.getLoopbackAddress(), 0);
+    }
+
+    @AfterEach
+    void close() {
+        center.close();
+    }
+
+    private List<String> linesAfter(String commands) throws Exception {
+        try (EventPrinter printer = new EventPrinter(console)) {
+            center.start(1, printer);
+            console.ready(Event.of("ready").with("port", "1234"));
+            console.run(new BufferedReader(new StringReader(commands)), new CenterCommands(center, printer));
+        }
+        return printed.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+
+    @Test
+    void everyListIsClosedByItsCount() throws Exception {
+        assertEquals(
+                List.of(
+                        "ready port=1234",
+                        "end of=subscribers count=0",
+                        "end of=calls count=0",
+                        "end of=messages count=0"),
+                linesAfter("subscribers\ncalls\nmessages\nwait end of=messages\nquit\n"));
+    }
+
+    @Test
+    void whatIsWrongIsSaidAndTheConsoleGoesOn() throws Exception {
+        assertEquals(
+                List.of(
+                        "ready port=1234",
+                        "error text=\"unknown command dance, expected subscribers, calls, messages, broadcast, wait or"
+                                + " quit\"",
+                        "error text=\"calls: expected nothing after it, found please\"",
+                        "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",
+                        "error text=\"broadcast: expected CHANNEL TEXT, found hello all\"",
+                        "error text=\"broadcast: broadcast channel 65536 is not 0 to 65535\"",
+                        "end of=calls count=0"),
+                linesAfter("dance\ncalls please\nbroadcast\nbroadcast hello all\nbroadcast 65536 hello\n"
+                        + "broadcast 50 \"hello \\u00e1 all\"\ncalls\n"));
+    }
+
+    @Test
+    void bothLanguagesHaveTheSameKeys() {
+        assertEquals(keys("messages"), keys("messages_es"));
+    }
+
+    private static List<String> keys(String bundle) {
+        return Collections.list(ResourceBundle.getBundle("simgsm.center." + bundle, java.util.Locale.ROOT)
+                        .getKeys())
+                .stream()
+                .sorted()
+                .toList();
+    }
+}

@@ -1,0 +1,185 @@
+package simgsm.center.smsc;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Direction;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RpCause;
+import simgsm.center.timer.Timers;
+import simgsm.sms.DeliverTpdu;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+
+/** The short message centre alone: a port that delivers when the test says so, and a store that is always done. */
+class ShortMessageCenterTest {
+    private static final Msisdn SENDER = new Msisdn("5550100");
+    private static final Msisdn RECEIVER = new Msisdn("5550200");
+
+    private final Timers timers = new Timers();
+    private final Set<Msisdn> reachable = new HashSet<>();
+    private final List<OctetString> delivered = new ArrayList<>();
+    private final List<DeliveryReceipt> receipts = new ArrayList<>();
+    private final List<Long> tickets = new ArrayList<>();
+    private final List<MessageState> states = new ArrayList<>();
+    private final List<Optional<RpCause>> answers = new ArrayList<>();
+
+    private final DeliveryPort port = new DeliveryPort() {
+        @Override
+        public boolean isReachable(Msisdn receiver) {
+            return reachable.contains(receiver);
+        }
+
+        @Override
+        public void deliver(Msisdn receiver, OctetString tpdu, DeliveryReceipt receipt) {
+            delivered.add(tpdu);
+            receipts.add(receipt);
+        }
+    };
+
+    private final ShortMessageCenter center = new ShortMessageCenter(
+            Instant.EPOCH, timers, (ticket, entry) -> tickets.add(ticket), port, (message, state) -> states.add(state));
+
+    private static OctetString submit(SmsAddress to, String text) {
+        return TpduCodec.encode(new SubmitTpdu(false, false, false, 1, to, 0, Optional.empty(), UserData.of(text)));
+    }
+
+    private void submit(String text) {
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), text), answers::add);
+        List<Long> done = List.copyOf(tickets);
+        tickets.clear();
+        done.forEach(ticket -> center.committed(ticket, true));
+    }
+
+    private String lastText() throws ProtocolViolation {
+        OctetString last = delivered.get(delivered.size() - 1);
+        return ((DeliverTpdu) TpduCodec.decode(last, Direction.DOWNLINK))
+                .userData()
+                .text();
+    }
+
+    private void end(DeliveryOutcome outcome) {
+        receipts.get(receipts.size() - 1).ended(outcome);
+    }
+
+    @Test
+    void aHundredThousandMessagesWaitForOneReceiverAndArriveInOrder() throws ProtocolViolation {
+        int count = 100_000;
+        for (int i = 0; i < count; i++) {
+            submit("" + i);
+        }
+        assertEquals(count, center.waitingCount());
+        assertEquals(count, center.waiting().size());
+        assertEquals(10, center.waiting(10).size());
+        reachable.add(RECEIVER);
+        center.available(RECEIVER);
+        for (int i = 0; i < count; i++) {
+            assertEquals("" + i, lastText());
+            end(DeliveryOutcome.DELIVERED);
+        }
+        assertEquals(count, delivered.size());
+        assertEquals(0, center.waitingCount());
+        assertEquals(0, timers.size(), "no expiry timer is left");
+    }
+
+    @Test
+    void beyondItsLimitAReceiversQueueRefusesWithCongestion() {
+        for (int i = 0; i < ShortMessageCenter.MAX_WAITING_PER_RECEIVER; i++) {
+            submit("x");
+        }
+        assertTrue(answers.stream().allMatch(Optional::isEmpty));
+        submit("one too many");
+        assertEquals(Optional.of(RpCause.CONGESTION), answers.get(answers.size() - 1));
+        center.submit(SENDER, submit(SmsAddress.of(SENDER), "to another"), answers::add);
+        center.committed(tickets.get(0), true);
+        assertEquals(Optional.empty(), answers.get(answers.size() - 1));
+    }
+
+    @Test
+    void oneAttemptIsMadeAtATime() {
+        reachable.add(RECEIVER);
+        submit("first");
+        submit("second");
+        assertEquals(1, delivered.size());
+        end(DeliveryOutcome.DELIVERED);
+        assertEquals(2, delivered.size());
+    }
+
+    @Test
+    void failuresAreRetriedAfter1Then5Then10MinutesAndTheCountStartsAgainOnSuccess() {
+        reachable.add(RECEIVER);
+        submit("first");
+        int attempts = 1;
+        long now = 0;
+        for (int minutes : new int[] {1, 5, 10, 30, 60, 180, 360, 720, 720}) {
+            end(DeliveryOutcome.FAILED);
+            now += minutes * 60_000_000_000L;
+            timers.advance(now - 1);
+            assertEquals(attempts, delivered.size(), minutes + " minutes");
+            timers.advance(now);
+            assertEquals(++attempts, delivered.size(), minutes + " minutes");
+        }
+        end(DeliveryOutcome.DELIVERED);
+        submit("second");
+        end(DeliveryOutcome.FAILED);
+        timers.advance(now + 60_000_000_000L);
+        assertEquals(attempts + 2, delivered.size());
+    }
+
+    @Test
+    void appearingCutsTheWaitShort() {
+        reachable.add(RECEIVER);
+        submit("first");
+        end(DeliveryOutcome.ABSENT);
+        center.available(RECEIVER);
+        assertEquals(2, delivered.size());
+    }
+
+    @Test
+    void aMessageThatExpiresUnderWayIsDeliveredIfItArrives() {
+        reachable.add(RECEIVER);
+        submit("first");
+        timers.advance(8L * 24 * 3600 * 1_000_000_000L);
+        assertEquals(List.of(MessageState.ACCEPTED), states);
+        end(DeliveryOutcome.DELIVERED);
+        assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states);
+    }
+
+    @Test
+    void aMessageThatExpiresUnderWayIsNotTriedAgain() {
+        reachable.add(RECEIVER);
+        submit("first");
+        timers.advance(8L * 24 * 3600 * 1_000_000_000L);
+        end(DeliveryOutcome.FAILED);
+        assertEquals(List.of(MessageState.ACCEPTED, MessageState.EXPIRED), states);
+        assertEquals(0, timers.size());
+    }
+
+    @Test
+    void aMessageToLettersIsRefusedWithCause1() {
+        center.submit(SENDER, submit(SmsAddress.ofLetters("Nobody"), "hello"), answers::add);
+        assertEquals(List.of(Optional.of(RpCause.UNASSIGNED_NUMBER)), answers);
+        assertTrue(tickets.isEmpty());
+    }
+
+    @Test
+    void aMessageKnowsItsWords() {
+        submit("** #**20 **");
+        ShortMessage waiting = center.waiting().get(0);
+        assertEquals("** #**20 **", waiting.text());
+        assertEquals(1, waiting.id());
+        assertFalse(waiting.expiresAt().isBefore(Instant.EPOCH.plusSeconds(3600)));
+    }
+}
