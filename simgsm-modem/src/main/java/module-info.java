@@ -5,13 +5,11 @@
  * <p>Packages, arrows point down only:
  *
  * <pre>
- *   modem   console   ui
- *     |        |       |
- *   station    |       |
- *    |  \      |       |
- *    |   sms   |     speech
- *    |     \   |     /
- *    |      air   dtmf
+ *   modem    -> station, console, dtmf, sms, speech, air
+ *   station  -> sms, speech, air
+ *   sms      -> air
+ *   ui       -> dtmf
+ *   console, dtmf, speech and air need nothing
  * </pre>
  */
 module simgsm.modem {

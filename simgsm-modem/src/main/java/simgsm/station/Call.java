@@ -1,32 +1,16 @@
 package simgsm.station;
 
 import java.lang.System.Logger.Level;
-import java.util.Map;
 import java.util.Optional;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.Layer3Header;
-import simgsm.air.Layer3Type;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
-import simgsm.air.ProtocolErrorAnswers;
-import simgsm.air.ProtocolViolation;
 import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
 
 /** The one call of a station: performs what {@link CallTable} says. */
 final class Call implements ServiceRequests.User {
-    /** Messages whose meaning depends on the state alone. */
-    private static final Map<Class<? extends CallControl>, CallEvent> EVENTS = Map.of(
-            CallControl.CallProceeding.class, CallEvent.CALL_PROCEEDING,
-            CallControl.Progress.class, CallEvent.PROGRESS,
-            CallControl.Alerting.class, CallEvent.ALERTING,
-            CallControl.Connect.class, CallEvent.CONNECT,
-            CallControl.ConnectAcknowledge.class, CallEvent.CONNECT_ACKNOWLEDGE,
-            CallControl.Disconnect.class, CallEvent.DISCONNECT,
-            CallControl.Release.class, CallEvent.RELEASE,
-            CallControl.ReleaseComplete.class, CallEvent.RELEASE_COMPLETE);
-
     private static final int TRANSACTIONS = 7;
 
     private final StationParts parts;
@@ -146,120 +130,34 @@ final class Call implements ServiceRequests.User {
         happens(releasedAgain ? CallEvent.T308_EXPIRED_AGAIN : CallEvent.T308_EXPIRED);
     }
 
-    void arrived(CallControl message) {
-        if (message instanceof CallControl.Setup setup) {
-            offered(setup);
-        } else if (isOurs(message.transaction())) {
-            arrivedInCall(message);
-        } else {
-            arrivedOutsideCall(message);
-        }
-    }
-
-    /** A message that broke the protocol (TS 24.008, 8): one that clears still clears, all others are answered. */
-    void violated(ProtocolViolation violation, Layer3Header header) {
-        TransactionIdentifier received = header.transaction().orElseThrow();
-        Optional<CallControl> clearing =
-                header.type().flatMap(type -> clearing(type, received, violation.statusCause()));
-        if (clearing.isPresent()) {
-            arrived(clearing.get());
-        } else if (isOurs(received) || header.type().equals(Optional.of(Layer3Type.SETUP))) {
-            ProtocolErrorAnswers.to(violation, state.code()).forEach(parts.radio()::send);
-        } else {
-            refuse(received, Cause.INVALID_TRANSACTION_IDENTIFIER);
-        }
-    }
-
-    private static Optional<CallControl> clearing(Layer3Type type, TransactionIdentifier received, Cause cause) {
-        return Optional.ofNullable(
-                switch (type) {
-                    case DISCONNECT -> new CallControl.Disconnect(received, cause);
-                    case RELEASE -> new CallControl.Release(received, Optional.of(cause));
-                    case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(received, Optional.of(cause));
-                    default -> null;
-                });
-    }
-
-    private boolean isOurs(TransactionIdentifier received) {
+    /** Whether the call's own messages carry this transaction, as it is received. */
+    boolean has(TransactionIdentifier received) {
         return state != CallState.NULL
                 && state != CallState.MM_CONNECTION_PENDING
                 && received.answered().equals(transaction);
     }
 
-    private void offered(CallControl.Setup setup) {
-        if (setup.transaction().fromOtherSide() || isOurs(setup.transaction())) {
-            parts.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");
-        } else if (state != CallState.NULL) {
-            refuse(setup.transaction(), Cause.USER_BUSY);
-        } else {
-            transaction = setup.transaction().answered();
-            peer = setup.calling();
-            services.adopt(ServiceType.MOBILE_ORIGINATED_CALL);
-            happens(CallEvent.SETUP);
-        }
+    /** Another calls. */
+    void offered(TransactionIdentifier received, Optional<Msisdn> caller) {
+        transaction = received.answered();
+        peer = caller;
+        services.adopt(ServiceType.MOBILE_ORIGINATED_CALL);
+        happens(CallEvent.SETUP);
     }
 
-    /** TS 24.008, 8.3.2: a transaction that we do not know is released, unless that is what the message does itself. */
-    private void arrivedOutsideCall(CallControl message) {
-        if (!(message instanceof CallControl.ReleaseComplete)) {
-            refuse(message.transaction(), Cause.INVALID_TRANSACTION_IDENTIFIER);
-        }
-    }
-
-    private void refuse(TransactionIdentifier received, Cause cause) {
-        parts.radio().send(new CallControl.ReleaseComplete(received.answered(), Optional.of(cause)));
-    }
-
-    private void arrivedInCall(CallControl message) {
-        if (message instanceof CallControl.StatusEnquiry) {
-            sendStatus(Cause.RESPONSE_TO_STATUS_ENQUIRY);
-            return;
-        }
-        if (message instanceof CallControl.Status status) {
-            statusArrived(status);
-            return;
-        }
-        CallEvent event = EVENTS.get(message.getClass());
-        if (event == null) {
-            sendStatus(Cause.MESSAGE_TYPE_NON_EXISTENT);
-        } else if (!happens(event, causeIn(message))) {
-            sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
-        }
-    }
-
-    private void statusArrived(CallControl.Status status) {
-        parts.log().trace(Level.INFO, "STATUS {0} in U{1}", status.cause().title(), status.callState());
-        if (status.callState() == CallState.NULL.code()) {
-            happens(CallEvent.STATUS_NULL, status.cause());
-        }
-    }
-
-    private void sendStatus(Cause cause) {
-        parts.radio().send(new CallControl.Status(transaction, cause, state.code()));
-    }
-
-    private static Cause causeIn(CallControl message) {
-        if (message instanceof CallControl.Disconnect disconnect) {
-            return disconnect.cause();
-        }
-        if (message instanceof CallControl.Release release) {
-            return release.cause().orElse(Cause.NORMAL_UNSPECIFIED);
-        }
-        if (message instanceof CallControl.ReleaseComplete complete) {
-            return complete.cause().orElse(Cause.NORMAL_UNSPECIFIED);
-        }
-        return Cause.NORMAL_CALL_CLEARING;
+    void sendStatus(Cause cause) {
+        send(new CallControl.Status(transaction, cause, state.code()));
     }
 
     private boolean happens(CallEvent event) {
         return happens(event, Cause.NORMAL_CALL_CLEARING);
     }
 
-    private boolean happens(CallEvent event, Cause cause) {
+    /** @return whether the present state accepts the event */
+    boolean happens(CallEvent event, Cause cause) {
         return happens(event, cause, cause);
     }
 
-    /** @return whether the present state accepts the event */
     private boolean happens(CallEvent event, Cause sent, Cause told) {
         var row = CallTable.ROWS.row(state, event);
         if (row.isEmpty()) {

@@ -26,6 +26,7 @@ final class Dispatcher {
     private final ServiceRequests services;
     private final MobilityMessages mobility;
     private final Call call;
+    private final CallMessages calls;
     private final ShortMessages messages;
 
     Dispatcher(
@@ -40,6 +41,7 @@ final class Dispatcher {
         this.services = services;
         this.mobility = mobility;
         this.call = call;
+        this.calls = new CallMessages(parts, call);
         this.messages = messages;
     }
 
@@ -86,7 +88,7 @@ final class Dispatcher {
 
     private void arrived(Layer3Message message) {
         if (message instanceof CallControl callControl) {
-            call.arrived(callControl);
+            calls.arrived(callControl);
         } else if (message instanceof MobilityManagement mobilityManagement) {
             mobility.arrived(mobilityManagement);
         } else if (message instanceof ShortMessageControl shortMessage) {
@@ -101,7 +103,7 @@ final class Dispatcher {
     private void violated(ProtocolViolation violation) {
         Optional<Layer3Header> header = violation.header();
         if (header.isPresent() && header.get().discriminator() == Layer3Header.CALL_CONTROL) {
-            call.violated(violation, header.get());
+            calls.violated(violation, header.get());
         } else {
             ProtocolErrorAnswers.to(violation, call.state().code()).forEach(parts.radio()::send);
         }

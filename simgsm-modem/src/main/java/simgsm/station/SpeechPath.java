@@ -1,6 +1,7 @@
 package simgsm.station;
 
 import java.lang.System.Logger.Level;
+import java.util.Map;
 import simgsm.air.IpaFrame;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RtpPacket;
@@ -20,7 +21,9 @@ final class SpeechPath {
     private final StationParts parts;
     private final SpeechSource source;
     private final SpeechCodec coder = SpeechCodec.Kind.A_LAW.open();
-    private final SpeechCodec decoder = SpeechCodec.Kind.A_LAW.open();
+    /** By payload type; a new one for each call, because a codec may remember. */
+    private Map<Integer, SpeechCodec> decoders = Map.of();
+
     private final long synchronizationSource;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean active;
@@ -44,6 +47,9 @@ final class SpeechPath {
     void start() {
         active = true;
         heard = false;
+        decoders = Map.of(
+                RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
+                RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
         nextFrameNanos = parts.timers().nowNanos();
         parts.timers().startAt(StationTimer.SPEECH, nextFrameNanos);
     }
@@ -93,10 +99,6 @@ final class SpeechPath {
     }
 
     private void take(RtpPacket packet) {
-        if (packet.payloadType() != RtpPacket.A_LAW) {
-            parts.log().trace(Level.DEBUG, "speech of type {0} dropped, A-law expected", packet.payloadType());
-            return;
-        }
         int lost = framesLostBefore(packet);
         if (lost < 0) {
             return;
@@ -104,7 +106,7 @@ final class SpeechPath {
         for (int i = 0; i < lost; i++) {
             tell(new short[SpeechCodec.SAMPLES_PER_FRAME]);
         }
-        tell(decoder.decode(packet.payload()));
+        tell(decoders.get(packet.payloadType()).decode(packet.payload()));
         heard = true;
         heardSource = packet.source();
         expectedSequence = packet.sequence() + 1 & SEQUENCE_MASK;

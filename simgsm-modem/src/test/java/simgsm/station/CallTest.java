@@ -469,6 +469,7 @@ class CallTest {
         scene.down(new Release(unknown, Optional.empty()));
         scene.expect(new ReleaseComplete(unknown.answered(), Optional.of(Cause.INVALID_TRANSACTION_IDENTIFIER)));
         scene.down(new ReleaseComplete(unknown, Optional.empty()));
+        scene.down(new Status(unknown, Cause.NORMAL_UNSPECIFIED, 0));
         scene.expectNothing();
         assertEquals(CallState.ACTIVE, stateOf(scene));
     }

@@ -14,6 +14,7 @@ import simgsm.air.CallControl.Setup;
 import simgsm.air.IpaFrame;
 import simgsm.air.RtpPacket;
 import simgsm.air.TransactionIdentifier;
+import simgsm.speech.SpeechCodec;
 
 class SpeechTest {
     private static final byte LOUD = (byte) 0x2a;
@@ -123,10 +124,15 @@ class SpeechTest {
     }
 
     @Test
-    void speechOfAnotherKindIsIgnored() {
-        RtpPacket packet = new RtpPacket(RtpPacket.GSM_FULL_RATE, 0, 0, 77, new byte[33]);
-        scene.frame(IpaFrame.SPEECH, packet.encode());
-        assertEquals(0, scene.told.heard.size());
+    void fullRateSpeechIsUnderstoodAndOtherKindsAreDropped() {
+        byte[] payload = SpeechCodec.Kind.GSM_FULL_RATE.open().encode(new short[160]);
+        byte[] packet = new RtpPacket(RtpPacket.GSM_FULL_RATE, 0, 0, 77, payload).encode();
+        scene.frame(IpaFrame.SPEECH, packet);
+        assertEquals(1, scene.told.heard.size());
+        assertEquals(160, scene.told.heard.get(0).length);
+        packet[1] = 0;
+        scene.frame(IpaFrame.SPEECH, packet);
+        assertEquals(1, scene.told.heard.size());
     }
 
     @Test
