@@ -17,6 +17,9 @@ import simgsm.air.ProtocolViolation;
 final class StationLink implements Uplink {
     private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.SECONDS.toNanos(5);
+    /** A connection that has lasted so long was a good one. */
+    private static final long STEADY_NANOS = TimeUnit.SECONDS.toNanos(1);
+
     private static final long CONNECT_NANOS = TimeUnit.SECONDS.toNanos(5);
 
     private final MobileStation station;
@@ -32,6 +35,7 @@ final class StationLink implements Uplink {
     private boolean broken;
     private boolean saidAbsent;
     private long pauseNanos = FIRST_PAUSE_NANOS;
+    private long upSinceNanos;
     /** The next try to connect, or the end of the present one; without meaning while connected. */
     private long deadlineNanos;
 
@@ -146,7 +150,7 @@ final class StationLink implements Uplink {
     private void up(long nowNanos) {
         connected = true;
         saidAbsent = false;
-        pauseNanos = FIRST_PAUSE_NANOS;
+        upSinceNanos = nowNanos;
         framer = new IpaFramer();
         key.interestOps(SelectionKey.OP_READ);
         log.trace(Level.INFO, "connected to the centre at {0}", center);
@@ -161,7 +165,11 @@ final class StationLink implements Uplink {
         lost(nowNanos);
     }
 
+    /** A centre that takes connections only to close them at once is not asked in quick succession. */
     private void lost(long nowNanos) {
+        if (connected && nowNanos - upSinceNanos > STEADY_NANOS) {
+            pauseNanos = FIRST_PAUSE_NANOS;
+        }
         if (connected && !saidAbsent) {
             log.trace(Level.WARNING, "the link to the centre is lost; trying again");
         }
