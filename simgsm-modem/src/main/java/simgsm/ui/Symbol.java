@@ -3,6 +3,7 @@ package simgsm.ui;
 import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
@@ -147,15 +148,17 @@ public enum Symbol {
         }
     }
 
-    /** A telephone receiver, turned about the middle; 0 degrees lies with its ends to the right. */
+    /** A telephone receiver, turned and then centred; 0 degrees lies with its ends to the right. */
     private static Area handset(double degrees) {
         Area body = new Area(new Arc2D.Double(1.2, 1.2, 13.6, 13.6, 118, 124, Arc2D.PIE));
         body.subtract(new Area(new Ellipse2D.Double(4.9, 3.6, 8.8, 8.8)));
         body.add(new Area(new RoundRectangle2D.Double(3.7, 1.5, 4.8, 3.5, 1.6, 1.6)));
         body.add(new Area(new RoundRectangle2D.Double(3.7, 11, 4.8, 3.5, 1.6, 1.6)));
-        var turn = java.awt.geom.AffineTransform.getRotateInstance(Math.toRadians(degrees), 8, 8);
-        turn.translate(2.4, 0);
-        return body.createTransformedArea(turn);
+        var turn = AffineTransform.getRotateInstance(Math.toRadians(degrees), 8, 8);
+        Area turned = body.createTransformedArea(turn);
+        Rectangle2D box = turned.getBounds2D();
+        return turned.createTransformedArea(
+                AffineTransform.getTranslateInstance(8 - box.getCenterX(), 8 - box.getCenterY()));
     }
 
     private static void envelope(Graphics2D g) {

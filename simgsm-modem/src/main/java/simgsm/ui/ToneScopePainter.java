@@ -100,7 +100,7 @@ public final class ToneScopePainter {
             Drawing.fillCrisp(g, left + step * 0.16, y + tall * (1 - share), step * 0.68, tall * share);
             g.setColor((strongest ? Ink.TEXT : Ink.QUIET).color());
             String label = hertz(i);
-            var font = Theme.mono(step < Theme.exact(27) ? 8 : 9.5, strongest);
+            var font = Theme.mono(Math.min(10, step / Theme.zoom() * 0.36), strongest);
             Drawing.centred(g, label, font, left + step / 2, y + tall + labels * 0.62);
         }
     }

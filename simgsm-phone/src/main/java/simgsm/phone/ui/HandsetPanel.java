@@ -163,6 +163,9 @@ public final class HandsetPanel extends JPanel {
             body(g, unit);
             brand(g, unit);
             pad(g, unit);
+            if (isScopeOpen()) {
+                screen(g, unit);
+            }
         } finally {
             g.dispose();
         }
@@ -187,6 +190,16 @@ public final class HandsetPanel extends JPanel {
                 Theme.sans(12.5 * unit / Theme.zoom(), true),
                 box.getCenterX(),
                 box.getCenterY());
+    }
+
+    private void screen(Graphics2D g, double unit) {
+        Rectangle2D box = layout.onPanel(this, HandsetLayout.SCREEN);
+        var sheet = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), Theme.CARD_RADIUS * unit);
+        g.setColor(Ink.CARD.color());
+        g.fill(sheet);
+        g.setColor(Ink.BODY_LINE.color());
+        g.setStroke(Theme.stroke(unit / Theme.zoom()));
+        g.draw(sheet);
     }
 
     private void pad(Graphics2D g, double unit) {
