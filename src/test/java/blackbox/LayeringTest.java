@@ -40,7 +40,11 @@ class LayeringTest {
                             "simgsm.dtmf",
                             "simgsm.speech",
                             "simgsm.station",
-                            "simgsm.console")),
+                            "simgsm.console",
+                            "simgsm.modem.tools")),
+            Map.entry(
+                    "simgsm.modem.tools",
+                    Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.speech", "simgsm.console")),
             Map.entry("simgsm.ui", Set.of("simgsm.dtmf", "simgsm.speech")));
 
     @Test

@@ -142,8 +142,11 @@ final class RunningProgram implements AutoCloseable {
         return fields;
     }
 
-    /** Asks and waits for the answer. */
+    /** Asks and waits for the answer; what was printed before the question is passed over. */
     ConsoleEvent ask(String command, String answer) {
+        synchronized (this) {
+            cursor = events.size();
+        }
         say(command);
         return expect(answer);
     }

@@ -42,6 +42,7 @@ public final class CenterMain {
 
     private static int run(Arguments arguments) throws Exception {
         boolean isHeadless = arguments.has("headless") || GraphicsEnvironment.isHeadless();
+        int port = port(arguments, DEFAULT_PORT);
         if (arguments.has("demo")) {
             return isHeadless ? HeadlessDemo.run(arguments) : WindowedDemo.run(arguments);
         }
@@ -50,7 +51,7 @@ public final class CenterMain {
                     "simgsm-center: " + Messages.in(arguments.language()).of("error.noDisplay"));
             return ExitStatus.UNAVAILABLE;
         }
-        try (Center center = open(arguments, dataDirectory(arguments), port(arguments, DEFAULT_PORT))) {
+        try (Center center = open(arguments, dataDirectory(arguments), port)) {
             return isHeadless ? runConsole(center, arguments) : CenterWindow.run(center, arguments);
         }
     }

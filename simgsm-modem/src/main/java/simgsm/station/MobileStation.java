@@ -72,9 +72,10 @@ public final class MobileStation {
         speech.setUplink(Uplink.DISCONNECTED);
         keepAlive.linkDown();
         mobility.forgetNetwork();
-        registration.linkLost();
         messages.linkLost();
+        // A call that the link took with it is released before the loss of service is told.
         services.linkLost();
+        registration.linkLost();
         settle();
     }
 
