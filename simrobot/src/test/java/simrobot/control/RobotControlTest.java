@@ -92,6 +92,23 @@ class RobotControlTest {
     }
 
     @Test
+    void motorsSwitchedOnAtTheWallLeadToStoppedAndForwardEndsAfterNoWay() {
+        bench.control.message("5550101", "** #**100 **");
+        bench.seconds(10);
+        bench.robot.setMotors(false);
+        bench.robot.setMotors(true);
+        bench.log.clear();
+        bench.control.message("5550101", "** #**20 **");
+        bench.seconds(2);
+        assertEquals(
+                List.of(
+                        "status robot=robot value=Moving",
+                        "status robot=robot value=Collision",
+                        "reply robot=robot to=5550101 text=\"4 Collision after 0 of 20 cm, instruction 1 of 1.\""),
+                bench.lines("status", "reply"));
+    }
+
+    @Test
     void aLostCallIsReleasedBeforeTheStatusThatItCauses() {
         bench.control.callBegan("5550100");
         bench.press("**#**70**");
