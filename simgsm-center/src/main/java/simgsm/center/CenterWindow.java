@@ -1,5 +1,6 @@
 package simgsm.center;
 
+import java.awt.Point;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +14,8 @@ import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.UsageException;
+import simgsm.ui.Appearance;
+import simgsm.ui.Texts;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
 final class CenterWindow implements Operator {
@@ -33,26 +36,37 @@ final class CenterWindow implements Operator {
 
     /** Opens the window and returns when it is closed. */
     static int run(Center center, Arguments arguments) throws UsageException, InterruptedException {
-        return run(center, arguments, null, arguments.text("window"));
+        return run(center, arguments, null, Optional.empty());
     }
 
     /**
      * @param children running children that end with the window; null for none
-     * @param place where the window goes, "X,Y"
+     * @param place where the window goes unless an option says otherwise; empty for wherever the desktop likes
      */
-    static int run(Center center, Arguments arguments, Children children, Optional<String> place)
+    static int run(Center center, Arguments arguments, Children children, Optional<Point> place)
             throws UsageException, InterruptedException {
+        Optional<Point> corner = arguments.value("window", CenterWindow::point).or(() -> place);
+        Appearance appearance = arguments.value("theme", Appearance::parse).orElseGet(Appearance::ofSystem);
         CenterWindow operator = new CenterWindow(center, arguments);
         operator.children = children;
         center.publishSnapshots();
         center.start(CenterMain.seed(arguments), event -> {});
-        MonitorWindow.open(operator, arguments.language(), place);
+        Texts texts = Messages.in(arguments.language());
+        MonitorWindow.open(operator, texts, arguments.language(), appearance, corner);
         if (arguments.has("end-with-input")) {
             operator.quitAtEndOfInput();
         }
         operator.ended.await();
         operator.endChildren();
         return ExitStatus.OK;
+    }
+
+    private static Point point(String text) {
+        if (!text.matches("-?[0-9]{1,5},-?[0-9]{1,5}")) {
+            throw new IllegalArgumentException("expected X,Y, found " + text);
+        }
+        String[] parts = text.split(",");
+        return new Point(Integer.parseInt(parts[0]), Integer.parseInt(parts[1]));
     }
 
     private void quitAtEndOfInput() {

@@ -1,5 +1,6 @@
 package simgsm.center;
 
+import java.awt.Point;
 import java.io.IOException;
 import java.lang.ProcessBuilder.Redirect;
 import java.util.Optional;
@@ -12,7 +13,7 @@ final class WindowedDemo {
     private static final String PHONE_PLACE = "0,0";
 
     private static final String ROBOT_PLACE = "340,0";
-    private static final String CENTER_PLACE = "420,340";
+    private static final Point CENTER_PLACE = new Point(420, 340);
 
     private WindowedDemo() {}
 
@@ -20,11 +21,7 @@ final class WindowedDemo {
         try (DemoPrograms programs = DemoPrograms.open(arguments)) {
             programs.startPhone(Redirect.DISCARD, "--end-with-input", "--window", PHONE_PLACE);
             programs.startRobot(Redirect.DISCARD, "--end-with-input", "--window", ROBOT_PLACE);
-            return CenterWindow.run(
-                    programs.center(),
-                    arguments,
-                    programs.children(),
-                    arguments.text("window").or(() -> Optional.of(CENTER_PLACE)));
+            return CenterWindow.run(programs.center(), arguments, programs.children(), Optional.of(CENTER_PLACE));
         }
     }
 }

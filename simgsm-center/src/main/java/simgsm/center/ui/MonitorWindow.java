@@ -1,64 +1,58 @@
 package simgsm.center.ui;
 
-import java.awt.BorderLayout;
-import java.awt.Font;
+import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import javax.swing.JFrame;
-import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
-import javax.swing.Timer;
 import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.ui.Appearance;
+import simgsm.ui.Newest;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.WindowKeys;
 
-/** The centre's window. */
+/** The centre's window: a frame around {@link MonitorPanel}. */
 public final class MonitorWindow {
-    private static final int REFRESH_MILLIS = 200;
-    private static final int LADDER_ROWS = 30;
-
-    private final JFrame frame = new JFrame("SMSyCT");
-    private final JTextArea text = new JTextArea(36, 90);
-    private final Operator operator;
-
-    private MonitorWindow(Operator operator) {
-        this.operator = operator;
-        text.setEditable(false);
-        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 13));
-        frame.add(new JScrollPane(text), BorderLayout.CENTER);
-        frame.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent event) {
-                operator.quit();
-            }
-        });
-    }
+    private MonitorWindow() {}
 
     /**
      * Opens the window; returns at once.
      *
-     * @param place where its top left corner goes, "X,Y"
+     * @param place where its top left corner goes; empty for wherever the desktop likes
      */
-    public static void open(Operator operator, Locale language, Optional<String> place) {
-        SwingUtilities.invokeLater(() -> new MonitorWindow(operator).show());
+    public static void open(
+            Operator operator, Texts texts, Locale language, Appearance appearance, Optional<Point> place) {
+        SwingUtilities.invokeLater(() -> {
+            Theme.install(appearance);
+            show(new MonitorPanel(texts, operator), operator, texts, language, place);
+        });
     }
 
-    private void show() {
+    private static void show(
+            MonitorPanel panel, Operator operator, Texts texts, Locale language, Optional<Point> place) {
+        JFrame frame = new JFrame(texts.of("window.title"));
+        frame.setContentPane(panel);
+        WindowKeys.install(frame.getRootPane(), language);
+        Newest<ExchangeSnapshot> newest = new Newest<>(() -> operator.snapshot().orElse(null), snapshot -> {
+            if (snapshot != null) {
+                panel.show(snapshot);
+            }
+        });
+        frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                newest.stop();
+                operator.quit();
+            }
+        });
         frame.pack();
+        place.ifPresentOrElse(frame::setLocation, () -> frame.setLocationByPlatform(true));
+        newest.start();
         frame.setVisible(true);
-        new Timer(REFRESH_MILLIS, tick -> operator.snapshot().ifPresent(this::refresh)).start();
-    }
-
-    private void refresh(ExchangeSnapshot snapshot) {
-        String subscribers = snapshot.subscribers().stream()
-                .map(row -> row.number() + (row.attached() ? " attached" : " detached"))
-                .collect(Collectors.joining("\n"));
-        String ladder = snapshot.ladder().stream()
-                .skip(Math.max(0, snapshot.ladder().size() - LADDER_ROWS))
-                .map(entry -> String.format("%12s -> %-12s %s", entry.from(), entry.to(), entry.name()))
-                .collect(Collectors.joining("\n"));
-        text.setText("port " + operator.port() + "\n\n" + subscribers + "\n\n" + ladder);
+        panel.requestFocusInWindow();
     }
 }

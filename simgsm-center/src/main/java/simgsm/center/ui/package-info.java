@@ -1,2 +1,7 @@
-/** The centre's window, "SMSyCT". It knows the centre only through {@link simgsm.center.ui.Operator}. */
+/**
+ * The centre's window, "SMSyCT". It knows the centre only through {@link simgsm.center.ui.Operator} and its snapshots.
+ *
+ * <p>Read first: {@link simgsm.center.ui.MonitorPanel}, which is the whole window without its frame; then
+ * {@code LadderPanel}, the message ladder.
+ */
 package simgsm.center.ui;

@@ -1,0 +1,125 @@
+package simgsm.center.ui;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Path2D;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.ListCellRenderer;
+import simgsm.center.msc.LadderEntry;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** Paints a rung: the time, the lifelines, the arrow with the message's name on it, the protocol's tag. */
+final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
+    static final double HEIGHT_UNITS = 30;
+    private static final double HEAD_UNITS = 6;
+
+    private Lifelines lifelines = Lifelines.NONE;
+    private LadderRow row;
+    private boolean isSelected;
+    private boolean isFocused;
+
+    void show(Lifelines newLifelines) {
+        lifelines = newLifelines;
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+            JList<? extends LadderRow> list, LadderRow value, int index, boolean selected, boolean focused) {
+        row = value;
+        isSelected = selected;
+        isFocused = focused;
+        setText(value.toString());
+        return this;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(lifelines.leastWidth(), Theme.px(HEIGHT_UNITS));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            g.setColor((isSelected ? Ink.ACCENT_WASH : Ink.CARD).color());
+            g.fillRect(0, 0, getWidth(), getHeight());
+            paintLines(g);
+            paintTime(g);
+            paintArrow(g, row.entry());
+            if (isFocused) {
+                g.setColor(Ink.ACCENT.color());
+                g.setStroke(Theme.hairline());
+                g.draw(Drawing.round(1, 1, getWidth() - 3, getHeight() - 3, Theme.exact(Theme.HALF)));
+            }
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private void paintLines(Graphics2D g) {
+        for (String name : lifelines.names()) {
+            g.setColor((name.equals(LadderEntry.CENTER) ? Ink.ACCENT : Ink.CONTROL_LINE).color());
+            Drawing.vertical(g, lifelines.x(name, getWidth()), 0, getHeight());
+        }
+    }
+
+    private void paintTime(Graphics2D g) {
+        g.setFont(Theme.monoSmall());
+        g.setColor(Ink.QUIET.color());
+        double cap = Drawing.capHeight(g, Theme.monoSmall());
+        g.drawString(row.clock(), Theme.exact(10), (float) ((getHeight() + cap) / 2));
+        g.setFont(Theme.small());
+        g.setColor(Protocol.of(row.entry()).ink().color());
+        Drawing.rightAligned(g, Protocol.of(row.entry()).tag(), getWidth() - Theme.exact(10), (getHeight() + cap) / 2);
+    }
+
+    /** A terminal without a line of its own is told by its number in front of the name, at the centre's line. */
+    private void paintArrow(Graphics2D g, LadderEntry entry) {
+        int width = getWidth();
+        double from = lifelines.x(entry.from(), width);
+        double to = lifelines.x(entry.to(), width);
+        double center = lifelines.x(LadderEntry.CENTER, width);
+        boolean hasLine = from >= 0 && to >= 0;
+        String name = hasLine ? entry.name() : row.terminal() + " " + entry.name();
+        double gap = lifelines.gap(width);
+        double start = from >= 0 ? from : center - gap / 2;
+        double end = to >= 0 ? to : center + gap / 2;
+        double y = getHeight() - Theme.exact(8);
+        g.setColor(Protocol.of(entry).ink().color());
+        g.setStroke(Theme.stroke(1.4));
+        double tip = end - Math.signum(end - start) * Theme.exact(2);
+        Drawing.line(g, start, y, tip - Math.signum(end - start) * Theme.exact(HEAD_UNITS - 1), y);
+        paintHead(g, tip, y, Math.signum(end - start));
+        double room = Math.abs(end - start) - Theme.exact(8);
+        Font font = Drawing.width(Theme.base(), name) <= room ? Theme.base() : Theme.small();
+        String fitted = Drawing.fitted(font, name, room);
+        g.setFont(font);
+        double textWidth = Drawing.width(font, fitted);
+        double x = (start + end - textWidth) / 2;
+        paintPlate(g, x, textWidth);
+        g.setColor(Ink.TEXT.color());
+        g.drawString(fitted, (float) x, (float) (y - Theme.exact(6)));
+    }
+
+    /** Keeps the lifelines that a long arrow crosses from running through its name. */
+    private void paintPlate(Graphics2D g, double x, double width) {
+        g.setColor((isSelected ? Ink.ACCENT_WASH : Ink.CARD).color());
+        Drawing.fillCrisp(g, x - Theme.exact(3), Theme.exact(4), width + Theme.exact(6), getHeight() - Theme.exact(15));
+    }
+
+    private static void paintHead(Graphics2D g, double x, double y, double sign) {
+        double length = Theme.exact(HEAD_UNITS);
+        Path2D head = new Path2D.Double();
+        head.moveTo(x, y);
+        head.lineTo(x - sign * length * 1.4, y - length * 0.7);
+        head.lineTo(x - sign * length * 1.4, y + length * 0.7);
+        head.closePath();
+        g.fill(head);
+    }
+}

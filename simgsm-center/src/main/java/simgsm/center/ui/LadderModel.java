@@ -1,0 +1,125 @@
+package simgsm.center.ui;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.AbstractListModel;
+import simgsm.center.msc.LadderEntry;
+
+/** The rungs that are shown: what the snapshots hold, less what was cleared and what is filtered out. */
+final class LadderModel extends AbstractListModel<LadderRow> {
+    private final List<LadderRow> rows = new ArrayList<>();
+    private List<LadderEntry> entries = List.of();
+    private long count;
+    private long lastNumber;
+    private long clearedUpTo;
+    private Optional<String> terminal = Optional.empty();
+
+    /**
+     * Takes over a snapshot: drops what it has forgotten and adds what is new, so that a selection stays where it is.
+     *
+     * @param newEntries the latest ones, oldest first
+     * @param newCount the number of the last one
+     */
+    void update(List<LadderEntry> newEntries, long newCount) {
+        boolean isAnotherExchange = newCount < count;
+        entries = newEntries;
+        count = newCount;
+        if (isAnotherExchange) {
+            clearedUpTo = 0;
+            rebuild();
+        }
+        dropBefore(numberOf(0));
+        rename();
+        add();
+    }
+
+    /** Shows only messages from and to this terminal; empty for all. */
+    void filter(Optional<String> newTerminal) {
+        if (!newTerminal.equals(terminal)) {
+            terminal = newTerminal;
+            rebuild();
+        }
+    }
+
+    /** Hides all that has passed so far. */
+    void clear() {
+        clearedUpTo = count;
+        rebuild();
+    }
+
+    /** The terminals of all messages that were not cleared, filtered or not, the latest first. */
+    List<String> terminals() {
+        List<String> found = new ArrayList<>();
+        for (int i = entries.size() - 1; i >= 0 && numberOf(i) > clearedUpTo; i--) {
+            String name = new LadderRow(0, entries.get(i)).terminal();
+            if (!found.contains(name)) {
+                found.add(name);
+            }
+        }
+        return found;
+    }
+
+    private void rebuild() {
+        int size = rows.size();
+        rows.clear();
+        if (size > 0) {
+            fireIntervalRemoved(this, 0, size - 1);
+        }
+        lastNumber = clearedUpTo;
+        add();
+    }
+
+    private void dropBefore(long number) {
+        int dropped = 0;
+        while (dropped < rows.size() && rows.get(dropped).number() < number) {
+            dropped++;
+        }
+        if (dropped > 0) {
+            rows.subList(0, dropped).clear();
+            fireIntervalRemoved(this, 0, dropped - 1);
+        }
+    }
+
+    /** A terminal that has told its number bears it in what it sent before, too. */
+    private void rename() {
+        for (int i = 0; i < rows.size(); i++) {
+            LadderRow row = rows.get(i);
+            LadderEntry now = entries.get((int) (row.number() - numberOf(0)));
+            if (now != row.entry() && !now.equals(row.entry())) {
+                rows.set(i, new LadderRow(row.number(), now));
+                fireContentsChanged(this, i, i);
+            }
+        }
+    }
+
+    private void add() {
+        int before = rows.size();
+        int seen = (int) Math.max(0, lastNumber + 1 - numberOf(0));
+        for (int i = seen; i < entries.size(); i++) {
+            LadderRow row = new LadderRow(numberOf(i), entries.get(i));
+            boolean isShown = terminal.isEmpty() || terminal.get().equals(row.terminal());
+            if (isShown) {
+                rows.add(row);
+            }
+        }
+        lastNumber = count;
+        if (rows.size() > before) {
+            fireIntervalAdded(this, before, rows.size() - 1);
+        }
+    }
+
+    private long numberOf(int index) {
+        return count - entries.size() + 1 + index;
+    }
+
+    @Override
+    public int getSize() {
+        return rows.size();
+    }
+
+    @Override
+    public LadderRow getElementAt(int index) {
+        return rows.get(index);
+    }
+}

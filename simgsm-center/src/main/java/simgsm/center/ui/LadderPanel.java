@@ -1,0 +1,280 @@
+package simgsm.center.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTextArea;
+import javax.swing.JToggleButton;
+import javax.swing.ListSelectionModel;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Drawing;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** Who sent which GSM message to whom, live; below, what the chosen message says. */
+final class LadderPanel extends JPanel {
+    private static final Dimension LIST_UNITS = new Dimension(540, 240);
+    private static final Dimension DETAIL_UNITS = new Dimension(540, 150);
+
+    private final Texts texts;
+    private final LadderModel model = new LadderModel();
+    private final LadderCell cell = new LadderCell();
+    private final LifelineHeader header = new LifelineHeader();
+    private final LadderList list = new LadderList();
+    private final JTextArea detail = new JTextArea();
+    private final JLabel heading = new JLabel();
+    private final JLabel title = new JLabel();
+    private final JComboBox<String> who = new JComboBox<>();
+    private final JToggleButton follow;
+    private List<String> terminals = List.of();
+
+    LadderPanel(Texts texts) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        follow = Named.name(
+                new JToggleButton(new Act("ladder.follow", texts.of("window.ladder.follow"), this::followed)
+                        .described(texts.of("window.ladder.follow.why"))
+                        .with(Symbol.FOLLOW.icon())),
+                "ladder.follow",
+                texts.of("window.ladder.follow"));
+        follow.setSelected(true);
+        JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), detailPane());
+        split.setResizeWeight(1);
+        split.setBorder(null);
+        split.setOpaque(false);
+        add(tools(), BorderLayout.NORTH);
+        add(split, BorderLayout.CENTER);
+        list.addListSelectionListener(event -> chosen(list.getSelectedIndex()));
+        who.addActionListener(event -> filter());
+        updateChoice();
+        showDetail();
+        dress();
+    }
+
+    private JPanel tools() {
+        Act clear = new Act("ladder.clear", texts.of("window.ladder.clear"), this::clear)
+                .described(texts.of("window.ladder.clear.why"))
+                .with(Symbol.ERASE.icon());
+        Named.name(who, "ladder.who", texts.of("window.ladder.who"));
+        heading.setText(texts.of("window.ladder"));
+        JPanel row = Arrange.row(
+                12,
+                heading,
+                who,
+                Arrange.spring(),
+                follow,
+                Named.name(new JButton(clear), "ladder.clear", texts.of("window.ladder.clear")));
+        row.setBorder(Theme.padding(0, 0, 8, 0));
+        return row;
+    }
+
+    private JScrollPane listPane() {
+        list.setModel(model);
+        list.setCellRenderer(cell);
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        Named.name(list, "ladder.list", texts.of("window.ladder.name"));
+        JScrollPane pane = new JScrollPane(
+                list,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+        pane.setColumnHeaderView(header);
+        pane.setPreferredSize(new Dimension(Theme.px(LIST_UNITS.width), Theme.px(LIST_UNITS.height)));
+        pane.setMinimumSize(new Dimension(0, 0));
+        pane.getVerticalScrollBar().addAdjustmentListener(event -> {
+            if (event.getValueIsAdjusting()) {
+                follow.setSelected(isAtEnd(pane));
+            }
+        });
+        return pane;
+    }
+
+    private static boolean isAtEnd(JScrollPane pane) {
+        var bar = pane.getVerticalScrollBar().getModel();
+        return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderCell.HEIGHT_UNITS);
+    }
+
+    private JPanel detailPane() {
+        detail.setEditable(false);
+        detail.setLineWrap(true);
+        detail.setWrapStyleWord(true);
+        Named.name(detail, "ladder.detail", texts.of("window.ladder.detail"));
+        JPanel pane = new JPanel(new BorderLayout());
+        pane.setOpaque(false);
+        pane.add(Named.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
+        pane.add(new JScrollPane(detail), BorderLayout.CENTER);
+        pane.setPreferredSize(new Dimension(Theme.px(DETAIL_UNITS.width), Theme.px(DETAIL_UNITS.height)));
+        pane.setMinimumSize(new Dimension(0, 0));
+        return pane;
+    }
+
+    void show(ExchangeSnapshot snapshot) {
+        int before = model.getSize();
+        model.update(snapshot.ladder(), snapshot.ladderCount());
+        refreshLines();
+        if (follow.isSelected() && (model.getSize() != before || before > 0)) {
+            showEnd();
+        }
+    }
+
+    private void refreshLines() {
+        List<String> now = model.terminals();
+        if (!now.equals(terminals)) {
+            terminals = now;
+            updateChoice();
+            showLines();
+        }
+    }
+
+    private void showLines() {
+        Optional<String> only = chosen();
+        Lifelines lifelines = Lifelines.of(only.map(List::of).orElse(terminals));
+        cell.show(lifelines);
+        header.show(lifelines);
+        list.fit();
+    }
+
+    /** Keeps the choice while numbers come and go. */
+    private void updateChoice() {
+        List<String> sorted = new ArrayList<>(terminals);
+        sorted.sort(String::compareTo);
+        List<String> present = new ArrayList<>();
+        for (int i = 1; i < who.getItemCount(); i++) {
+            present.add(who.getItemAt(i));
+        }
+        if (who.getItemCount() > 0 && present.equals(sorted)) {
+            return;
+        }
+        Optional<String> chosen = chosen();
+        who.removeAllItems();
+        who.addItem(texts.of("window.ladder.everybody"));
+        sorted.forEach(who::addItem);
+        chosen.filter(sorted::contains).ifPresent(who::setSelectedItem);
+    }
+
+    private Optional<String> chosen() {
+        return who.getSelectedIndex() <= 0 ? Optional.empty() : Optional.of(who.getItemAt(who.getSelectedIndex()));
+    }
+
+    private void filter() {
+        model.filter(chosen());
+        showLines();
+        followed();
+    }
+
+    /** Shows only what this subscriber sends and receives. */
+    void choose(String number) {
+        if (terminals.contains(number)) {
+            who.setSelectedItem(number);
+        }
+    }
+
+    private void clear() {
+        model.clear();
+        refreshLines();
+        list.repaint();
+    }
+
+    private void followed() {
+        if (follow.isSelected()) {
+            showEnd();
+        }
+    }
+
+    /** After the layout, which has yet to hear of the new rows. */
+    private void showEnd() {
+        SwingUtilities.invokeLater(() -> list.ensureIndexIsVisible(model.getSize() - 1));
+    }
+
+    /** Whoever reads an older message does not want it to run away. */
+    private void chosen(int index) {
+        if (index >= 0 && index < model.getSize() - 1 && list.isFocusOwner()) {
+            follow.setSelected(false);
+        }
+        showDetail();
+    }
+
+    private void showDetail() {
+        LadderRow row = list.getSelectedValue();
+        title.setText(
+                row == null
+                        ? texts.of("window.ladder.choose")
+                        : row.entry().name() + "   " + row.entry().from() + " → "
+                                + row.entry().to() + "   " + row.clock());
+        detail.setText(row == null ? "" : MessageWords.of(row));
+        detail.setCaretPosition(0);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (list != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        heading.setFont(Theme.title());
+        title.setFont(Theme.strong());
+        title.setBorder(Theme.padding(8, 2, 6, 2));
+        detail.setFont(Theme.monoSmall());
+        list.fit();
+    }
+
+    /** Fills the window's width, or scrolls once the lifelines would stand too close. */
+    private final class LadderList extends JList<LadderRow> {
+        void fit() {
+            Dimension size = cell.getPreferredSize();
+            setFixedCellWidth(size.width);
+            setFixedCellHeight(size.height);
+            setBackground(Ink.CARD.color());
+            revalidate();
+            repaint();
+        }
+
+        @Override
+        public String getToolTipText(MouseEvent event) {
+            int index = locationToIndex(event.getPoint());
+            return index < 0 ? null : getModel().getElementAt(index).toString();
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return getParent() == null || getParent().getWidth() >= getFixedCellWidth();
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            super.paintComponent(graphics);
+            if (getModel().getSize() == 0) {
+                Graphics2D g = Drawing.on(graphics);
+                try {
+                    g.setColor(Ink.QUIET.color());
+                    Drawing.centred(
+                            g, texts.of("window.ladder.empty"), Theme.base(), getWidth() / 2.0, Theme.exact(60));
+                } finally {
+                    g.dispose();
+                }
+            }
+        }
+    }
+}

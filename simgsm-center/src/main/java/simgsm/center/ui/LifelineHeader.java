@@ -1,0 +1,77 @@
+package simgsm.center.ui;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import javax.accessibility.Accessible;
+import javax.accessibility.AccessibleContext;
+import javax.swing.JComponent;
+import simgsm.center.msc.LadderEntry;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** The heads of the lifelines, above the ladder. */
+final class LifelineHeader extends JComponent implements Accessible {
+    private static final double HEIGHT_UNITS = 36;
+    private static final double BOX_UNITS = 24;
+
+    private Lifelines lifelines = Lifelines.NONE;
+
+    void show(Lifelines newLifelines) {
+        lifelines = newLifelines;
+        revalidate();
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(lifelines.leastWidth(), Theme.px(HEIGHT_UNITS));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            g.setColor(Ink.CARD.color());
+            g.fillRect(0, 0, getWidth(), getHeight());
+            for (String name : lifelines.names()) {
+                paintHead(g, name, lifelines.x(name, getWidth()));
+            }
+            g.setColor(Ink.LINE.color());
+            Drawing.horizontal(g, 0, getWidth(), getHeight() - 1);
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private void paintHead(Graphics2D g, String name, double x) {
+        boolean isCenter = name.equals(LadderEntry.CENTER);
+        double room = Math.min(lifelines.gap(getWidth()), Theme.exact(124)) - Theme.exact(8);
+        String fitted = Drawing.fitted(Theme.monoStrong(), name, room - Theme.exact(16));
+        double width = Math.min(room, Drawing.width(Theme.monoStrong(), fitted) + Theme.exact(20));
+        double height = Theme.exact(BOX_UNITS);
+        double top = (getHeight() - height) / 2;
+        var box = Drawing.round(x - width / 2, top, width, height, Theme.exact(Theme.CONTROL_RADIUS));
+        g.setColor((isCenter ? Ink.ACCENT : Ink.CARD).color());
+        g.fill(box);
+        g.setColor((isCenter ? Ink.ACCENT : Ink.CONTROL_LINE).color());
+        g.setStroke(Theme.hairline());
+        g.draw(box);
+        g.setColor((isCenter ? Ink.ON_ACCENT : Ink.TEXT).color());
+        Drawing.centred(g, fitted, Theme.monoStrong(), x, getHeight() / 2.0);
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public String getAccessibleName() {
+                    return String.join(", ", lifelines.names());
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}

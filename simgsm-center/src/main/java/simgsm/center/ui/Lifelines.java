@@ -1,0 +1,59 @@
+package simgsm.center.ui;
+
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.center.msc.LadderEntry;
+import simgsm.ui.Theme;
+
+/**
+ * Who stands where on the ladder: the centre in the middle, terminals in the order of their numbers on both sides.
+ *
+ * <pre>
+ *   | time |   5550100      M3      5550200   | tag |
+ * </pre>
+ */
+record Lifelines(List<String> names) {
+    /** More terminals than these would leave no room for names; the latest ones win. */
+    static final int MAX_TERMINALS = 7;
+
+    /** Columns beside the lines, in units. */
+    static final int TIME_UNITS = 92;
+
+    static final int TAG_UNITS = 38;
+    /** The outer lines stand so far from the columns beside them that their heads find room. */
+    private static final int HALF_HEAD_UNITS = 44;
+
+    private static final int LEAST_GAP_UNITS = 120;
+
+    static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
+
+    /** @param terminals the latest first */
+    static Lifelines of(List<String> terminals) {
+        List<String> names = new ArrayList<>(terminals.subList(0, Math.min(MAX_TERMINALS, terminals.size())));
+        names.sort(String::compareTo);
+        names.add((names.size() + 1) / 2, LadderEntry.CENTER);
+        return new Lifelines(List.copyOf(names));
+    }
+
+    /** Where a line stands, in pixels; -1 for a terminal that has none. */
+    double x(String name, int width) {
+        int index = names.indexOf(name);
+        if (index < 0) {
+            return -1;
+        }
+        double first = Theme.exact(TIME_UNITS + HALF_HEAD_UNITS);
+        return names.size() == 1 ? first + gap(width) / 2 : first + gap(width) * index;
+    }
+
+    /** How far apart two neighbours stand, in pixels. */
+    double gap(int width) {
+        double room = width - Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
+        return room / Math.max(1, names.size() - 1);
+    }
+
+    /** The least width at which names can be read, in pixels. */
+    int leastWidth() {
+        int gaps = Math.max(1, names.size() - 1);
+        return Theme.px(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS + LEAST_GAP_UNITS * gaps);
+    }
+}

@@ -1,0 +1,104 @@
+package simgsm.center.ui;
+
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.StringJoiner;
+import simgsm.air.MessageText;
+import simgsm.air.OctetString;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RslCodec;
+import simgsm.air.RslMessage;
+import simgsm.sms.CellBroadcast;
+import simgsm.sms.CellBroadcastPage;
+import simgsm.sms.DeliverTpdu;
+import simgsm.sms.PduTool;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.Tpdu;
+import simgsm.sms.TpduCodec;
+
+/** All that a message says, in lines: its fields, a short message or broadcast page inside, its octets. */
+final class MessageWords {
+    private static final int OCTETS_PER_LINE = 16;
+    private static final int NAME_WIDTH = 22;
+    private static final HexFormat HEX = HexFormat.ofDelimiter(" ");
+
+    private MessageWords() {}
+
+    static String of(LadderRow row) {
+        StringJoiner lines = new StringJoiner("\n");
+        OctetString octets = row.entry().octets();
+        if (Protocol.of(row.entry()) == Protocol.COMMON_CHANNEL) {
+            addCommonChannel(lines, octets);
+        } else {
+            MessageText.ofLayer3(octets, row.direction()).fields().forEach(field -> add(lines, field));
+            MessageText.tpdu(octets, row.direction()).ifPresent(tpdu -> addTpdu(lines, tpdu, row));
+        }
+        lines.add("");
+        addOctets(lines, octets.toArray());
+        return lines.toString().stripLeading();
+    }
+
+    private static void addCommonChannel(StringJoiner lines, OctetString octets) {
+        try {
+            RslMessage message = RslCodec.decode(octets.toArray());
+            if (message instanceof RslMessage.SmsBroadcastCommand broadcast) {
+                addPage(lines, CellBroadcastPage.decode(broadcast.page()));
+            } else {
+                MessageText.ofRsl(message).fields().forEach(field -> add(lines, field));
+            }
+        } catch (ProtocolViolation violation) {
+            lines.add(violation.getMessage());
+        }
+    }
+
+    private static void addPage(StringJoiner lines, CellBroadcastPage page) {
+        Optional<String> language = CellBroadcast.join(List.of(page)).language();
+        add(lines, new MessageText.Field("channel", String.valueOf(page.messageIdentifier())));
+        add(
+                lines,
+                new MessageText.Field(
+                        "message code", String.valueOf(page.serial().code())));
+        add(lines, new MessageText.Field("update", String.valueOf(page.serial().update())));
+        add(lines, new MessageText.Field("page", page.page() + " of " + page.pages()));
+        language.ifPresent(name -> add(lines, new MessageText.Field("language", name)));
+        add(
+                lines,
+                new MessageText.Field("text", CellBroadcast.join(List.of(page)).text()));
+    }
+
+    private static void addTpdu(StringJoiner lines, OctetString tpdu, LadderRow row) {
+        try {
+            Tpdu unit = TpduCodec.decode(tpdu, row.direction());
+            text(unit).ifPresent(text -> add(lines, new MessageText.Field("text", text)));
+            lines.add("");
+            lines.add(PduTool.words(unit));
+        } catch (ProtocolViolation violation) {
+            lines.add(violation.getMessage());
+        }
+    }
+
+    private static Optional<String> text(Tpdu unit) {
+        if (unit instanceof SubmitTpdu submit) {
+            return Optional.of(submit.userData().text());
+        }
+        return unit instanceof DeliverTpdu deliver
+                ? Optional.of(deliver.userData().text())
+                : Optional.empty();
+    }
+
+    private static void add(StringJoiner lines, MessageText.Field field) {
+        if (!field.name().equals("tpdu")) {
+            lines.add(field.name()
+                    + " ".repeat(Math.max(1, NAME_WIDTH - field.name().length()))
+                    + field.value());
+        }
+    }
+
+    private static void addOctets(StringJoiner lines, byte[] octets) {
+        for (int start = 0; start < octets.length; start += OCTETS_PER_LINE) {
+            int end = Math.min(octets.length, start + OCTETS_PER_LINE);
+            lines.add(String.format("%04x  %s", start, HEX.formatHex(octets, start, end)));
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package simgsm.center.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.io.IOException;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.msc.ExchangeSnapshot.MessageRow;
+import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
+public final class MonitorPanel extends JPanel {
+    private static final Dimension SIZE_UNITS = new Dimension(1080, 680);
+    private static final Dimension LEFT_UNITS = new Dimension(440, 400);
+    private static final double LEFT_SHARE = 0.3;
+
+    private final Texts texts;
+    private final Operator operator;
+    private final HeaderPanel header;
+    private final PassingPanel passing;
+    private final RowsPanel<SubscriberRow> subscribers;
+    private final RowsPanel<CallView> calls;
+    private final RowsPanel<MessageRow> messages;
+    private final LadderPanel ladder;
+    private final JTabbedPane tabs = new JTabbedPane();
+    private final JLabel notice = new JLabel(" ");
+
+    /** @param texts of the centre's bundle; @param operator whom the buttons ask */
+    public MonitorPanel(Texts texts, Operator operator) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.operator = operator;
+        header = new HeaderPanel(texts, operator);
+        passing = new PassingPanel(texts, operator.port());
+        ladder = new LadderPanel(texts);
+        subscribers = Tables.subscribers(texts)
+                .onChoice(row -> ladder.choose(row.number().digits()));
+        calls = Tables.calls(texts);
+        messages = Tables.messages(texts);
+        JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
+        split.setResizeWeight(LEFT_SHARE);
+        split.setBorder(null);
+        split.setOpaque(false);
+        add(Arrange.column(12, header, new Card(passing), Arrange.growing(split)), BorderLayout.CENTER);
+        dress();
+    }
+
+    private JComponent left() {
+        Named.name(tabs, "tabs", texts.of("window.tabs"));
+        tabs.addTab(texts.of("window.subscribers"), subscribers);
+        tabs.addTab(texts.of("window.calls"), calls);
+        tabs.addTab(texts.of("window.messages"), messages);
+        tabs.addTab(texts.of("window.broadcast"), new BroadcastPanel(texts, operator));
+        Act phone = new Act("new.phone", texts.of("window.new.phone"), () -> start(operator::newPhone))
+                .described(texts.of("window.new.phone.why"))
+                .with(Symbol.PHONE.icon());
+        Act robot = new Act("new.robot", texts.of("window.new.robot"), () -> start(operator::newRobot))
+                .described(texts.of("window.new.robot.why"))
+                .with(Symbol.ROBOT.icon());
+        JPanel buttons = Arrange.row(
+                8,
+                Named.name(new JButton(phone), "new.phone", texts.of("window.new.phone.why")),
+                Named.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
+                Arrange.growing(Named.name(notice, "notice", texts.of("window.notice"))));
+        JComponent card = new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
+        card.setMinimumSize(new Dimension(0, 0));
+        card.setPreferredSize(new Dimension(Theme.px(LEFT_UNITS.width), Theme.px(LEFT_UNITS.height)));
+        return card;
+    }
+
+    /** The lists come first for the keyboard. */
+    @Override
+    public boolean requestFocusInWindow() {
+        return tabs.requestFocusInWindow();
+    }
+
+    /** Shows the newest picture; called on the event thread. */
+    public void show(ExchangeSnapshot snapshot) {
+        header.show(snapshot);
+        passing.show(snapshot);
+        subscribers.show(snapshot.subscribers());
+        calls.show(snapshot.calls());
+        messages.show(snapshot.messages());
+        ladder.show(snapshot);
+    }
+
+    private interface Start {
+        void run() throws IOException;
+    }
+
+    private void start(Start start) {
+        try {
+            start.run();
+            notice.setText(" ");
+        } catch (IOException failure) {
+            notice.setForeground(Ink.DANGER.color());
+            notice.setText(texts.of("window.new.failed", failure.getMessage()));
+            notice.setToolTipText(failure.getMessage());
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (notice != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        setBackground(Ink.SURFACE.color());
+        setBorder(Theme.padding(12));
+        setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
+    }
+}

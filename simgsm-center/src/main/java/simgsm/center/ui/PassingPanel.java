@@ -1,0 +1,113 @@
+package simgsm.center.ui;
+
+import java.awt.BorderLayout;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import simgsm.air.LocationArea;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.ui.Arrange;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/**
+ * The panel of the paper's figure 4, live: which telephone calls or writes (TEL entrante), through which centre (TEL
+ * intermedio), to which telephone (TEL saliente), and the message.
+ */
+final class PassingPanel extends JPanel {
+    private final Texts texts;
+    private final JTextField incoming = field();
+    private final JTextField intermediate = field();
+    private final JTextField outgoing = field();
+    private final JTextField message = field();
+    private final String center;
+
+    PassingPanel(Texts texts, int port) {
+        super(new BorderLayout());
+        this.texts = texts;
+        center = String.format("%04d %d", LocationArea.TEST.areaCode(), port);
+        setOpaque(false);
+        JPanel numbers = Arrange.row(
+                12,
+                Arrange.growing(labelled(incoming, "window.tel.incoming")),
+                arrow(),
+                Arrange.growing(labelled(intermediate, "window.tel.intermediate")),
+                arrow(),
+                Arrange.growing(labelled(outgoing, "window.tel.outgoing")));
+        add(Arrange.column(8, numbers, labelled(message, "window.message")), BorderLayout.CENTER);
+        intermediate.setText(center);
+        name("tel.incoming", incoming, "window.tel.incoming");
+        name("tel.intermediate", intermediate, "window.tel.intermediate");
+        name("tel.outgoing", outgoing, "window.tel.outgoing");
+        name("message", message, "window.message");
+        dress();
+    }
+
+    private static JTextField field() {
+        JTextField field = new JTextField(10);
+        field.setEditable(false);
+        return field;
+    }
+
+    private void name(String name, JTextField field, String key) {
+        Named.name(field, name, texts.of(key));
+        field.setToolTipText(texts.of(key + ".why"));
+    }
+
+    private JComponent labelled(JTextField field, String key) {
+        JLabel label = new JLabel(texts.of(key));
+        label.setLabelFor(field);
+        return Arrange.row(8, label, Arrange.growing(field));
+    }
+
+    private static JComponent arrow() {
+        JLabel arrow = new JLabel(Symbol.RIGHT.icon());
+        arrow.setForeground(Ink.QUIET.color());
+        return arrow;
+    }
+
+    void show(ExchangeSnapshot snapshot) {
+        snapshot.latest().ifPresent(passing -> {
+            set(incoming, passing.from().digits());
+            set(outgoing, passing.to());
+            set(message, passing.text().isEmpty() ? callWord(snapshot, passing) : passing.text());
+        });
+    }
+
+    /** What has become of the call: its state, or that it is over. */
+    private String callWord(ExchangeSnapshot snapshot, ExchangeSnapshot.Passing passing) {
+        return snapshot.calls().stream()
+                .filter(call -> call.from().equals(passing.from()) && call.to().equals(passing.to()))
+                .findFirst()
+                .map(CallView::state)
+                .map(state -> texts.of(
+                        "window.passing.call", Tables.word(state, texts).word()))
+                .orElseGet(() -> texts.of("window.passing.over"));
+    }
+
+    private static void set(JTextField field, String text) {
+        if (!field.getText().equals(text)) {
+            field.setText(text);
+            field.setCaretPosition(0);
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (message != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
+            field.setFont(Theme.mono(15, false));
+        }
+    }
+}

@@ -1,0 +1,155 @@
+package simgsm.center.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.Icon;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import simgsm.air.Msisdn;
+import simgsm.ui.Drawing;
+import simgsm.ui.Named;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** A table of a snapshot's rows; says in words when there are none. */
+final class RowsPanel<T> extends JPanel {
+    private final RowsModel<T> model;
+    private final JTable table;
+
+    /** @param name for tests and, in words, for assistive technology; @param empty what stands there without rows */
+    RowsPanel(String name, String title, String empty, List<Column<T>> columns) {
+        super(new BorderLayout());
+        setOpaque(false);
+        model = new RowsModel<>(columns);
+        table = Named.name(new EmptyTable(empty), name, title);
+        table.setModel(model);
+        table.setDefaultRenderer(Object.class, new CellRenderer());
+        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.setFillsViewportHeight(true);
+        table.getTableHeader().setReorderingAllowed(false);
+        for (int i = 0; i < columns.size(); i++) {
+            table.getColumnModel().getColumn(i).setPreferredWidth(columns.get(i).width());
+        }
+        add(new JScrollPane(table), BorderLayout.CENTER);
+        dress();
+    }
+
+    /** Calls back with the row that the user chooses. */
+    RowsPanel<T> onChoice(Consumer<T> choice) {
+        table.getSelectionModel().addListSelectionListener(event -> {
+            if (!event.getValueIsAdjusting()) {
+                selected().ifPresent(choice);
+            }
+        });
+        return this;
+    }
+
+    /** Takes over the rows; the chosen one stays chosen if it is still there. */
+    void show(List<T> rows) {
+        Optional<T> chosen = selected();
+        if (model.update(rows) && chosen.isPresent()) {
+            int index = model.indexOf(chosen.get());
+            if (index >= 0) {
+                table.setRowSelectionInterval(index, index);
+            }
+        }
+    }
+
+    private Optional<T> selected() {
+        int row = table.getSelectedRow();
+        return row < 0 ? Optional.empty() : Optional.of(model.row(row));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (table != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        table.setRowHeight(Theme.px(28));
+        table.setIntercellSpacing(new Dimension(0, 0));
+        table.getTableHeader().setFont(Theme.small());
+    }
+
+    private static final class EmptyTable extends JTable {
+        private final String empty;
+
+        EmptyTable(String empty) {
+            this.empty = empty;
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            super.paintComponent(graphics);
+            if (getRowCount() == 0) {
+                Graphics2D g = Drawing.on(graphics);
+                try {
+                    g.setColor(Ink.QUIET.color());
+                    Drawing.centred(g, empty, Theme.base(), getWidth() / 2.0, Theme.exact(48));
+                } finally {
+                    g.dispose();
+                }
+            }
+        }
+    }
+
+    private static final class CellRenderer extends DefaultTableCellRenderer {
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+            boolean isState = value instanceof StateWord;
+            setIcon(isState ? icon((StateWord) value) : null);
+            setIconTextGap(Theme.px(8));
+            setFont(font(value));
+            setBorder(Theme.padding(0, 6, 0, 2));
+            setToolTipText(String.valueOf(value));
+            return this;
+        }
+
+        private static Font font(Object value) {
+            if (value instanceof Digits) {
+                return Theme.monoSmall();
+            }
+            return value instanceof Msisdn ? Theme.mono() : Theme.base();
+        }
+
+        private static Icon icon(StateWord state) {
+            return new Icon() {
+                @Override
+                public void paintIcon(Component component, Graphics graphics, int x, int y) {
+                    Graphics2D g = Drawing.on(graphics);
+                    try {
+                        double radius = getIconWidth() / 2.0;
+                        state.mark().paint(g, x + radius, y + radius, radius - 1, state.ink());
+                    } finally {
+                        g.dispose();
+                    }
+                }
+
+                @Override
+                public int getIconWidth() {
+                    return Theme.px(12);
+                }
+
+                @Override
+                public int getIconHeight() {
+                    return Theme.px(12);
+                }
+            };
+        }
+    }
+}

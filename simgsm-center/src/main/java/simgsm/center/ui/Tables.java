@@ -1,0 +1,82 @@
+package simgsm.center.ui;
+
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import simgsm.air.Msisdn;
+import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeSnapshot.MessageRow;
+import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
+import simgsm.ui.Mark;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+
+/** The three tables and their columns. */
+final class Tables {
+    private static final DateTimeFormatter CLOCK =
+            DateTimeFormatter.ofPattern("HH:mm:ss").withZone(ZoneId.systemDefault());
+    private static final DateTimeFormatter DAY =
+            DateTimeFormatter.ofPattern("MM-dd HH:mm").withZone(ZoneId.systemDefault());
+
+    private Tables() {}
+
+    static RowsPanel<SubscriberRow> subscribers(Texts texts) {
+        StateWord attached = new StateWord(Mark.DISC, Ink.GOOD, texts.of("window.subscriber.attached"));
+        StateWord detached = new StateWord(Mark.RING, Ink.QUIET, texts.of("window.subscriber.detached"));
+        return new RowsPanel<>(
+                "subscribers",
+                texts.of("window.subscribers"),
+                texts.of("window.subscribers.empty"),
+                List.of(
+                        new Column<>(texts.of("window.number"), 72, SubscriberRow::number),
+                        new Column<>(texts.of("window.state"), 104, row -> row.attached() ? attached : detached),
+                        new Column<>("IMSI", 118, row -> new Digits(row.imsi())),
+                        new Column<>("IMEI", 118, row -> new Digits(row.imei()))));
+    }
+
+    static RowsPanel<CallView> calls(Texts texts) {
+        return new RowsPanel<>(
+                "calls",
+                texts.of("window.calls"),
+                texts.of("window.calls.empty"),
+                List.of(
+                        new Column<>(texts.of("window.from"), 100, CallView::from),
+                        new Column<>(texts.of("window.to"), 100, call -> number(call.to())),
+                        new Column<>(texts.of("window.state"), 140, call -> word(call.state(), texts))));
+    }
+
+    static RowsPanel<MessageRow> messages(Texts texts) {
+        return new RowsPanel<>(
+                "messages",
+                texts.of("window.messages"),
+                texts.of("window.messages.empty"),
+                List.of(
+                        new Column<>(texts.of("window.from"), 66, MessageRow::from),
+                        new Column<>(texts.of("window.to"), 66, MessageRow::to),
+                        new Column<>(
+                                texts.of("window.accepted"), 68, row -> new Digits(CLOCK.format(row.acceptedAt()))),
+                        new Column<>(texts.of("window.expires"), 86, row -> new Digits(DAY.format(row.expiresAt()))),
+                        new Column<>(texts.of("window.text"), 126, MessageRow::text)));
+    }
+
+    /** What was dialled; nothing for what cannot be a number. */
+    private static Object number(String dialled) {
+        return dialled.isEmpty() ? "" : new Msisdn(dialled);
+    }
+
+    static StateWord word(CallState state, Texts texts) {
+        String word = texts.of("window.call." + state.name().toLowerCase(Locale.ROOT));
+        switch (state) {
+            case INITIATED:
+                return new StateWord(Mark.HALF_DISC, Ink.WARNING, word);
+            case ALERTING:
+                return new StateWord(Mark.DIAMOND, Ink.WARNING, word);
+            case ACTIVE:
+                return new StateWord(Mark.ARROW, Ink.GOOD, word);
+            default:
+                return new StateWord(Mark.RING, Ink.QUIET, word);
+        }
+    }
+}

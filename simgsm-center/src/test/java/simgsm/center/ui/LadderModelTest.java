@@ -1,0 +1,125 @@
+package simgsm.center.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import javax.swing.event.ListDataEvent;
+import javax.swing.event.ListDataListener;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Msisdn;
+import simgsm.center.msc.LadderEntry;
+
+class LadderModelTest {
+    private final LadderModel model = new LadderModel();
+    private final List<String> events = new ArrayList<>();
+
+    LadderModelTest() {
+        model.addListDataListener(new ListDataListener() {
+            @Override
+            public void intervalAdded(ListDataEvent event) {
+                events.add("+" + event.getIndex0() + ".." + event.getIndex1());
+            }
+
+            @Override
+            public void intervalRemoved(ListDataEvent event) {
+                events.add("-" + event.getIndex0() + ".." + event.getIndex1());
+            }
+
+            @Override
+            public void contentsChanged(ListDataEvent event) {
+                events.add("~" + event.getIndex0() + ".." + event.getIndex1());
+            }
+        });
+    }
+
+    @Test
+    void onlyWhatIsNewIsAdded() {
+        model.update(entries(1, 3), 3);
+        model.update(entries(1, 3), 3);
+        model.update(entries(1, 5), 5);
+
+        assertEquals(List.of("+0..2", "+3..4"), events);
+        assertEquals(List.of("1", "2", "3", "4", "5"), shown());
+    }
+
+    @Test
+    void whatTheExchangeHasForgottenIsDropped() {
+        model.update(entries(1, 4), 4);
+        model.update(entries(3, 6), 6);
+
+        assertEquals(List.of("+0..3", "-0..1", "+2..3"), events);
+        assertEquals(List.of("3", "4", "5", "6"), shown());
+    }
+
+    @Test
+    void anExchangeThatBeginsAnewIsShownFromItsBeginning() {
+        model.update(entries(1, 4), 4);
+        model.clear();
+        model.update(entries(1, 2), 2);
+
+        assertEquals(List.of("1", "2"), shown());
+    }
+
+    @Test
+    void aBurstMayReplaceAll() {
+        model.update(entries(1, 3), 3);
+        model.update(entries(8, 9), 9);
+
+        assertEquals(List.of("8", "9"), shown());
+    }
+
+    @Test
+    void aFilterShowsOneTerminalAndTakesNothingAway() {
+        model.update(entries(1, 4), 4);
+        model.filter(Optional.of("3"));
+        assertEquals(List.of("3"), shown());
+
+        model.update(entries(1, 5), 5);
+        assertEquals(List.of("3"), shown());
+        assertEquals(List.of("5", "4", "3", "2", "1"), model.terminals());
+
+        model.filter(Optional.empty());
+        assertEquals(List.of("1", "2", "3", "4", "5"), shown());
+    }
+
+    @Test
+    void clearingHidesWhatHasPassed() {
+        model.update(entries(1, 3), 3);
+        model.clear();
+        assertEquals(List.of(), shown());
+        assertEquals(List.of(), model.terminals());
+
+        model.update(entries(1, 4), 4);
+        assertEquals(List.of("4"), shown());
+        model.filter(Optional.of("1"));
+        assertEquals(List.of(), shown());
+    }
+
+    @Test
+    void aTerminalThatGetsItsNumberIsRenamedInPlace() {
+        List<LadderEntry> before = new ArrayList<>(entries(1, 3));
+        model.update(before, 3);
+        LadderEntry old = before.get(1);
+        before.set(1, new LadderEntry(old.time(), "5550100", old.to(), old.name(), old.octets()));
+        model.update(before, 3);
+
+        assertEquals(List.of("1", "5550100", "3"), shown());
+        assertEquals(List.of("+0..2", "~1..1"), events);
+    }
+
+    private List<String> shown() {
+        return IntStream.range(0, model.getSize())
+                .mapToObj(index -> model.getElementAt(index).terminal())
+                .toList();
+    }
+
+    /** Messages whose senders bear their numbers. */
+    private static List<LadderEntry> entries(int from, int to) {
+        return IntStream.rangeClosed(from, to)
+                .mapToObj(number -> Scene.alerting(new Msisdn(String.valueOf(number))))
+                .toList();
+    }
+}

@@ -1,0 +1,58 @@
+package simgsm.center.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import simgsm.air.OctetString;
+import simgsm.center.msc.LadderEntry;
+
+class MessageWordsTest {
+    @Test
+    void aSetupIsFieldsAndOctets() {
+        assertEquals("""
+                send sequence number  0
+                transaction           0, opened by the sender
+                called                5550200
+
+                0000  03 05 04 06 60 04 02 00 05 81 5e 05 91 55 05 02
+                0010  f0""", words(Scene.setup()));
+    }
+
+    @Test
+    void aShortMessageShowsItsTextFirst() {
+        String words = words(Scene.submit("** #*#90 **"));
+
+        assertTrue(words.contains("text                  ** #*#90 **\n"), words);
+        assertTrue(words.contains("TP-DA: 5550200 (international, plan 1)"), words);
+    }
+
+    @Test
+    void aBroadcastPageShowsItsText() {
+        String words = words(Scene.broadcast("Attention"));
+
+        assertTrue(words.startsWith("channel               50\n"), words);
+        assertTrue(words.contains("text                  Attention"), words);
+        assertTrue(words.contains("page                  1 of 1"), words);
+    }
+
+    @Test
+    void aBrokenMessageSaysWhatIsWrong() {
+        String words = words(Scene.broken());
+
+        assertTrue(words.contains("96 invalid mandatory information"), words);
+        assertTrue(words.endsWith("0000  03 35 2c 45"), words);
+    }
+
+    @Test
+    void octetsThatAreNothingAreShownAllTheSame() {
+        for (String hex : new String[] {"", "0c", "0c1501900e", "ff", "0901ff", "0901050001000000"}) {
+            LadderEntry entry = new LadderEntry(Scene.NOON, "5550100", "M3", "?", OctetString.ofHex(hex));
+            assertTrue(words(entry).replace(" ", "").endsWith(hex), hex);
+        }
+    }
+
+    private static String words(LadderEntry entry) {
+        return MessageWords.of(new LadderRow(1, entry));
+    }
+}

@@ -1,0 +1,406 @@
+package simgsm.center.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.event.ActionEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.ResourceBundle;
+import javax.accessibility.Accessible;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JSpinner;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.ui.Appearance;
+import simgsm.ui.Lamp;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+class MonitorPanelTest {
+    private final List<String> acts = new ArrayList<>();
+    private MonitorPanel panel;
+
+    @BeforeEach
+    void buildInEnglish() {
+        Theme.install(Appearance.LIGHT);
+        panel = build("en");
+    }
+
+    @AfterEach
+    void lightAgain() {
+        Theme.install(Appearance.LIGHT);
+        Theme.zoomTo(1);
+    }
+
+    @Test
+    void anEmptyExchangeShowsZeros() {
+        panel.show(Scene.empty());
+
+        assertEquals("0 attached", lamp("lamp.attached"));
+        assertEquals("0 calls", lamp("lamp.calls"));
+        assertEquals("0 waiting", lamp("lamp.waiting"));
+        assertEquals("port 3003", lamp("lamp.port"));
+        assertEquals("", field("tel.incoming"));
+        assertEquals("0001 3003", field("tel.intermediate"));
+    }
+
+    @Test
+    void aBusyExchangeShowsItsCountsInWords() {
+        panel.show(Scene.busy());
+
+        assertEquals("2 attached", lamp("lamp.attached"));
+        assertEquals("1 call", lamp("lamp.calls"));
+        assertEquals("1 waiting", lamp("lamp.waiting"));
+    }
+
+    @Test
+    void theFiguresFieldsShowTheMessageThatPassed() {
+        panel.show(Scene.busy());
+
+        assertEquals("5550100", field("tel.incoming"));
+        assertEquals("5550200", field("tel.outgoing"));
+        assertEquals("** #*#90 **", field("message"));
+    }
+
+    @Test
+    void aCallIsShownByItsStateUntilItIsOver() {
+        Optional<ExchangeSnapshot.Passing> call =
+                Optional.of(new ExchangeSnapshot.Passing(Scene.PHONE, Scene.ROBOT.digits(), ""));
+        panel.show(Scene.with(call, List.of(new CallView(Scene.PHONE, "5550200", CallState.ALERTING))));
+        assertEquals("(call, alerting)", field("message"));
+
+        panel.show(Scene.with(call, List.of()));
+        assertEquals("(call, over)", field("message"));
+    }
+
+    @Test
+    void theTablesShowTheSnapshotsRows() {
+        panel.show(Scene.busy());
+
+        assertEquals("5550100 attached 001010005550100 001017500000017", row("subscribers", 0));
+        assertEquals("5550201 detached 001010005550201 ", row("subscribers", 2));
+        assertEquals("5550100 5550200 active", row("calls", 0));
+        assertTrue(row("messages", 0).startsWith("5550100 5550201 "), row("messages", 0));
+        assertTrue(row("messages", 0).endsWith(" ** #**20 **"), row("messages", 0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"INITIATED", "ALERTING", "ACTIVE", "RELEASED"})
+    void everyStateOfACallHasAWord(CallState state) {
+        panel.show(Scene.with(Optional.empty(), List.of(new CallView(Scene.PHONE, "", state))));
+
+        assertFalse(row("calls", 0).contains("window."), row("calls", 0));
+    }
+
+    @Test
+    void aChosenRowStaysChosenWhenOthersChange() {
+        panel.show(Scene.busy());
+        JTable subscribers = find("subscribers", JTable.class);
+        subscribers.setRowSelectionInterval(1, 1);
+        ExchangeSnapshot before = Scene.busy();
+        List<ExchangeSnapshot.SubscriberRow> fewer = before.subscribers().subList(1, 3);
+        panel.show(new ExchangeSnapshot(
+                Scene.NOON, 1, 1, 0, 0, fewer, List.of(), List.of(), List.of(), 0, Optional.empty()));
+
+        assertEquals(0, subscribers.getSelectedRow());
+        assertEquals("5550200", String.valueOf(subscribers.getValueAt(0, 0)));
+    }
+
+    @Test
+    void theLadderHoldsEveryMessageAndTellsTheChosenOne() {
+        panel.show(Scene.busy());
+        JList<?> list = find("ladder.list", JList.class);
+        assertEquals(Scene.everyKind().size(), list.getModel().getSize());
+
+        list.setSelectedIndex(1);
+
+        assertTrue(find("ladder.title", JLabel.class).getText().startsWith("Setup   5550100 → M3"));
+        assertTrue(find("ladder.detail", JTextArea.class).getText().contains("called                5550200"));
+    }
+
+    @Test
+    void aSubscribersRowNarrowsTheLadderToIt() {
+        panel.show(Scene.busy());
+        find("subscribers", JTable.class).setRowSelectionInterval(1, 1);
+
+        assertEquals(1, find("ladder.list", JList.class).getModel().getSize());
+        assertEquals("5550200", find("ladder.who", JComboBox.class).getSelectedItem());
+
+        find("ladder.who", JComboBox.class).setSelectedIndex(0);
+        assertEquals(
+                Scene.everyKind().size(),
+                find("ladder.list", JList.class).getModel().getSize());
+    }
+
+    @Test
+    void clearEmptiesTheLadder() {
+        panel.show(Scene.busy());
+        press("ladder.clear");
+
+        assertEquals(0, find("ladder.list", JList.class).getModel().getSize());
+    }
+
+    @Test
+    void theButtonsAskTheOperator() {
+        press("new.phone");
+        press("new.robot");
+        press("window.quit");
+
+        assertEquals(List.of("phone", "robot", "quit"), acts);
+    }
+
+    @Test
+    void aProgramThatDoesNotStartIsToldInWords() {
+        panel = new MonitorPanel(texts("en"), new NotingOperator() {
+            @Override
+            public void newPhone() throws IOException {
+                throw new IOException("simgsm-phone.jar is missing");
+            }
+        });
+        press("new.phone");
+
+        assertEquals(
+                "Could not be started: simgsm-phone.jar is missing",
+                find("notice", JLabel.class).getText());
+    }
+
+    @Test
+    void aBroadcastIsSentOnItsChannelAndTheTextGoesAway() {
+        find("broadcast.channel", JSpinner.class).setValue(221);
+        find("broadcast.text", JTextArea.class).setText("The robot moves.");
+        assertEquals(
+                "16 characters, 1 page", find("broadcast.pages", JLabel.class).getText());
+        press("broadcast.send");
+
+        assertEquals(List.of("broadcast 221 The robot moves."), acts);
+        assertEquals("", find("broadcast.text", JTextArea.class).getText());
+        assertEquals(
+                "Sent on channel 221.", find("broadcast.result", JLabel.class).getText());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, false", "1, true", "1395, true", "1396, false"})
+    void onlyATextThatFitsCanBeSent(int length, boolean canBeSent) {
+        find("broadcast.text", JTextArea.class).setText("a".repeat(length));
+
+        assertEquals(canBeSent, find("broadcast.send", AbstractButton.class).isEnabled());
+    }
+
+    @Test
+    void aRefusedBroadcastKeepsItsTextAndSaysWhy() {
+        panel = new MonitorPanel(texts("en"), new NotingOperator() {
+            @Override
+            public void broadcast(int channel, String text) {
+                throw new IllegalArgumentException("nobody is there");
+            }
+        });
+        find("broadcast.text", JTextArea.class).setText("Hello");
+        press("broadcast.send");
+
+        assertEquals("Hello", find("broadcast.text", JTextArea.class).getText());
+        assertEquals("nobody is there", find("broadcast.result", JLabel.class).getText());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, LIGHT, 1, 1", "es, DARK, 1, 1.25", "es, LIGHT, 1.5, 2", "en, DARK, 0.8, 1"})
+    void everyTabIsPaintedWithoutADisplay(String language, Appearance appearance, double zoom, double scale) {
+        Theme.install(appearance);
+        Theme.zoomTo(zoom);
+        panel = build(language);
+        panel.show(Scene.busy());
+        JTabbedPane tabs = find("tabs", JTabbedPane.class);
+        for (int tab = 0; tab < tabs.getTabCount(); tab++) {
+            tabs.setSelectedIndex(tab);
+            BufferedImage image = paint(scale);
+            assertTrue(count(image, Ink.SURFACE) > 1000, "surface");
+            assertTrue(count(image, Ink.CARD) > 10_000, "cards");
+            assertTrue(count(image, Ink.ACCENT) > 200, "the centre's lifeline");
+        }
+    }
+
+    @Test
+    void anEmptyWindowIsPaintedToo() {
+        panel.show(Scene.empty());
+
+        assertTrue(count(paint(1), Ink.CARD) > 10_000);
+    }
+
+    @Test
+    void appearanceAndZoomChangeTheWholeWindow() {
+        panel.show(Scene.busy());
+        Theme.install(Appearance.DARK);
+        Theme.refresh(panel);
+        int normal = panel.getPreferredSize().width;
+        assertTrue(count(paint(1), Ink.SURFACE) > 1000);
+
+        Theme.zoomTo(1.5);
+        Theme.refresh(panel);
+        assertEquals(Math.round(normal * 1.5), panel.getPreferredSize().width, 2);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everythingThatCanBeUsedHasAnAccessibleName(String language) {
+        panel = build(language);
+        panel.show(Scene.busy());
+
+        List<String> nameless = new ArrayList<>();
+        walk(panel, component -> {
+            boolean usable = component instanceof AbstractButton
+                    || component instanceof JTable
+                    || component instanceof JList
+                    || component instanceof JTextField
+                    || component instanceof JTextArea
+                    || component instanceof JComboBox;
+            boolean ours = component.getName() != null
+                    && !component.getName().contains("Spinner")
+                    && !component.getName().contains("ScrollBar")
+                    && !component.getName().contains("ComboBox");
+            if (usable && ours && isNameless((Accessible) component)) {
+                nameless.add(component.getName());
+            }
+        });
+        assertEquals(List.of(), nameless);
+    }
+
+    private static boolean isNameless(Accessible component) {
+        String name = component.getAccessibleContext().getAccessibleName();
+        return name == null || name.isBlank();
+    }
+
+    private MonitorPanel build(String language) {
+        return new MonitorPanel(texts(language), new NotingOperator());
+    }
+
+    private static Texts texts(String language) {
+        Locale locale = Texts.bundleLocale(Locale.forLanguageTag(language));
+        return new Texts(ResourceBundle.getBundle("simgsm.center.messages", locale), Locale.ROOT);
+    }
+
+    private BufferedImage paint(double scale) {
+        panel.setSize(panel.getPreferredSize());
+        layOut(panel);
+        BufferedImage image = new BufferedImage(
+                (int) Math.ceil(panel.getWidth() * scale),
+                (int) Math.ceil(panel.getHeight() * scale),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        panel.printAll(g);
+        g.dispose();
+        return image;
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    private static int count(BufferedImage image, Ink ink) {
+        int wanted = ink.color().getRGB();
+        int count = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                count += image.getRGB(x, y) == wanted ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    private <T extends JComponent> T find(String name, Class<T> type) {
+        return type.cast(Named.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name)));
+    }
+
+    private String lamp(String name) {
+        return find(name, Lamp.class).word();
+    }
+
+    private String field(String name) {
+        return find(name, JTextField.class).getText();
+    }
+
+    private String row(String table, int row) {
+        JTable found = find(table, JTable.class);
+        List<String> cells = new ArrayList<>();
+        for (int column = 0; column < found.getColumnCount(); column++) {
+            cells.add(String.valueOf(found.getValueAt(row, column)));
+        }
+        return String.join(" ", cells);
+    }
+
+    private void press(String name) {
+        AbstractButton button = find(name, AbstractButton.class);
+        button.getAction().actionPerformed(new ActionEvent(button, ActionEvent.ACTION_PERFORMED, name));
+    }
+
+    private static void walk(Component component, java.util.function.Consumer<Component> visitor) {
+        visitor.accept(component);
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                walk(child, visitor);
+            }
+        }
+    }
+
+    private class NotingOperator implements Operator {
+        @Override
+        public int port() {
+            return 3003;
+        }
+
+        @Override
+        public Optional<ExchangeSnapshot> snapshot() {
+            return Optional.empty();
+        }
+
+        @Override
+        public void broadcast(int channel, String text) {
+            acts.add("broadcast " + channel + " " + text);
+        }
+
+        @Override
+        public void newPhone() throws IOException {
+            acts.add("phone");
+        }
+
+        @Override
+        public void newRobot() throws IOException {
+            acts.add("robot");
+        }
+
+        @Override
+        public void quit() {
+            acts.add("quit");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+package simgsm.center.ui;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.CallControl;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.LocationArea;
+import simgsm.air.MessageText;
+import simgsm.air.MobilityManagement;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.air.RelayMessage;
+import simgsm.air.RslCodec;
+import simgsm.air.RslMessage;
+import simgsm.air.ShortMessageControl;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallView;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.msc.LadderEntry;
+import simgsm.sms.BroadcastSerial;
+import simgsm.sms.CellBroadcast;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+
+/** Snapshots of an exchange through which a call and a message have passed. */
+final class Scene {
+    static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+    static final Msisdn PHONE = new Msisdn("5550100");
+    static final Msisdn ROBOT = new Msisdn("5550200");
+    static final Msisdn ABSENT = new Msisdn("5550201");
+
+    private static final TransactionIdentifier OURS = new TransactionIdentifier(0, false);
+
+    private Scene() {}
+
+    static LadderEntry up(Msisdn number, Layer3Message message) {
+        return entry(number.digits(), LadderEntry.CENTER, message, Direction.UPLINK);
+    }
+
+    static LadderEntry down(Msisdn number, Layer3Message message) {
+        return entry(LadderEntry.CENTER, number.digits(), message, Direction.DOWNLINK);
+    }
+
+    private static LadderEntry entry(String from, String to, Layer3Message message, Direction direction) {
+        OctetString octets = OctetString.of(Layer3Codec.encode(message, direction, 0));
+        return new LadderEntry(NOON, from, to, MessageText.nameOf(message, direction), octets);
+    }
+
+    static LadderEntry setup() {
+        return up(PHONE, new CallControl.Setup(OURS, Optional.empty(), Optional.of(ROBOT)));
+    }
+
+    static LadderEntry alerting(Msisdn number) {
+        return up(number, new CallControl.Alerting(new TransactionIdentifier(0, true)));
+    }
+
+    static LadderEntry submit(String text) {
+        RelayMessage relay = new RelayMessage.RpData(
+                7, new Msisdn("5550000"), TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(ROBOT), UserData.of(text))));
+        return up(PHONE, new ShortMessageControl.CpData(OURS, relay));
+    }
+
+    static LadderEntry accept() {
+        return down(PHONE, new MobilityManagement.LocationUpdatingAccept(LocationArea.TEST, Optional.empty()));
+    }
+
+    static LadderEntry broadcast(String text) {
+        OctetString page = CellBroadcast.split(text, 50, new BroadcastSerial(1, 3, 2), Optional.of("en"))
+                .get(0)
+                .encode();
+        OctetString octets = OctetString.of(RslCodec.encode(new RslMessage.SmsBroadcastCommand(page)));
+        return new LadderEntry(NOON, LadderEntry.CENTER, PHONE.digits(), "SMS Broadcast Command", octets);
+    }
+
+    static LadderEntry broken() {
+        return new LadderEntry(NOON, PHONE.digits(), LadderEntry.CENTER, "Start DTMF", OctetString.ofHex("03352c45"));
+    }
+
+    static List<LadderEntry> everyKind() {
+        List<LadderEntry> entries = new ArrayList<>();
+        entries.add(accept());
+        entries.add(setup());
+        entries.add(alerting(ROBOT));
+        entries.add(submit("** #*#90 **"));
+        entries.add(broadcast("Attention"));
+        entries.add(broken());
+        return entries;
+    }
+
+    static ExchangeSnapshot empty() {
+        return new ExchangeSnapshot(NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty());
+    }
+
+    /** A call that is active, a message that waits. */
+    static ExchangeSnapshot busy() {
+        return with(Optional.of(new ExchangeSnapshot.Passing(PHONE, ROBOT.digits(), "** #*#90 **")), List.of(call()));
+    }
+
+    static ExchangeSnapshot with(Optional<ExchangeSnapshot.Passing> latest, List<CallView> calls) {
+        return new ExchangeSnapshot(
+                NOON,
+                2,
+                2,
+                1,
+                50,
+                List.of(
+                        new ExchangeSnapshot.SubscriberRow(PHONE, true, "001010005550100", "001017500000017"),
+                        new ExchangeSnapshot.SubscriberRow(ROBOT, true, "001010005550200", "001017500000025"),
+                        new ExchangeSnapshot.SubscriberRow(ABSENT, false, "001010005550201", "")),
+                calls,
+                List.of(new ExchangeSnapshot.MessageRow(
+                        1, PHONE, ABSENT, NOON, NOON.plusSeconds(86_400), "** #**20 **")),
+                everyKind(),
+                everyKind().size(),
+                latest);
+    }
+
+    static CallView call() {
+        return new CallView(PHONE, ROBOT.digits(), CallState.ACTIVE);
+    }
+}
