@@ -1,6 +1,7 @@
 package simgsm.center.net;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
@@ -24,6 +25,8 @@ final class Connection implements LinkPort {
         void closed(Connection connection);
     }
 
+    private static final System.Logger LOG = System.getLogger(Connection.class.getName());
+
     private final SocketChannel channel;
     private final SelectionKey key;
     private final Host host;
@@ -43,10 +46,6 @@ final class Connection implements LinkPort {
 
     boolean isOpen() {
         return isOpen;
-    }
-
-    long droppedSpeechFrames() {
-        return outgoing.droppedSpeechFrames();
     }
 
     /** Reads once, so that a busy peer does not keep the others waiting. */
@@ -111,6 +110,9 @@ final class Connection implements LinkPort {
             return;
         }
         isOpen = false;
+        if (outgoing.droppedSpeechFrames() > 0) {
+            LOG.log(Level.INFO, "{0}: too slow for {1} speech frames", link, outgoing.droppedSpeechFrames());
+        }
         host.closed(this);
         key.cancel();
         try {
