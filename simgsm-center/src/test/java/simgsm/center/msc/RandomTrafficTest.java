@@ -3,6 +3,7 @@ package simgsm.center.msc;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -58,11 +59,11 @@ class RandomTrafficTest {
             assertSound();
         }
         network.commitAll(true);
-        mobiles.forEach(TestMobile::vanish);
+        network.everybodyVanishes();
         assertEquals(0, network.exchange.linkCount());
         assertTrue(network.exchange.calls().isEmpty());
         assertEquals(count(CallState.INITIATED), count(CallState.RELEASED));
-        network.pass(java.time.Duration.ofDays(8));
+        network.leap(Duration.ofDays(20));
         network.commitAll(true);
         assertEquals(0, network.exchange.shortMessages().waitingCount());
     }

@@ -60,6 +60,17 @@ final class TestNetwork {
         }
     }
 
+    /** Time passes at one go; nobody answers anything meanwhile. */
+    void leap(Duration time) {
+        nowNanos += time.toNanos();
+        exchange.advance(nowNanos);
+        commitIfAtOnce();
+    }
+
+    void everybodyVanishes() {
+        mobiles.forEach(TestMobile::vanish);
+    }
+
     void passSeconds(long seconds) {
         pass(Duration.ofSeconds(seconds));
     }
