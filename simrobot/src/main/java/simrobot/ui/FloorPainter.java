@@ -136,12 +136,11 @@ final class FloorPainter {
     // ---- what does not stop anybody
     // ----------------------------------------------------------------------------------
 
-    void markings(World world, long timeNanos) {
+    void markings(World world) {
         world.forbiddenAreas().forEach(this::forbidden);
         g.setColor(Ink.DANGER.color(0.7));
         g.setStroke(Theme.dashed(1.4, 6));
         world.forbiddenLines().forEach(this::line);
-        world.treadmills().forEach(belt -> treadmill(belt, timeNanos));
         world.homes().forEach(this::home);
         world.goals().forEach(this::goal);
     }
@@ -165,6 +164,10 @@ final class FloorPainter {
         g.setColor(Ink.DANGER.color(0.7));
         g.setStroke(Theme.dashed(1.4, 6));
         g.draw(outline);
+    }
+
+    void treadmills(World world, long timeNanos) {
+        world.treadmills().forEach(belt -> treadmill(belt, timeNanos));
     }
 
     /** Chevrons that run with the belt, at its speed in simulated time. */

@@ -1,10 +1,14 @@
 package simrobot.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.Scrollable;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Texts;
@@ -36,7 +40,48 @@ final class Inspector extends JPanel {
         Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        add(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose)), BorderLayout.CENTER);
+        JScrollPane all = new JScrollPane(new Column(
+                Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
+        all.setBorder(null);
+        all.setViewportBorder(null);
+        all.setOpaque(false);
+        all.getViewport().setOpaque(false);
+        all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        add(all, BorderLayout.CENTER);
+    }
+
+    /** As high as its view, or as its cards need at least: then it scrolls. */
+    private static final class Column extends JPanel implements Scrollable {
+        Column(JPanel content) {
+            super(new BorderLayout());
+            setOpaque(false);
+            add(content, BorderLayout.CENTER);
+        }
+
+        @Override
+        public Dimension getPreferredScrollableViewportSize() {
+            return getPreferredSize();
+        }
+
+        @Override
+        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+            return Theme.px(20);
+        }
+
+        @Override
+        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+            return visible.height;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+
+        @Override
+        public boolean getScrollableTracksViewportHeight() {
+            return getParent() != null && getParent().getHeight() >= getMinimumSize().height;
+        }
     }
 
     void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected) {

@@ -5,6 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.util.Arrays;
 import simgsm.ui.Drawing;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
@@ -32,9 +33,11 @@ final class SonarRose extends Painted {
 
     /** @param newRanges sixteen ranges in metres, or none */
     void show(double[] newRanges) {
-        ranges = newRanges;
+        if (!Arrays.equals(ranges, newRanges)) {
+            ranges = newRanges;
+            repaint();
+        }
         say(spoken());
-        repaint();
     }
 
     private String spoken() {

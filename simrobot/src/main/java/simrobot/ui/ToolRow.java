@@ -5,6 +5,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import javax.swing.AbstractButton;
 import javax.swing.Icon;
 import javax.swing.JButton;
@@ -59,46 +60,25 @@ final class ToolRow extends JPanel {
         worded(brake, "brake");
         worded(power, "power");
         worded(motors, "motors");
-        add(
-                Arrange.row(
-                        Theme.HALF,
-                        worlds.component(),
-                        gap(),
-                        link,
-                        gap(),
-                        power,
-                        motors,
-                        brake,
-                        gap(),
-                        pause,
-                        step,
-                        speed.component(),
-                        Arrange.spring(),
-                        button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
-                        button("zoom.in", Symbol.PLUS.icon(), 0, () -> view.zoom(1.25)),
-                        button("fit", Symbol.FIT.icon(), KeyEvent.VK_F, this::fit),
-                        follow,
-                        layer(
-                                "trail",
-                                Symbol.TRAIL.icon(),
-                                KeyEvent.VK_T,
-                                () -> view.setLayers(
-                                        view.layers().withTrail(!view.layers().trail()))),
-                        layer(
-                                "rays",
-                                Symbol.RAYS.icon(),
-                                KeyEvent.VK_S,
-                                () -> view.setLayers(
-                                        view.layers().withSonar(!view.layers().sonar()))),
-                        layer(
-                                "grid",
-                                Glyph.GRID.icon(),
-                                KeyEvent.VK_D,
-                                () -> view.setLayers(
-                                        view.layers().withGrid(!view.layers().grid()))),
-                        button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this))),
-                BorderLayout.CENTER);
+        JPanel running = Arrange.row(
+                Theme.HALF, worlds.component(), gap(), link, gap(), power, motors, brake, gap(), pause, step);
+        running.add(speed.component());
+        add(new TwoEnds(running, looking()), BorderLayout.CENTER);
         Compact.buttonsIn(this);
+    }
+
+    /** What the floor shows. */
+    private JPanel looking() {
+        return Arrange.row(
+                Theme.HALF,
+                button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
+                button("zoom.in", Symbol.PLUS.icon(), 0, () -> view.zoom(1.25)),
+                button("fit", Symbol.FIT.icon(), KeyEvent.VK_F, this::fit),
+                follow,
+                layer("trail", Symbol.TRAIL.icon(), KeyEvent.VK_T, shown -> shown.withTrail(!shown.trail())),
+                layer("rays", Symbol.RAYS.icon(), KeyEvent.VK_S, shown -> shown.withSonar(!shown.sonar())),
+                layer("grid", Glyph.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
+                button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
     }
 
     @Override
@@ -159,8 +139,8 @@ final class ToolRow extends JPanel {
         button.setIconTextGap(Theme.HALF);
     }
 
-    private JToggleButton layer(String id, Icon icon, int key, Runnable deed) {
-        JToggleButton button = toggle(id, icon, key, deed);
+    private JToggleButton layer(String id, Icon icon, int key, UnaryOperator<Layers> change) {
+        JToggleButton button = toggle(id, icon, key, () -> view.setLayers(change.apply(view.layers())));
         button.setSelected(true);
         return button;
     }

@@ -6,6 +6,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.World;
 
 /** Paints a snapshot of the simulation into a viewport; it has no state, so it serves screen, files and tests alike. */
 final class WorldPainter {
@@ -18,31 +19,44 @@ final class WorldPainter {
      */
     static void paint(Graphics2D g, SimulationSnapshot picture, Viewport view, Layers layers, String selected) {
         Drawing.prepare(g);
+        floor(g, picture.world(), view, layers);
+        robots(g, picture, view, layers, selected);
+    }
+
+    /** The part that stays as it is while robots move. */
+    static void floor(Graphics2D g, World world, Viewport view, Layers layers) {
         FloorPainter floor = new FloorPainter(g, view);
         floor.paper();
         if (layers.grid()) {
             floor.grid();
         }
-        floor.markings(picture.world(), picture.timeNanos());
+        floor.markings(world);
+        floor.obstacles(world);
+        scaleBar(g, view);
+        axes(g, view);
+    }
+
+    /** The part that moves: belts, trails, sonar, robots. */
+    static void robots(Graphics2D g, SimulationSnapshot picture, Viewport view, Layers layers, String selected) {
+        new FloorPainter(g, view).treadmills(picture.world(), picture.timeNanos());
         RobotPainter painter = new RobotPainter(g, view);
-        if (layers.trail()) {
-            picture.robots().forEach(robot -> painter.trail(robot, picture.timeNanos()));
-        }
-        floor.obstacles(picture.world());
+        boolean alone = picture.robots().size() == 1;
         for (RobotSnapshot robot : picture.robots()) {
-            if (layers.sonar()
-                    && (robot.name().equals(selected) || picture.robots().size() == 1)) {
+            if (layers.trail()) {
+                painter.trail(robot, picture.timeNanos());
+            }
+        }
+        for (RobotSnapshot robot : picture.robots()) {
+            if (layers.sonar() && (alone || robot.name().equals(selected))) {
                 painter.sonar(robot);
             }
         }
         for (RobotSnapshot robot : picture.robots()) {
             if (view.shows(robot.xMeters(), robot.yMeters(), 1)) {
                 painter.body(robot, robot.name().equals(selected));
-                painter.badge(robot, picture.robots().size() > 1);
+                painter.badge(robot, !alone);
             }
         }
-        scaleBar(g, view);
-        axes(g, view);
     }
 
     /** Which way x and y run; headings count anticlockwise from x. */

@@ -6,6 +6,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleContext;
@@ -27,6 +28,7 @@ final class WorldView extends JComponent {
     private final Texts texts;
     private final Operator operator;
     private final Consumer<String> selection;
+    private final FloorCache floor = new FloorCache();
     private SimulationSnapshot picture;
     private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
     private Layers layers = Layers.ALL;
@@ -64,22 +66,27 @@ final class WorldView extends JComponent {
     void show(SimulationSnapshot newest) {
         World before = picture.world();
         String spoken = spoken();
+        boolean still = Stillness.between(picture, newest);
         picture = newest;
         if (newest.world() != before) {
             fit();
         }
-        if (following) {
-            selectedRobot().ifPresent(robot -> viewport = viewport.centeredOn(robot.xMeters(), robot.yMeters()));
-        }
+        follow();
         if (accessibleContext != null && !spoken.equals(spoken())) {
             accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, spoken, spoken());
         }
-        repaint();
+        if (still) {
+            repaint(getWidth() - Theme.px(120), 0, Theme.px(120), Theme.px(40));
+        } else {
+            repaint();
+        }
     }
 
     void select(String robot) {
-        selected = robot;
-        repaint();
+        if (!Objects.equals(selected, robot)) {
+            selected = robot;
+            repaint();
+        }
     }
 
     Optional<RobotSnapshot> selectedRobot() {
@@ -130,9 +137,17 @@ final class WorldView extends JComponent {
     void setFollowing(boolean follow) {
         following = follow;
         if (follow) {
-            look(viewport);
+            fitted = false;
         }
-        show(picture);
+        follow();
+    }
+
+    private void follow() {
+        if (following) {
+            selectedRobot()
+                    .filter(robot -> robot.xMeters() != viewport.centerX() || robot.yMeters() != viewport.centerY())
+                    .ifPresent(robot -> look(viewport.centeredOn(robot.xMeters(), robot.yMeters())));
+        }
     }
 
     private void resized() {
@@ -194,7 +209,8 @@ final class WorldView extends JComponent {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Drawing.on(graphics);
         try {
-            WorldPainter.paint(g, picture, viewport, layers, selected);
+            floor.paint(g, picture.world(), viewport, layers);
+            WorldPainter.robots(g, picture, viewport, layers, selected);
             clock(g);
             place(g);
             if (isFocusOwner()) {
