@@ -56,14 +56,14 @@ final class FloorCache {
             WorldPainter.floor(g, world, view, layers);
             return;
         }
-        Key wanted = new Key(
-                world, view, layers.grid(), Theme.appearance(), Theme.zoom(), t.getScaleX(), t.getScaleY());
+        Key wanted =
+                new Key(world, view, layers.grid(), Theme.appearance(), Theme.zoom(), t.getScaleX(), t.getScaleY());
         if (!wanted.equals(key)) {
             picture(device, width, height, t, world, view, layers);
             key = wanted;
         }
-        g.setTransform(AffineTransform.getTranslateInstance(
-                Math.rint(t.getTranslateX()), Math.rint(t.getTranslateY())));
+        g.setTransform(
+                AffineTransform.getTranslateInstance(Math.rint(t.getTranslateX()), Math.rint(t.getTranslateY())));
         g.drawImage(image, 0, 0, null);
         g.setTransform(t);
     }

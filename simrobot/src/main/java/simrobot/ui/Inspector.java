@@ -40,8 +40,7 @@ final class Inspector extends JPanel {
         Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        JScrollPane all = new JScrollPane(new Column(
-                Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
+        JScrollPane all = new JScrollPane(new Column(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);

@@ -1,0 +1,203 @@
+package simrobot.ui;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.ToIntFunction;
+import javax.swing.AbstractButton;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneTrace;
+import simgsm.station.CallState;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.Named;
+import simgsm.ui.Theme.Ink;
+import simrobot.simulation.Simulation;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.VeriCommandSnapshot;
+
+/** A window without a frame over a simulation that is moved by hand; it notes what its operator did. */
+final class WindowBench implements Operator {
+    final Simulation simulation;
+    final SimRobotPanel panel;
+    final List<String> acts = new ArrayList<>();
+    List<LineSnapshot> lines = List.of();
+    boolean paused;
+    String notice = "";
+
+    WindowBench(String worldFile, Locale language, String... robots) throws Exception {
+        simulation = new Simulation(world(worldFile), 1);
+        for (String robot : robots) {
+            simulation.addRobot(robot);
+        }
+        panel = new SimRobotPanel(language, picture(), this);
+        resize(1100, 800);
+    }
+
+    static World world(String file) throws Exception {
+        return WorldReader.read(Path.of("..", "worlds", file));
+    }
+
+    WindowSnapshot picture() {
+        return new WindowSnapshot(
+                simulation.snapshot(),
+                lines,
+                1,
+                paused,
+                Path.of("..", "worlds", simulation.world().name()),
+                notice);
+    }
+
+    /** Shows the simulation as it is now. */
+    WindowBench show() {
+        panel.show(picture());
+        return this;
+    }
+
+    WindowBench resize(int width, int height) {
+        panel.setSize(width, height);
+        layout(panel);
+        layout(panel);
+        for (var listener : component("world").getComponentListeners()) {
+            listener.componentResized(null);
+        }
+        return this;
+    }
+
+    private static void layout(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layout(inner);
+            }
+        }
+    }
+
+    Component component(String name) {
+        return Named.find(panel, name).orElseThrow(() -> new AssertionError("no component " + name));
+    }
+
+    String spoken(String name) {
+        return component(name).getAccessibleContext().getAccessibleName();
+    }
+
+    void click(String name) {
+        ((AbstractButton) component(name)).doClick(0);
+    }
+
+    WorldView floor() {
+        return (WorldView) component("world");
+    }
+
+    static BufferedImage painted(Component component, double scale) {
+        BufferedImage image = new BufferedImage(
+                (int) Math.ceil(component.getWidth() * scale),
+                (int) Math.ceil(component.getHeight() * scale),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        component.paint(g);
+        g.dispose();
+        return image;
+    }
+
+    /** How many pixels are nearly of that colour. */
+    static int count(BufferedImage image, Ink ink) {
+        int wanted = ink.color().getRGB();
+        int found = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                found += near(image.getRGB(x, y), wanted) ? 1 : 0;
+            }
+        }
+        return found;
+    }
+
+    private static boolean near(int a, int b) {
+        ToIntFunction<Integer> difference = shift -> Math.abs((a >> shift & 0xFF) - (b >> shift & 0xFF));
+        return difference.applyAsInt(16) < 6 && difference.applyAsInt(8) < 6 && difference.applyAsInt(0) < 6;
+    }
+
+    // ---- a telephone
+    // -------------------------------------------------------------------------------------------------
+
+    static LineSnapshot line(
+            String robot, boolean registered, boolean inCall, VeriCommandSnapshot orders, String tones) {
+        StationSnapshot modem = new StationSnapshot(
+                true,
+                registered,
+                registered,
+                Optional.empty(),
+                "SimGSM",
+                inCall ? CallState.ACTIVE : CallState.NULL,
+                inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty());
+        return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones);
+    }
+
+    static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
+        return new VeriCommandSnapshot("5550100", false, true, false, keys, words, verdict, text, fault, List.of());
+    }
+
+    static VeriCommandSnapshot noOrders() {
+        return new VeriCommandSnapshot("", false, false, false, "", "", "", "", 0, List.of());
+    }
+
+    // ---- what the operator did
+    // -----------------------------------------------------------------------------------------
+
+    @Override
+    public void setPower(String robot, boolean on) {
+        acts.add("power " + robot + " " + on);
+        simulation.robot(robot).orElseThrow().setPower(on);
+    }
+
+    @Override
+    public void setMotors(String robot, boolean on) {
+        acts.add("motors " + robot + " " + on);
+        simulation.robot(robot).orElseThrow().setMotors(on);
+    }
+
+    @Override
+    public void place(String robot, double xMeters, double yMeters, double headingRadians) {
+        acts.add("place " + robot);
+        simulation.robot(robot).orElseThrow().place(xMeters, yMeters, headingRadians);
+    }
+
+    @Override
+    public void brake(String robot) {
+        acts.add("brake " + robot);
+    }
+
+    @Override
+    public void watch(String robot) {
+        acts.add("watch " + robot);
+    }
+
+    @Override
+    public void setSpeed(double simulatedSecondsPerSecond) {
+        acts.add("speed " + simulatedSecondsPerSecond);
+    }
+
+    @Override
+    public void setPaused(boolean pause) {
+        acts.add("pause " + pause);
+        paused = pause;
+    }
+
+    @Override
+    public void stepOnce() {
+        acts.add("step");
+        simulation.step();
+    }
+
+    @Override
+    public void load(Path worldFile) {
+        acts.add("load " + worldFile.getFileName());
+    }
+}
