@@ -1,10 +1,13 @@
 package simgsm.ui;
 
 import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Insets;
 import java.util.List;
 import javax.swing.UIDefaults;
 import javax.swing.plaf.ColorUIResource;
 import javax.swing.plaf.FontUIResource;
+import javax.swing.plaf.InsetsUIResource;
 import javax.swing.plaf.nimbus.NimbusLookAndFeel;
 import simgsm.ui.Theme.Ink;
 
@@ -17,7 +20,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         if (defaults == null) {
             defaults = super.getDefaults();
             colours();
-            fonts();
+            sizes();
             FlatPainters.replaceIn(defaults);
         }
         return defaults;
@@ -100,12 +103,31 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put(key, plain ? color : new ColorUIResource(color));
     }
 
-    private void fonts() {
+    /** Nimbus's own room inside its components, for which it knows no zoom. */
+    private void margins() {
+        for (Object key : defaults.keySet().toArray()) {
+            boolean room = key.toString().endsWith(".contentMargins") || key.equals("ComboBox.padding");
+            if (room && defaults.get(key) instanceof Insets in) {
+                defaults.put(
+                        key,
+                        new InsetsUIResource(scaled(in.top), scaled(in.left), scaled(in.bottom), scaled(in.right)));
+            }
+        }
+    }
+
+    private static int scaled(int distance) {
+        return (int) Math.round(distance * Theme.zoom());
+    }
+
+    private void sizes() {
+        margins();
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
+        defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
+        defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));
         defaults.put("Table.rowHeight", Theme.px(24));
         defaults.put("Tree.rowHeight", Theme.px(24));
         defaults.put("ScrollBar.thickness", Theme.px(12));
-        defaults.put("ScrollBar.minimumThumbSize", new java.awt.Dimension(Theme.px(24), Theme.px(24)));
+        defaults.put("ScrollBar.minimumThumbSize", new Dimension(Theme.px(24), Theme.px(24)));
         defaults.put("SplitPane.size", Theme.px(8));
         defaults.put("Table.showGrid", Boolean.FALSE);
     }

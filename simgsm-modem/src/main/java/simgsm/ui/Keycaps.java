@@ -61,7 +61,8 @@ public final class Keycaps extends JComponent {
         Graphics2D g = Drawing.on(graphics);
         try {
             int places = Math.max(keys.length(), faultPosition);
-            int fits = Math.max(1, (int) (getWidth() / Theme.exact(STEP_UNITS)));
+            double gap = Theme.exact(STEP_UNITS - CAP_UNITS);
+            int fits = Math.max(1, (int) ((getWidth() + gap) / Theme.exact(STEP_UNITS)));
             int first = Math.max(0, places - fits);
             double top = (getHeight() - Theme.exact(HEIGHT_UNITS)) / 2;
             for (int i = first; i < places; i++) {

@@ -90,7 +90,10 @@ final class PhoneWindow {
         frame.setIconImages(WindowIcon.images(Symbol.PHONE));
         WindowKeys.install(frame.getRootPane(), language);
         Newest<HandsetSnapshot> newest = new Newest<>(phone.handset()::snapshot, panel::show);
-        Timer clock = new Timer(1000, event -> panel.lookAtClock());
+        Timer clock = new Timer(1000, event -> {
+            panel.lookAtClock();
+            phone.execute(phone.handset()::lookAtSound);
+        });
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override

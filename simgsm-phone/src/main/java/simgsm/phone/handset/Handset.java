@@ -188,6 +188,13 @@ public final class Handset {
         }
     }
 
+    /** A sound device may come or go at any time; asked now and then, so that the view tells. */
+    public void lookAtSound() {
+        if (earpiece.isAudible() != newest.audible()) {
+            changed();
+        }
+    }
+
     // Keys of the window.
 
     /** A key goes down; it sounds until {@link #keyUp}. */

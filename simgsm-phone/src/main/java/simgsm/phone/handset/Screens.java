@@ -277,6 +277,7 @@ final class Screens {
         } else if (deeds.send(Msisdn.parse(number), entry.text())) {
             note(Note.Kind.SENDING, number);
             entry.clear();
+            recipient = "";
         }
     }
 

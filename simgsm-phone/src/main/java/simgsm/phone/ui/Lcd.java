@@ -4,27 +4,23 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
-import java.util.Locale;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
-import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.Screen;
-import simgsm.phone.handset.ToneMeaning;
 import simgsm.ui.Drawing;
 import simgsm.ui.Texts;
 
 /** The phone's display. */
 final class Lcd extends JComponent {
-    private final Texts texts;
     private final LcdPainter painter;
+    private final LcdSpoken spoken;
     private final Clock clock;
     private HandsetSnapshot phone;
     private int shownMinute = -1;
 
     Lcd(Texts texts, Clock clock, HandsetSnapshot first) {
-        this.texts = texts;
+        this.spoken = new LcdSpoken(texts);
         this.painter = new LcdPainter(texts, clock.getZone());
         this.clock = clock;
         this.phone = first;
@@ -57,24 +53,8 @@ final class Lcd extends JComponent {
         }
     }
 
-    /** What the display says, as a sentence. */
     String spoken() {
-        if (!phone.station().powered()) {
-            return texts.of("lcd.off");
-        }
-        if (phone.screen() instanceof Screen.Writing writing) {
-            return texts.of("menu.write") + ": " + writing.text();
-        }
-        var call = phone.call();
-        if (call.phase() == CallPhase.NONE) {
-            return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() : phone.typed();
-        }
-        String words = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT)) + " " + call.number();
-        return words
-                + call.tone()
-                        .flatMap(ToneMeaning::textKey)
-                        .map(key -> ", " + texts.of(key))
-                        .orElse("");
+        return spoken.of(phone);
     }
 
     @Override

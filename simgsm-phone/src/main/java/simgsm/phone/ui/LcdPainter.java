@@ -63,7 +63,7 @@ final class LcdPainter {
         pen.ink(Ink.LCD_INK);
         pen.left(serviceName(phone), pen.sans(12.5, true), 44, 24, 150);
         if (phone.unread() > 0) {
-            pen.symbol(Symbol.ENVELOPE, 222, 19, 15);
+            pen.symbol(Symbol.ENVELOPE, 212, 18.5, 15);
         }
         pen.right(CLOCK.format(now), pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 24);
         pen.ink(Ink.LCD_GHOST);

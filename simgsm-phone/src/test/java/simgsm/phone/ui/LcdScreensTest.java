@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.ResourceBundle;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +19,7 @@ import simgsm.air.Msisdn;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Appearance;
+import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 
 /** Every screen of the display is painted, in both languages, and no two look alike. */
@@ -104,6 +106,36 @@ class LcdScreensTest {
         BufferedImage before = picture(bench, "en");
         bench.farEndPlays('3');
         assertTrue(differences(before, picture(bench, "en")) > 200);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyScreenIsSpokenAndNoTwoAlikeButTheLongerMessage(String language) {
+        Map<String, String> seen = new LinkedHashMap<>();
+        screens().forEach((name, bench) -> {
+            String spoken = new PanelBench(bench, Locale.forLanguageTag(language))
+                    .find("lcd")
+                    .getAccessibleContext()
+                    .getAccessibleName();
+            seen.put(spoken, name);
+        });
+        // The list says what its selected message says; a message scrolled is the same message.
+        assertEquals(screens().size() - 2, seen.size());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyHintFitsTheDisplay(String language) {
+        ResourceBundle bundle =
+                ResourceBundle.getBundle("simgsm.phone.messages", Texts.bundleLocale(Locale.forLanguageTag(language)));
+        LcdPen pen = new LcdPen(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics(), 1);
+        for (String key : bundle.keySet()) {
+            if (key.startsWith("lcd.hint.") || key.startsWith("lcd.delivery.")) {
+                double width =
+                        pen.width(pen.sans(11, false), bundle.getString(key).replaceAll("\\{.*\\|1<", ""));
+                assertTrue(width <= LcdPen.WIDTH - 2 * LcdPen.MARGIN, key + " is " + width + " wide");
+            }
+        }
     }
 
     @Test

@@ -1,0 +1,74 @@
+package simgsm.phone.ui;
+
+import java.util.List;
+import java.util.Locale;
+import simgsm.phone.handset.Box;
+import simgsm.phone.handset.CallPhase;
+import simgsm.phone.handset.CallSnapshot;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.MenuItem;
+import simgsm.phone.handset.Screen;
+import simgsm.phone.handset.StoredMessage;
+import simgsm.phone.handset.ToneMeaning;
+import simgsm.ui.Texts;
+
+/** What the display says, as a sentence for assistive technology. */
+final class LcdSpoken {
+    private final Texts texts;
+
+    LcdSpoken(Texts texts) {
+        this.texts = texts;
+    }
+
+    String of(HandsetSnapshot phone) {
+        Screen screen = phone.screen();
+        if (!phone.station().powered()) {
+            return texts.of("lcd.off");
+        }
+        if (screen instanceof Screen.Menu menu) {
+            return name("menu.", MenuItem.values()[menu.selected()]);
+        }
+        if (screen instanceof Screen.MessageList list) {
+            return message(phone, list.box(), list.selected());
+        }
+        if (screen instanceof Screen.MessageView view) {
+            return message(phone, view.box(), view.selected());
+        }
+        if (screen instanceof Screen.Writing writing) {
+            return texts.of("menu.write") + ": " + writing.text();
+        }
+        if (screen instanceof Screen.Recipient recipient) {
+            return texts.of("lcd.to") + " " + recipient.number();
+        }
+        if (screen instanceof Screen.Note note) {
+            return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), note.detail());
+        }
+        return home(phone);
+    }
+
+    private String name(String family, Enum<?> item) {
+        return texts.of(family + item.name().toLowerCase(Locale.ROOT));
+    }
+
+    private String message(HandsetSnapshot phone, Box box, int selected) {
+        List<StoredMessage> messages = phone.in(box);
+        int index = messages.size() - 1 - selected;
+        String title = name("menu.", box);
+        return index < 0
+                ? title + ": " + texts.of("lcd.empty")
+                : title + ": " + messages.get(index).party() + ", "
+                        + messages.get(index).text();
+    }
+
+    private String home(HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
+        if (call.phase() == CallPhase.NONE) {
+            return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() : phone.typed();
+        }
+        String meaning = call.tone()
+                .flatMap(ToneMeaning::textKey)
+                .map(key -> ", " + texts.of(key))
+                .orElse("");
+        return name("lcd.call.", call.phase()) + " " + call.number() + meaning;
+    }
+}
