@@ -3,13 +3,14 @@ package simgsm.ui;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A small numbered token with its word: a reply tone, a count. The number stands on the ink, the word beside it. */
-public final class Chip extends JComponent {
+public final class Chip extends JComponent implements Accessible {
     private final String number;
     private final String word;
     private final Ink ink;

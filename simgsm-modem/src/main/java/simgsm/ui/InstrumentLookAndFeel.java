@@ -3,6 +3,7 @@ package simgsm.ui;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Insets;
+import java.awt.RenderingHints;
 import java.util.List;
 import javax.swing.UIDefaults;
 import javax.swing.plaf.ColorUIResource;
@@ -124,6 +125,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
         defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
         defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));
+        // Swing's own text by the same hint as Drawing's, also where the desktop has no wish.
+        defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         defaults.put("Table.rowHeight", Theme.px(24));
         defaults.put("Tree.rowHeight", Theme.px(24));
         defaults.put("ScrollBar.thickness", Theme.px(12));

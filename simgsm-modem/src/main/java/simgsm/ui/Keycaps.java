@@ -4,13 +4,14 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A run of telephone keys as keycaps, newest at the right; a fault is underlined at its position. */
-public final class Keycaps extends JComponent {
+public final class Keycaps extends JComponent implements Accessible {
     private static final double CAP_UNITS = 22;
     private static final double STEP_UNITS = 25;
     private static final double HEIGHT_UNITS = 34;

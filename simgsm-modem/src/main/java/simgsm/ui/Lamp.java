@@ -6,13 +6,14 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
 import java.util.Objects;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
-public final class Lamp extends JComponent {
+public final class Lamp extends JComponent implements Accessible {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
 

@@ -4,13 +4,14 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** Signal strength as bars of growing height; the painter serves the phone's display, too. */
-public final class SignalBars extends JComponent {
+public final class SignalBars extends JComponent implements Accessible {
     public static final int BARS = 5;
 
     private final String subject;

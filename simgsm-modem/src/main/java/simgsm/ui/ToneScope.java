@@ -4,13 +4,14 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
+import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.dtmf.ToneTrace;
 
 /** The tone scope of phone and modem: shows the newest {@link ToneTrace} that it was given. */
-public final class ToneScope extends JComponent {
+public final class ToneScope extends JComponent implements Accessible {
     private final ToneScopePainter painter;
     private ToneTrace trace = ToneTrace.EMPTY;
 

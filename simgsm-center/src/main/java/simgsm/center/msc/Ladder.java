@@ -2,6 +2,8 @@ package simgsm.center.msc;
 
 import java.time.Instant;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import simgsm.air.Direction;
@@ -14,7 +16,7 @@ final class Ladder implements Trace {
 
     private final Instant startedAt;
     private final Timers timers;
-    private final Deque<LadderEntry> entries = new ArrayDeque<>(MAX_ENTRIES);
+    private final Deque<Rung> rungs = new ArrayDeque<>(MAX_ENTRIES);
     private long passed;
 
     Ladder(Instant startedAt, Timers timers) {
@@ -24,16 +26,10 @@ final class Ladder implements Trace {
 
     @Override
     public void passed(Link link, Direction direction, String name, OctetString octets) {
-        if (entries.size() == MAX_ENTRIES) {
-            entries.removeFirst();
+        if (rungs.size() == MAX_ENTRIES) {
+            rungs.removeFirst();
         }
-        boolean up = direction == Direction.UPLINK;
-        entries.addLast(new LadderEntry(
-                startedAt.plusNanos(timers.nowNanos()),
-                up ? link.name() : LadderEntry.CENTER,
-                up ? LadderEntry.CENTER : link.name(),
-                name,
-                octets));
+        rungs.addLast(new Rung(link, direction, startedAt.plusNanos(timers.nowNanos()), name, octets));
         passed++;
     }
 
@@ -43,6 +39,41 @@ final class Ladder implements Trace {
     }
 
     List<LadderEntry> entries() {
-        return List.copyOf(entries);
+        List<LadderEntry> entries = new ArrayList<>(rungs.size());
+        rungs.forEach(rung -> entries.add(rung.entry()));
+        return Collections.unmodifiableList(entries);
+    }
+
+    /** Finds its terminal's number as late as it can: who registers has no number yet in the first message. */
+    private static final class Rung {
+        private final Link link;
+        private final Direction direction;
+        private final Instant time;
+        private final String name;
+        private final OctetString octets;
+        private LadderEntry entry;
+        private boolean isFinal;
+
+        Rung(Link link, Direction direction, Instant time, String name, OctetString octets) {
+            this.link = link;
+            this.direction = direction;
+            this.time = time;
+            this.name = name;
+            this.octets = octets;
+        }
+
+        LadderEntry entry() {
+            if (entry == null || !isFinal) {
+                entry = made(link.lifeline());
+                isFinal = link.hasNumber();
+            }
+            return entry;
+        }
+
+        private LadderEntry made(String terminal) {
+            return direction == Direction.UPLINK
+                    ? new LadderEntry(time, terminal, LadderEntry.CENTER, name, octets)
+                    : new LadderEntry(time, LadderEntry.CENTER, terminal, name, octets);
+        }
     }
 }

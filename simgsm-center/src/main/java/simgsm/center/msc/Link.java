@@ -9,6 +9,7 @@ import simgsm.air.Direction;
 import simgsm.air.IpaFrame;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
+import simgsm.air.MessageText;
 import simgsm.air.OctetString;
 import simgsm.air.RslCodec;
 import simgsm.air.RslMessage;
@@ -42,11 +43,13 @@ public final class Link {
     Registration registration;
 
     boolean isClosed;
+    private String lifeline;
     private int violations;
 
     Link(LinkPort port, String address, ExchangeParts parts) {
         this.port = port;
         this.address = address;
+        this.lifeline = address;
         this.parts = parts;
         this.radio = new RadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
@@ -59,6 +62,22 @@ public final class Link {
         return subscriber == null ? address : subscriber.number().digits();
     }
 
+    /** From now on somebody is registered here. */
+    void become(Subscriber who) {
+        subscriber = who;
+        lifeline = who.number().digits();
+    }
+
+    /** As {@link #name}, but a number that was registered here once stays when its subscriber has left. */
+    String lifeline() {
+        return lifeline;
+    }
+
+    /** Whether anybody has ever been registered here. */
+    boolean hasNumber() {
+        return !lifeline.equals(address);
+    }
+
     /** Sends a message on the radio connection; without one there is nobody to hear it, and it is dropped. */
     void send(Layer3Message message) {
         if (!radio.isEstablished()) {
@@ -66,7 +85,7 @@ public final class Link {
         }
         byte[] octets = Layer3Codec.encode(message, Direction.DOWNLINK, 0);
         OctetString layer3 = OctetString.of(octets);
-        parts.trace().passed(this, Direction.DOWNLINK, MessageNames.of(message), layer3);
+        parts.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message, Direction.DOWNLINK), layer3);
         RslMessage.Sapi sapi =
                 message instanceof ShortMessageControl ? RslMessage.Sapi.SHORT_MESSAGES : RslMessage.Sapi.SIGNALLING;
         sendRsl(new RslMessage.DataRequest(sapi, layer3));

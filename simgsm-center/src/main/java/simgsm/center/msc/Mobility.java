@@ -139,7 +139,7 @@ final class Mobility {
             depart(link);
         }
         boolean isNew = !subscriber.isAttached();
-        link.subscriber = subscriber;
+        link.become(subscriber);
         locations.put(subscriber, link);
         register.attach(subscriber, imei);
         if (isNew) {

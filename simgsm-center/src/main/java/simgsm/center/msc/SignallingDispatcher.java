@@ -5,6 +5,7 @@ import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
+import simgsm.air.MessageText;
 import simgsm.air.MobilityManagement;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolErrorAnswers;
@@ -78,7 +79,7 @@ final class SignallingDispatcher {
         }
         try {
             Layer3Message message = Layer3Codec.decode(octets, Direction.UPLINK);
-            trace.passed(link, Direction.UPLINK, MessageNames.of(message), layer3);
+            trace.passed(link, Direction.UPLINK, MessageText.nameOf(message, Direction.UPLINK), layer3);
             dispatch(link, message);
         } catch (ProtocolViolation violation) {
             refuse(link, layer3, violation);
@@ -109,7 +110,7 @@ final class SignallingDispatcher {
         } else if (message instanceof RadioResource) {
             return;
         } else if (link.subscriber == null) {
-            link.violated("sent " + MessageNames.of(message) + " without being registered");
+            link.violated("sent " + MessageText.nameOf(message, Direction.UPLINK) + " without being registered");
         } else if (message instanceof CallControl callControl) {
             calls.receive(link, callControl);
         } else {

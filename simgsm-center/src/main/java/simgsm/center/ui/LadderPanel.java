@@ -45,6 +45,8 @@ final class LadderPanel extends JPanel {
     private final JLabel title = new JLabel();
     private final JComboBox<String> who = new JComboBox<>();
     private final JToggleButton follow;
+    private final JPanel detailPane;
+    private final JSplitPane split;
     private List<String> terminals = List.of();
 
     LadderPanel(Texts texts) {
@@ -58,7 +60,9 @@ final class LadderPanel extends JPanel {
                 "ladder.follow",
                 texts.of("window.ladder.follow"));
         follow.setSelected(true);
-        JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), detailPane());
+        detailPane = makeDetailPane();
+        detailPane.setVisible(false);
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), detailPane);
         split.setResizeWeight(1);
         split.setBorder(null);
         split.setOpaque(false);
@@ -67,7 +71,6 @@ final class LadderPanel extends JPanel {
         list.addListSelectionListener(event -> chosen(list.getSelectedIndex()));
         who.addActionListener(event -> filter());
         updateChoice();
-        showDetail();
         dress();
     }
 
@@ -113,7 +116,8 @@ final class LadderPanel extends JPanel {
         return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderCell.HEIGHT_UNITS);
     }
 
-    private JPanel detailPane() {
+    /** Out of the way until there is something to read. */
+    private JPanel makeDetailPane() {
         detail.setEditable(false);
         detail.setLineWrap(true);
         detail.setWrapStyleWord(true);
@@ -215,13 +219,17 @@ final class LadderPanel extends JPanel {
 
     private void showDetail() {
         LadderRow row = list.getSelectedValue();
-        title.setText(
-                row == null
-                        ? texts.of("window.ladder.choose")
-                        : row.entry().name() + "   " + row.entry().from() + " → "
-                                + row.entry().to() + "   " + row.clock());
-        detail.setText(row == null ? "" : MessageWords.of(row));
-        detail.setCaretPosition(0);
+        if (row != null) {
+            String way = row.entry().from() + " → " + row.entry().to();
+            title.setText(row.entry().name() + "   " + way + "   " + row.clock());
+            detail.setText(MessageWords.of(row));
+            detail.setCaretPosition(0);
+        }
+        if (detailPane.isVisible() != (row != null)) {
+            detailPane.setVisible(row != null);
+            split.resetToPreferredSizes();
+            SwingUtilities.invokeLater(() -> list.ensureIndexIsVisible(list.getSelectedIndex()));
+        }
     }
 
     @Override

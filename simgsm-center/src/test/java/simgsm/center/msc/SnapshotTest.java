@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simgsm.air.Imsi;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
@@ -32,7 +33,7 @@ class SnapshotTest {
                         "Channel Release"),
                 snapshot.ladder().stream().map(LadderEntry::name).toList());
         LadderEntry first = snapshot.ladder().get(0);
-        assertEquals("peer of 5550100", first.from());
+        assertEquals("5550100", first.from());
         assertEquals(LadderEntry.CENTER, first.to());
         LadderEntry last = snapshot.ladder().get(6);
         assertEquals(LadderEntry.CENTER, last.from());
@@ -45,6 +46,17 @@ class SnapshotTest {
                 snapshot.subscribers());
         assertEquals(1, snapshot.attached());
         assertEquals(TestNetwork.START, snapshot.time());
+    }
+
+    @Test
+    void aTerminalBearsItsAddressUntilItHasANumberAndKeepsTheNumberWhenItHasLeft() {
+        TestMobile mobile = network.connect("5550100");
+        mobile.requestUpdate(Imsi.ofOpenNumber(new Msisdn("5550100")));
+        assertEquals(
+                "peer of 5550100", network.exchange.snapshot().ladder().get(0).from());
+        mobile.register();
+        mobile.vanish();
+        assertEquals("5550100", network.exchange.snapshot().ladder().get(0).from());
     }
 
     @Test
@@ -88,7 +100,7 @@ class SnapshotTest {
                 .map(LadderEntry::name)
                 .toList();
         assertEquals(
-                List.of("CP-DATA (RP-DATA)", "CP-ACK", "CP-DATA (RP-ACK)"),
+                List.of("CP-DATA (RP-DATA SUBMIT)", "CP-ACK", "CP-DATA (RP-ACK)"),
                 names.subList(names.size() - 3, names.size()));
     }
 }
