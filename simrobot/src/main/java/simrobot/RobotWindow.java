@@ -24,6 +24,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.WindowKeys;
 import simrobot.control.SimRobot;
 import simrobot.ui.SimRobotPanel;
+import simrobot.ui.WindowIcon;
 import simrobot.ui.WindowSnapshot;
 
 /** SimRobot in a window: builds it, shows it, and cleans up once it is closed. */
@@ -81,6 +82,7 @@ final class RobotWindow {
         SimRobotPanel panel = new SimRobotPanel(language, model.snapshot(), model);
         JFrame frame = new JFrame("SimRobot " + model.firstNumber());
         frame.setContentPane(panel);
+        frame.setIconImages(WindowIcon.images());
         WindowKeys.install(frame.getRootPane(), language);
         Newest<WindowSnapshot> newest = new Newest<>(model::snapshot, panel::show);
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);

@@ -118,7 +118,7 @@ final class WindowModel implements Operator {
     }
 
     /** A file that is no world leaves everything as it was, and says why. */
-    private void read(Path file) {
+    void read(Path file) {
         try {
             World world = WorldReader.read(file);
             simulation.withSimulation(owned -> {

@@ -1,10 +1,13 @@
 package simrobot.simulation;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.LongConsumer;
+import java.util.stream.Stream;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;
 import simrobot.world.Position;
@@ -21,10 +24,13 @@ public final class Simulation {
     /** With more robots than this, snapshots hold the sonars of those watched only. */
     private static final int SONARS_FOR_ALL = 16;
 
-    private final List<SimulatedRobot> robots = new ArrayList<>();
+    private final Map<String, SimulatedRobot> byName = new HashMap<>();
     private final List<LongConsumer> stepListeners = new ArrayList<>();
     private final Random random;
     private final Crowd crowd;
+    /** In the order in which they were added; a new list at every change, so that who walks it may add and remove. */
+    private List<SimulatedRobot> robots = List.of();
+
     private World world;
     private SimulatedRobot watched;
     private long timeNanos;
@@ -54,11 +60,11 @@ public final class Simulation {
 
     /** In the order in which they were added. */
     public List<SimulatedRobot> robots() {
-        return List.copyOf(robots);
+        return robots;
     }
 
     public Optional<SimulatedRobot> robot(String name) {
-        return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
+        return Optional.ofNullable(byName.get(name));
     }
 
     /** Puts a robot on the first home that is free, or near the middle of the world when none is. */
@@ -71,14 +77,15 @@ public final class Simulation {
 
     /** Puts a robot exactly there. */
     public SimulatedRobot addRobot(String name, Position position, double headingRadians) {
-        if (robot(name).isPresent()) {
+        if (byName.containsKey(name)) {
             throw new IllegalArgumentException("robot " + name + " is there already, expected another name");
         }
         if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
             throw new IllegalArgumentException("no free place for robot " + name + " at " + position);
         }
         SimulatedRobot robot = new SimulatedRobot(name, crowd, position.xMeters(), position.yMeters(), headingRadians);
-        robots.add(robot);
+        byName.put(name, robot);
+        robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
         crowd.moved(robot);
         return robot;
     }
@@ -86,7 +93,8 @@ public final class Simulation {
     /** Takes a robot off the floor; a motion under way is aborted. */
     public void removeRobot(SimulatedRobot robot) {
         robot.setPower(false);
-        robots.remove(robot);
+        byName.remove(robot.name(), robot);
+        robots = robots.stream().filter(other -> other != robot).toList();
         crowd.remove(robot);
     }
 
@@ -119,7 +127,7 @@ public final class Simulation {
     /** Moves everything on by one step. */
     public void step() {
         timeNanos += STEP_NANOS;
-        for (SimulatedRobot robot : List.copyOf(robots)) {
+        for (SimulatedRobot robot : robots) {
             robot.step(STEP_NANOS);
         }
         for (SimulatedRobot robot : robots) {

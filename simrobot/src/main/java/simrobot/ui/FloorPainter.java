@@ -22,7 +22,7 @@ import simrobot.world.World;
 /** Paints what stands and lies on the floor. Strokes and texts are in pixels, whatever the scale of the world. */
 final class FloorPainter {
     /** A wall's thickness, to the eye only: to wheels and sonars it has none. */
-    private static final double WALL_METERS = 0.035;
+    private static final double WALL_METERS = 0.02;
 
     private final Graphics2D g;
     private final Viewport view;

@@ -217,14 +217,25 @@ final class RobotPainter {
             double x = Pioneer2Dx.BODY_MIDDLE_X_METERS + (SonarRing.mountX(i) - Pioneer2Dx.BODY_MIDDLE_X_METERS) * pull;
             g.fill(circle(x, SonarRing.mountY(i) * pull, 0.011));
         }
+        nose(g);
+    }
+
+    private static void nose(Graphics2D g) {
         Path2D nose = new Path2D.Double();
-        nose.moveTo(0.13, 0);
-        nose.lineTo(0.035, 0.055);
-        nose.lineTo(0.06, 0);
-        nose.lineTo(0.035, -0.055);
+        nose.moveTo(0.15, 0);
+        nose.lineTo(0.02, 0.075);
+        nose.lineTo(0.055, 0);
+        nose.lineTo(0.02, -0.075);
         nose.closePath();
-        g.setColor(Ink.ROBOT_LINE.color());
+        g.setColor(Ink.ON_SIGNAL.color());
         g.fill(nose);
+    }
+
+    /** Body and heading mark alone, in metres about the centre of rotation. */
+    static void emblem(Graphics2D g, Ink ink) {
+        g.setColor(ink.color());
+        g.fill(BODY);
+        nose(g);
     }
 
     /** The status as a shape beside the robot, and its name where there are several; both upright. */
@@ -245,7 +256,7 @@ final class RobotPainter {
         }
         if (named) {
             g.setColor(Ink.TEXT.color());
-            Drawing.centred(g, robot.name(), Theme.small(), x, y + reach + Theme.exact(8));
+            Drawing.centred(g, robot.name(), Theme.small(), x, y - reach - Theme.exact(6));
         }
     }
 

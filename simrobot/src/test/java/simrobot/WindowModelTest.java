@@ -1,0 +1,145 @@
+package simrobot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simrobot.control.SimRobot;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.ReplyTone;
+import vericommand.RobotStatus;
+import vericommand.Settings;
+
+/** The window's acts reach the simulation, and its pictures tell of them. */
+@Timeout(30)
+class WindowModelTest {
+    private static final Path WORLDS = Path.of("..", "worlds");
+
+    @TempDir
+    Path folder;
+
+    private SimRobot simRobot;
+    private SimulatedRobot robot;
+    private WindowModel model;
+
+    @BeforeEach
+    void aPausedSimulationWithoutACentre() throws Exception {
+        World world = WorldReader.read(WORLDS.resolve("empty.map"));
+        Simulation simulation = new Simulation(world, 1);
+        robot = simulation.addRobot("robot");
+        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        // nobody listens on port 1: the modem goes on looking
+        simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings);
+        simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)));
+        simRobot.simulation().setPaused(true);
+        model = new WindowModel(simRobot, WORLDS.resolve("empty.map"));
+        simRobot.start();
+    }
+
+    @AfterEach
+    void end() {
+        simRobot.close();
+    }
+
+    /** All acts that were posted before are done then. */
+    private RobotStatus status() throws Exception {
+        return simRobot.onSimulation(robot::status);
+    }
+
+    @Test
+    void switchesReachTheRobot() throws Exception {
+        model.setMotors("robot", false);
+        assertEquals(RobotStatus.NO_MOTORS, status());
+        model.setPower("robot", false);
+        assertEquals(RobotStatus.DISCONNECTED, status());
+    }
+
+    @Test
+    void aRobotIsPutSomewhereElse() throws Exception {
+        model.place("robot", 3, 4, 1);
+        status();
+        assertEquals(3, robot.xMeters());
+    }
+
+    @Test
+    void aRobotThatIsNotThereGetsNoActs() throws Exception {
+        model.setPower("ghost", false);
+        model.place(null, 1, 1, 1);
+        assertEquals(RobotStatus.STOPPED, status());
+    }
+
+    @Test
+    void pauseStepAndPaceReachTheSimulation() throws Exception {
+        long before = simRobot.onSimulation(() -> model.snapshot().simulation().timeNanos());
+        model.stepOnce();
+        model.setSpeed(5);
+        status();
+        assertTrue(model.snapshot().paused());
+        assertEquals(5, model.snapshot().speed());
+        assertTrue(before >= 0);
+        model.setPaused(false);
+        status();
+        assertFalse(model.snapshot().paused());
+    }
+
+    @Test
+    void anotherWorldIsLoaded() throws Exception {
+        model.read(WORLDS.resolve("office.map"));
+        status();
+        assertEquals("office.map", model.snapshot().worldFile().getFileName().toString());
+        assertEquals("", model.snapshot().notice());
+        assertEquals(9, robot.xMeters());
+    }
+
+    @Test
+    void aFileThatIsNoWorldLeavesEverythingAndSaysWhy() throws Exception {
+        Path broken = Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n");
+        model.read(broken);
+        status();
+        assertEquals("empty.map", model.snapshot().worldFile().getFileName().toString());
+        assertEquals(
+                "broken.map:3: found the end of the line, expected y2 in mm",
+                model.snapshot().notice());
+        model.read(folder.resolve("nowhere.map"));
+        assertTrue(model.snapshot().notice().endsWith("nowhere.map: no such file"));
+    }
+
+    @Test
+    void aRobotWhoseHomeIsOccupiedStandsBesideIt() throws Exception {
+        String map = "2D-Map\nCairn: RobotHome 0 0 0 \"\" ICON \"\"\nLINES\n0 0 1 1\n";
+        model.read(Files.writeString(folder.resolve("post.map"), map));
+        status();
+        assertEquals("post.map", model.snapshot().worldFile().getFileName().toString());
+        assertTrue(Math.hypot(robot.xMeters(), robot.yMeters()) >= 0.25);
+    }
+
+    @Test
+    void tonesThatHaveLeftAreRememberedUntilTheNextCall() {
+        SentTones tones = new SentTones();
+        tones.toneSent(ReplyTone.CONNECTION_ACCEPTED);
+        tones.toneSent(ReplyTone.EXECUTED);
+        assertEquals("13", tones.tones());
+        tones.call("5550100");
+        assertEquals("", tones.tones());
+        for (int i = 0; i < 100; i++) {
+            tones.toneSent(ReplyTone.EXECUTING);
+        }
+        assertEquals("6".repeat(24), tones.tones());
+    }
+}
