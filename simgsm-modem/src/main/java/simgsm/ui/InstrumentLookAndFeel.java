@@ -116,12 +116,23 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         }
     }
 
+    /** The buttons inside combo boxes, spinners and scroll bars. */
+    private void arrowButtons() {
+        for (Object key : defaults.keySet().toArray()) {
+            if (key.toString().matches(".*(arrowButton|Spinner\\.(next|previous)Button)\"\\.size|ArrowButton\\.size")
+                    && defaults.get(key) instanceof Integer size) {
+                defaults.put(key, scaled(size));
+            }
+        }
+    }
+
     private static int scaled(int distance) {
         return (int) Math.round(distance * Theme.zoom());
     }
 
     private void sizes() {
         margins();
+        arrowButtons();
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
         defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
         defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));

@@ -5,61 +5,36 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.air.RejectCause;
-import simgsm.air.RpCause;
-import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.DtmfReceiver;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.speech.AudioOutput;
 import simgsm.station.SpeechSource;
 import simgsm.station.StationListener;
-import simgsm.station.StationSnapshot;
 
 /**
  * The phone. The station tells it what happens and asks it for speech; console and window ask it to act; all of that on
  * the station's owner thread. {@link #snapshot} may be asked by any thread.
  */
 public final class Handset {
-    private static final int MAX_TYPED = 40;
     private static final int FRAMES_PER_SECOND = 50;
-    private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-    /** A key held this long does its second task: 1 opens the mailbox, 0 becomes a plus sign. */
-    private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
-    /** For local sound that the station's news begin: they come without a time. */
-    private static final long WHEN_TIME_IS_TOLD = Long.MIN_VALUE;
-    /** So long the scope goes on after a tone, until its picture is quiet. */
-    private static final int TAIL_FRAMES = 8;
 
     private final Msisdn own;
     private final HandsetListener listener;
     private final InstantSource wallClock;
-    private final Earpiece earpiece;
+    private final Sounds sounds;
+    private final HandsetDeeds deeds = new HandsetDeeds(this);
     private final Mailbox mailbox = new Mailbox();
-    private final Screens screens = new Screens(mailbox, new ScreenDeeds());
-    private final KeySender line;
-    private final KeySender local = new KeySender(keys -> {});
-    private final DtmfReceiver ear = new DtmfReceiver(this::toneHeard);
-    private final SupervisoryTonePlayer supervisory = new SupervisoryTonePlayer();
-    private final short[] localFrame = new short[160];
-
+    private final Screens screens = new Screens(mailbox, deeds);
+    private final HomeKeys home = new HomeKeys(screens, deeds);
     /** References of messages that failed while they were being handed in. */
     private final Set<Integer> failedEarly = new HashSet<>();
 
     private StationSide station;
     private CallSnapshot call = CallSnapshot.NONE;
     private long callFrames;
-    private String typed = "";
-    private String lastNumber = "";
-    private PhoneKey heldKey;
-    private long heldSinceNanos;
-    private long nextLocalFrameNanos = Long.MAX_VALUE;
-    private int tailFrames;
     private Runnable whenSettled;
-    private Runnable timeWanted = () -> {};
     private volatile HandsetSnapshot newest;
 
     /**
@@ -71,8 +46,7 @@ public final class Handset {
         this.own = own;
         this.listener = listener;
         this.wallClock = wallClock;
-        this.earpiece = new Earpiece(output);
-        this.line = new KeySender(listener::sent);
+        this.sounds = new Sounds(output, listener::sent, this::toneHeard);
     }
 
     /** Gives the handset its station, once, before anything else. */
@@ -83,7 +57,7 @@ public final class Handset {
 
     /** What the station tells the handset. */
     public StationListener ears() {
-        return new Ears();
+        return new StationEars(this, listener);
     }
 
     /** What the handset says in a call. */
@@ -99,14 +73,13 @@ public final class Handset {
     // What console and window ask for. A refusal says why nothing happens.
 
     public Optional<Refusal> dial(Msisdn number) {
-        if (call.phase() != CallPhase.NONE) {
-            return Optional.of(Refusal.CALL_UNDER_WAY);
-        }
         if (!isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
-        lastNumber = number.digits();
-        return station.dial(number) ? Optional.empty() : Optional.of(Refusal.CALL_UNDER_WAY);
+        if (call.phase() != CallPhase.NONE || !station.dial(number)) {
+            return Optional.of(Refusal.CALL_UNDER_WAY);
+        }
+        return Optional.empty();
     }
 
     public Optional<Refusal> answer() {
@@ -114,7 +87,7 @@ public final class Handset {
     }
 
     public Optional<Refusal> hangUp() {
-        line.drop();
+        sounds.dropKeys();
         return station.hangUp() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
     }
 
@@ -126,8 +99,10 @@ public final class Handset {
         if (call.phase() == CallPhase.RINGING) {
             return Optional.of(Refusal.NOT_ANSWERED);
         }
-        line.press(keys);
-        keys.forEach(key -> keyed(key.symbol()));
+        sounds.press(keys);
+        for (DtmfKey key : keys) {
+            call = call.withKeyed(key.symbol());
+        }
         changed();
         return Optional.empty();
     }
@@ -160,9 +135,10 @@ public final class Handset {
     }
 
     public void powerOff() {
-        line.drop();
+        sounds.dropKeys();
         station.powerOff();
-        typed = "";
+        sounds.supervise(SupervisoryTone.NONE);
+        home.clear();
         changed();
     }
 
@@ -180,8 +156,8 @@ public final class Handset {
         checkSettled();
     }
 
-    private void checkSettled() {
-        if (whenSettled != null && line.isIdle() && !mailbox.hasUnacknowledged()) {
+    void checkSettled() {
+        if (whenSettled != null && sounds.keysHaveLeft() && !mailbox.hasUnacknowledged()) {
             Runnable act = whenSettled;
             whenSettled = null;
             act.run();
@@ -190,7 +166,7 @@ public final class Handset {
 
     /** A sound device may come or go at any time; asked now and then, so that the view tells. */
     public void lookAtSound() {
-        if (earpiece.isAudible() != newest.audible()) {
+        if (sounds.isAudible() != newest.audible()) {
             changed();
         }
     }
@@ -200,8 +176,7 @@ public final class Handset {
     /** A key goes down; it sounds until {@link #keyUp}. */
     public void keyDown(PhoneKey key, long nowNanos) {
         timePassed(nowNanos);
-        heldKey = key;
-        heldSinceNanos = nowNanos;
+        home.hold(key, nowNanos);
         if (!isPowered()) {
             if (key == PhoneKey.END) {
                 powerOn();
@@ -214,100 +189,51 @@ public final class Handset {
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
             answer();
         } else if (screens.isHome()) {
-            pressAtHome(key, nowNanos);
+            pressAtHome(key);
         } else {
             screens.press(key, nowNanos);
         }
         changed();
     }
 
+    private void pressAtHome(PhoneKey key) {
+        if (call.phase() == CallPhase.NONE) {
+            call = call.withoutEnd();
+            sounds.supervise(SupervisoryTone.NONE);
+        }
+        home.press(key, call.phase());
+    }
+
     /** The key goes up again. */
     public void keyUp(PhoneKey key, long nowNanos) {
         timePassed(nowNanos);
-        line.up();
-        local.up();
-        if (heldKey == key) {
-            heldKey = null;
-        }
+        sounds.up();
+        home.letGo(key);
         changed();
     }
 
     /** A character of a keyboard goes down: a letter while writing, else the key of that name. */
     public void charDown(char character, long nowNanos) {
-        Optional<PhoneKey> key = PhoneKey.ofSymbol(character);
-        if (isPowered() && screens.type(character)) {
+        if (!isPowered()) {
+            return;
+        }
+        if (screens.type(character)) {
             changed();
-        } else if (isPowered() && character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
-            typed = typed.isEmpty() ? "+" : typed;
+        } else if (character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
+            home.plus();
             changed();
-        } else if (key.isPresent()) {
-            keyDown(key.get(), nowNanos);
+        } else {
+            PhoneKey.ofSymbol(character).ifPresent(key -> keyDown(key, nowNanos));
         }
     }
 
-    /** Whatever character was down goes up. */
+    /** That character goes up. */
     public void charUp(char character, long nowNanos) {
         PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
     }
 
-    private void pressAtHome(PhoneKey key, long nowNanos) {
-        call = call.withoutEnd();
-        if (call.phase() == CallPhase.NONE) {
-            supervise(SupervisoryTone.NONE);
-        }
-        switch (key) {
-            case CALL -> callTyped();
-            case OK -> {
-                if (call.phase() == CallPhase.RINGING) {
-                    answer();
-                } else if (typed.isEmpty()) {
-                    screens.openMenu();
-                } else {
-                    callTyped();
-                }
-            }
-            case END -> typed = "";
-            case LEFT -> typed = typed.isEmpty() ? "" : typed.substring(0, typed.length() - 1);
-            case MENU -> screens.openMenu();
-            case MESSAGE -> screens.write();
-            case DOWN -> screens.open(Box.INBOX);
-            case UP -> screens.open(Box.OUTBOX);
-            case RIGHT -> {}
-            default -> key.tone().ifPresent(tone -> sound(tone, nowNanos));
-        }
-    }
-
-    private void sound(DtmfKey tone, long nowNanos) {
-        if (call.phase() == CallPhase.CONNECTED) {
-            line.down(tone);
-            keyed(tone.symbol());
-            return;
-        }
-        local.down(tone);
-        soundLocally(nowNanos);
-        if (call.phase() == CallPhase.NONE && typed.length() < MAX_TYPED) {
-            typed += tone.symbol();
-        }
-    }
-
-    /** Begins to give frames to the ear without a call's beat. */
-    private void soundLocally(long nowNanos) {
-        nextLocalFrameNanos = Math.min(nextLocalFrameNanos, nowNanos);
-        tailFrames = TAIL_FRAMES;
-    }
-
-    private void callTyped() {
-        if (call.phase() != CallPhase.NONE) {
-            return;
-        }
-        if (typed.isEmpty()) {
-            typed = lastNumber;
-        } else {
-            dialText(typed);
-        }
-    }
-
-    private void dialText(String number) {
+    /** Dials what was typed; a note says if it cannot be. */
+    void dialText(String number) {
         if (!Screens.isNumber(number)) {
             screens.note(Note.Kind.NOT_A_NUMBER, number);
         } else if (dial(Msisdn.parse(number)).isPresent()) {
@@ -315,269 +241,154 @@ public final class Handset {
         }
     }
 
+    /** Sends what was written; a note says if it cannot be. @return whether it was handed in */
+    boolean sendText(Msisdn to, String text) {
+        boolean refused = sendMessage(to, text).isPresent();
+        if (refused) {
+            screens.note(Note.Kind.REFUSED, to.digits());
+        }
+        return !refused;
+    }
+
+    void keySounds(DtmfKey tone) {
+        sounds.down(tone);
+        if (call.phase() == CallPhase.CONNECTED) {
+            call = call.withKeyed(tone.symbol());
+        }
+    }
+
+    void keyIsSilent() {
+        sounds.up();
+    }
+
     // Time, for what happens without a call: key tones, letters, long presses.
 
     /** Whether {@link #timePassed} is to be called within the next 20 ms; may become true by acts and by the station. */
     public boolean wantsTime() {
-        return nextLocalFrameNanos == WHEN_TIME_IS_TOLD
-                || nextLocalFrameNanos != Long.MAX_VALUE
-                || screens.wantsTime()
-                || canBeLongPress();
+        return sounds.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
 
     /** Has the act run whenever the station's news make the handset want time. */
     public void whenTimeIsWanted(Runnable act) {
-        timeWanted = act;
+        sounds.whenTimeIsWanted(act);
     }
 
     public void timePassed(long nowNanos) {
-        boolean changed = screens.timePassed(nowNanos);
-        if (nextLocalFrameNanos == WHEN_TIME_IS_TOLD) {
-            nextLocalFrameNanos = nowNanos;
-        }
-        while (nextLocalFrameNanos <= nowNanos) {
-            changed |= localFrame();
-        }
-        if (canBeLongPress() && nowNanos - heldSinceNanos >= LONG_PRESS_NANOS) {
-            longPress();
-            changed = true;
-        }
-        if (changed) {
+        boolean letterStands = screens.timePassed(nowNanos);
+        boolean soundChanged = sounds.timePassed(nowNanos);
+        boolean longPress = home.timePassed(nowNanos, call.phase());
+        if (letterStands || soundChanged || longPress) {
             changed();
         }
     }
 
-    private boolean localFrame() {
-        if (call.phase() == CallPhase.CONNECTED) {
-            local.drop();
-            nextLocalFrameNanos = Long.MAX_VALUE;
-            return true;
-        }
-        DtmfKey before = local.sounding();
-        local.read(localFrame);
-        supervisory.addTo(localFrame);
-        earpiece.said(localFrame);
-        tailFrames = local.isIdle() && supervisory.isIdle() ? tailFrames - 1 : TAIL_FRAMES;
-        nextLocalFrameNanos = tailFrames > 0 ? nextLocalFrameNanos + FRAME_NANOS : Long.MAX_VALUE;
-        return earpiece.pollChanged() || before != local.sounding();
-    }
-
-    private boolean canBeLongPress() {
-        return screens.isHome()
-                && call.phase() == CallPhase.NONE
-                && (heldKey == PhoneKey.ONE && typed.equals("1") || heldKey == PhoneKey.ZERO && typed.equals("0"));
-    }
-
-    private void longPress() {
-        local.up();
-        if (heldKey == PhoneKey.ONE) {
-            typed = "";
-            screens.open(Box.INBOX);
-        } else {
-            typed = "+";
-        }
-        heldKey = null;
-    }
-
-    // Speech.
+    // What the station brings.
 
     private void say(short[] frame) {
         if (call.phase() != CallPhase.CONNECTED) {
             SpeechSource.SILENCE.read(frame);
             return;
         }
-        DtmfKey before = line.sounding();
-        line.read(frame);
-        earpiece.said(frame);
+        boolean soundChanged = sounds.say(frame);
         callFrames++;
-        if (earpiece.pollChanged() || before != line.sounding() || callFrames % FRAMES_PER_SECOND == 0) {
+        if (soundChanged || callFrames % FRAMES_PER_SECOND == 0) {
             changed();
         }
         checkSettled();
     }
 
-    private void toneHeard(DtmfDigit digit) {
-        call = call.withHeard(digit.key().symbol());
-        listener.toneHeard(digit.key());
+    void hear(short[] frame) {
+        if (call.phase() == CallPhase.CONNECTED) {
+            sounds.hear(frame);
+        }
+    }
+
+    private void toneHeard(DtmfKey key) {
+        call = call.withHeard(key.symbol());
+        changed();
+        listener.toneHeard(key);
+    }
+
+    void callBegan(CallPhase phase, String number) {
+        call = CallSnapshot.begun(phase, number);
+        callFrames = 0;
+        home.clear();
+        if (!number.isEmpty()) {
+            home.remember(number);
+        }
+        screens.home();
+        sounds.callBegan();
+        if (phase == CallPhase.RINGING) {
+            sounds.supervise(SupervisoryTone.INCOMING);
+        }
         changed();
     }
 
-    private void keyed(char symbol) {
-        call = call.withKeyed(symbol);
+    void callAlerts() {
+        call = call.in(CallPhase.ALERTING, call.number());
+        sounds.supervise(SupervisoryTone.RINGING);
+        changed();
     }
 
-    private void supervise(SupervisoryTone tone) {
-        supervisory.start(tone);
-        if (tone != SupervisoryTone.NONE) {
-            soundLocally(WHEN_TIME_IS_TOLD);
-            timeWanted.run();
+    void callConnected(Optional<String> number) {
+        call = call.in(CallPhase.CONNECTED, number.orElse(call.number()));
+        sounds.connected();
+        changed();
+    }
+
+    void callEnded(Cause cause) {
+        call = call.over(cause);
+        sounds.callEnded(cause);
+        changed();
+    }
+
+    void messageSent(int id, int parts) {
+        mailbox.sent(id, parts);
+        changed();
+    }
+
+    void messageFailed(int id) {
+        if (!mailbox.failed(id)) {
+            failedEarly.add(id);
         }
+        changed();
+    }
+
+    void messageDelivered(int id) {
+        mailbox.delivered(id);
+        changed();
+    }
+
+    void messageReceived(String from, String text) {
+        mailbox.received(from, text, wallClock.instant());
+        screens.added(Box.INBOX);
+        changed();
+    }
+
+    void broadcastReceived(int channel, int pages, String text) {
+        mailbox.broadcast(channel, pages, text, wallClock.instant());
+        screens.added(Box.BROADCASTS);
+        changed();
     }
 
     private boolean isPowered() {
         return station.snapshot().powered();
     }
 
-    private void changed() {
-        StationSnapshot state = station.snapshot();
-        DtmfKey sounding = call.phase() == CallPhase.CONNECTED ? line.sounding() : local.sounding();
+    /** Publishes what is now. */
+    void changed() {
         call = call.at((int) (callFrames / FRAMES_PER_SECOND));
         newest = new HandsetSnapshot(
                 own,
-                state,
+                station.snapshot(),
                 call,
-                typed,
+                home.typed(),
                 screens.current(),
                 mailbox.in(Box.INBOX),
                 mailbox.in(Box.OUTBOX),
                 mailbox.in(Box.BROADCASTS),
-                Optional.ofNullable(sounding),
-                earpiece.trace(),
-                earpiece.isAudible());
-    }
-
-    private void beginCall(CallPhase phase, String number) {
-        call = CallSnapshot.begun(phase, number);
-        callFrames = 0;
-        typed = "";
-        line.drop();
-        supervise(SupervisoryTone.NONE);
-        screens.home();
-        changed();
-    }
-
-    private void advanceCall(CallPhase phase, String number) {
-        call = call.in(phase, number);
-        changed();
-    }
-
-    private final class ScreenDeeds implements Screens.Deeds {
-        @Override
-        public void dial(String number) {
-            dialText(number);
-        }
-
-        @Override
-        public boolean send(Msisdn to, String text) {
-            boolean refused = sendMessage(to, text).isPresent();
-            if (refused) {
-                screens.note(Note.Kind.REFUSED, to.digits());
-            }
-            return !refused;
-        }
-
-        @Override
-        public void switchOff() {
-            powerOff();
-        }
-    }
-
-    private final class Ears implements StationListener {
-        @Override
-        public void registered(Msisdn number) {
-            listener.registered(number);
-            changed();
-        }
-
-        @Override
-        public void unregistered(Optional<RejectCause> cause) {
-            listener.unregistered(cause);
-            changed();
-        }
-
-        @Override
-        public void calling(Msisdn number) {
-            beginCall(CallPhase.CALLING, number.digits());
-            listener.calling(number);
-        }
-
-        @Override
-        public void alerting() {
-            advanceCall(CallPhase.ALERTING, call.number());
-            supervise(SupervisoryTone.RINGING);
-            listener.alerting();
-        }
-
-        @Override
-        public void ringing(Optional<Msisdn> from) {
-            String number = from.map(Msisdn::digits).orElse("");
-            beginCall(CallPhase.RINGING, number);
-            lastNumber = number.isEmpty() ? lastNumber : number;
-            supervise(SupervisoryTone.INCOMING);
-            listener.ringing(from);
-        }
-
-        @Override
-        public void connected(Optional<Msisdn> peer) {
-            ear.reset();
-            supervise(SupervisoryTone.NONE);
-            advanceCall(CallPhase.CONNECTED, peer.map(Msisdn::digits).orElse(call.number()));
-            listener.connected(peer);
-        }
-
-        @Override
-        public void released(Cause cause) {
-            line.drop();
-            earpiece.callEnded();
-            call = call.over(cause);
-            supervise(SupervisoryTone.of(cause));
-            listener.released(cause);
-            changed();
-            checkSettled();
-        }
-
-        @Override
-        public void speechReceived(short[] samples) {
-            if (call.phase() == CallPhase.CONNECTED) {
-                earpiece.heard(samples);
-                ear.accept(samples);
-            }
-        }
-
-        @Override
-        public void messageSent(int id, Msisdn to, int parts) {
-            mailbox.sent(id, parts);
-            listener.messageSent(to, parts, id);
-            changed();
-            checkSettled();
-        }
-
-        @Override
-        public void messageFailed(int id, Msisdn to, RpCause cause) {
-            if (!mailbox.failed(id)) {
-                failedEarly.add(id);
-            }
-            listener.messageFailed(to, cause);
-            changed();
-            checkSettled();
-        }
-
-        @Override
-        public void messageReceived(String from, String text) {
-            mailbox.received(from, text, wallClock.instant());
-            screens.added(Box.INBOX);
-            listener.messageReceived(from, text);
-            changed();
-        }
-
-        @Override
-        public void messageDelivered(int id, Msisdn to) {
-            mailbox.delivered(id);
-            listener.messageDelivered(to, id);
-            changed();
-        }
-
-        @Override
-        public void broadcastReceived(int channel, int pages, String text) {
-            mailbox.broadcast(channel, pages, text, wallClock.instant());
-            screens.added(Box.BROADCASTS);
-            listener.broadcastReceived(channel, pages, text);
-            changed();
-        }
-
-        @Override
-        public void stateChanged(StationSnapshot snapshot) {
-            changed();
-        }
+                sounds.sounding(),
+                sounds.trace(),
+                sounds.isAudible());
     }
 }

@@ -3,10 +3,11 @@
  * screens. A pure core on the station's owner thread; time comes in as nanoseconds, views take immutable snapshots.
  *
  * <pre>
- *   Handset ------> Screens ------> TextEntry
- *      |   \           |
- *      |    \          v
- *   KeySender Earpiece Mailbox
+ *   StationEars --> Handset --> Screens --> TextEntry
+ *                   |     \        |
+ *                 Sounds  HomeKeys Mailbox
+ *                 |    \
+ *          KeySender  Earpiece
  * </pre>
  *
  * <p>Read first: {@link simgsm.phone.handset.Handset}, then {@link simgsm.phone.handset.HandsetSnapshot} and
