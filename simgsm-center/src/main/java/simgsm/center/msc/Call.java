@@ -39,6 +39,11 @@ final class Call implements CallLeg.Owner {
         return originating;
     }
 
+    /** Null until the called mobile is looked for. */
+    CallLeg terminating() {
+        return terminating;
+    }
+
     /** The called mobile is known and free: go and fetch it. */
     void extend(Link called, TransactionIdentifier transaction, Timers timers) {
         originating.proceed();

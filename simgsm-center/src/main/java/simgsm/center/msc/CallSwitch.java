@@ -29,6 +29,7 @@ final class CallSwitch {
     private final Timers timers;
     private final Consumer<Call> changes;
     private final Set<Call> calls = new LinkedHashSet<>();
+    private final KeyTap keyTap = new KeyTap();
     private long speechFramesSwitched;
     private long speechFramesUnheard;
 
@@ -42,6 +43,10 @@ final class CallSwitch {
     /** Calls from their SETUP to the first clearing message. */
     Collection<Call> calls() {
         return Collections.unmodifiableSet(calls);
+    }
+
+    KeyTap keyTap() {
+        return keyTap;
     }
 
     long speechFramesSwitched() {
@@ -156,6 +161,7 @@ final class CallSwitch {
         } else {
             speechFramesSwitched++;
             listening.link().port.send(frame);
+            keyTap.passed(leg, frame.payload());
         }
     }
 

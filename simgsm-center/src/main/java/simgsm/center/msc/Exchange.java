@@ -71,6 +71,7 @@ public final class Exchange {
     private void callChanged(Call call, ExchangeListener listener) {
         if (call.state() == CallState.INITIATED) {
             snapshots.callBegan(CallView.of(call));
+            calls.keyTap().follow(call);
         }
         call.to().ifPresent(to -> listener.happened(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
     }

@@ -34,6 +34,6 @@ public record ExchangeSnapshot(
 
     public record MessageRow(long id, Msisdn from, Msisdn to, Instant acceptedAt, Instant expiresAt, String text) {}
 
-    /** @param text of a short message; empty for a call */
+    /** @param text of a short message; of a call the keys heard so far, those of the called side in brackets */
     public record Passing(Msisdn from, String to, String text) {}
 }

@@ -15,6 +15,7 @@ final class SnapshotMaker {
     private final ShortMessageCenter shortMessages;
     private final Ladder ladder;
     private Optional<ExchangeSnapshot.Passing> latest = Optional.empty();
+    private boolean latestIsCall;
 
     SnapshotMaker(SubscriberRegister register, CallSwitch calls, ShortMessageCenter shortMessages, Ladder ladder) {
         this.register = register;
@@ -25,14 +26,18 @@ final class SnapshotMaker {
 
     void callBegan(CallView call) {
         latest = Optional.of(new ExchangeSnapshot.Passing(call.from(), call.to(), ""));
+        latestIsCall = true;
     }
 
     void messageAccepted(ShortMessage message) {
+        latestIsCall = false;
         latest = Optional.of(
                 new ExchangeSnapshot.Passing(message.from(), message.to().digits(), message.text()));
     }
 
+    /** Whoever asks once is taken to go on watching. */
     ExchangeSnapshot make(Instant time, int links) {
+        calls.keyTap().watch();
         int most = ExchangeSnapshot.MAX_ROWS;
         return new ExchangeSnapshot(
                 time,
@@ -45,7 +50,12 @@ final class SnapshotMaker {
                 shortMessages.waiting(most).stream().map(SnapshotMaker::row).toList(),
                 ladder.entries(),
                 ladder.passedCount(),
-                latest);
+                latestIsCall ? latest.map(this::withKeys) : latest);
+    }
+
+    private ExchangeSnapshot.Passing withKeys(ExchangeSnapshot.Passing call) {
+        return new ExchangeSnapshot.Passing(
+                call.from(), call.to(), calls.keyTap().keys());
     }
 
     private static ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
