@@ -119,10 +119,8 @@ final class WindowSession {
         await("heading 270", () -> Math.abs(pose(robot, "pose.heading") - 270) < 0.2);
         hand.keyPress(KeyEvent.VK_ESCAPE);
         hand.keyRelease(KeyEvent.VK_ESCAPE);
-        await(
-                "the call is over",
-                () -> name(phone, "lcd").toLowerCase().contains("ended")
-                        || name(phone, "lcd").contains("16"));
+        await("the call is over", () -> !name(phone, "lcd").contains("connected"));
+        System.out.println("the display says " + name(phone, "lcd"));
         System.out.println("done");
     }
 
