@@ -29,7 +29,7 @@ import simrobot.ui.WindowSnapshot;
 
 /** SimRobot in a window: builds it, shows it, and cleans up once it is closed. */
 final class RobotWindow {
-    private static final Dimension SIZE = new Dimension(1180, 860);
+    private static final Dimension SIZE = new Dimension(1120, 800);
     private static final Dimension LEAST = new Dimension(640, 480);
 
     private RobotWindow() {}

@@ -96,7 +96,9 @@ final class SonarRose extends Painted {
     }
 
     private void sector(Graphics2D g, double x, double y, double radius, int sonar) {
-        double r = reach(ranges[sonar], radius);
+        // from the middle of the robot, so that a near echo lies just outside its body
+        double mouth = Math.hypot(SonarRing.mountX(sonar), SonarRing.mountY(sonar));
+        double r = reach(mouth + ranges[sonar], radius);
         boolean echo = ranges[sonar] < Pioneer2Dx.SONAR_RANGE_METERS;
         Ink ink = !echo ? Ink.QUIET : ranges[sonar] < NEAR_METERS ? Ink.DANGER : Ink.RAY;
         double middle = 90 + Math.toDegrees(SonarRing.directionRadians(sonar));

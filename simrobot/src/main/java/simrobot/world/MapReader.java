@@ -2,6 +2,7 @@ package simrobot.world;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 
 /**
  * ARIA's {@code .map}: a first line {@code 2D-Map}, headers {@code Key: value} in any order, then {@code LINES} with a
@@ -12,6 +13,17 @@ import java.util.Locale;
  */
 public final class MapReader {
     private static final String MAGIC = "2D-Map";
+
+    /** In lower case; the others are objects of other programs. */
+    private static final Set<String> KNOWN_CAIRNS = Set.of(
+            "robothome",
+            "goal",
+            "goalwithheading",
+            "dock",
+            "forbiddenline",
+            "forbiddenarea",
+            "sim.boxobstacle",
+            "sim.treadmill");
 
     private enum Section {
         HEADER,
@@ -78,9 +90,17 @@ public final class MapReader {
 
     /** The headers that matter; the others may hold whatever they like, open quotes included. */
     private static String headerValue(String line) {
-        String key = key(line);
-        boolean matters = key.equals("Cairn") || key.equals("Resolution");
-        return matters ? line.substring(line.indexOf(':') + 1) : "";
+        String value = line.substring(line.indexOf(':') + 1).strip();
+        boolean matters = switch (key(line)) {
+            case "Resolution" -> true;
+            case "Cairn" -> KNOWN_CAIRNS.contains(firstWord(value));
+            default -> false;
+        };
+        return matters ? value : "";
+    }
+
+    private static String firstWord(String text) {
+        return text.split("\\s", 2)[0].toLowerCase(Locale.ROOT);
     }
 
     private static String key(String line) {
@@ -125,6 +145,9 @@ public final class MapReader {
     }
 
     private void cairn(LineTokens tokens) throws WorldFormatException {
+        if (!tokens.hasMore()) {
+            return;
+        }
         String type = tokens.word("a cairn's type");
         switch (type.toLowerCase(Locale.ROOT)) {
             case "robothome" -> home(new Cairn(tokens));
@@ -133,9 +156,7 @@ public final class MapReader {
             case "forbiddenarea" -> world.forbiddenAreas.add(new Cairn(tokens).requiredArea(type));
             case "sim.boxobstacle" -> box(new Cairn(tokens), type);
             case "sim.treadmill" -> treadmill(new Cairn(tokens), type);
-            default -> {
-                // objects of other programs
-            }
+            default -> throw new IllegalStateException("a known cairn that is not read: " + type);
         }
     }
 

@@ -290,7 +290,7 @@ class SimRobotPanelTest {
         WindowBench bench = new WindowBench("demo.map", ENGLISH, "robot");
         bench.lines = List.of(WindowBench.line("robot", true, true, WindowBench.noOrders(), "1"));
         bench.show();
-        for (int width : new int[] {640, 1100, 1900}) {
+        for (int width : new int[] {640, 1200}) {
             bench.resize(width, width * 3 / 4);
             for (double scale : new double[] {1, 1.25, 2}) {
                 var image = WindowBench.painted(bench.panel, scale);

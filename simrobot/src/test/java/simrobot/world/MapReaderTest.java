@@ -54,7 +54,8 @@ class MapReaderTest {
                 "OriginLatLongAlt: 42.8 -71.5 0",
                 "MapInfo: GoalType Name=Special \"an open quote",
                 "Something-New: yes",
-                "Cairn: Reflector not even numbers",
+                "Cairn: Reflector not even numbers, and \"an open quote",
+                "Cairn:",
                 "LINES",
                 "0 0 1 1");
         assertEquals(1, world.segments().size());
