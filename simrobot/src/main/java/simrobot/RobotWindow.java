@@ -1,10 +1,6 @@
 package simrobot;
 
-import java.awt.AWTError;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -19,9 +15,11 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.ui.Appearance;
+import simgsm.ui.Display;
 import simgsm.ui.Newest;
 import simgsm.ui.Theme;
 import simgsm.ui.WindowKeys;
+import simgsm.ui.WindowPlace;
 import simrobot.control.SimRobot;
 import simrobot.ui.SimRobotPanel;
 import simrobot.ui.WindowIcon;
@@ -37,10 +35,10 @@ final class RobotWindow {
     static int run(Arguments arguments, SimRobot simRobot, Path worldFile) throws UsageException, InterruptedException {
         Appearance appearance = arguments
                 .value("theme", Appearance::parse)
-                .orElseGet(() -> hasDisplay() ? Appearance.ofSystem() : Appearance.LIGHT);
-        Point place = arguments.value("window", RobotWindow::point).orElse(null);
+                .orElseGet(() -> Display.isThere() ? Appearance.ofSystem() : Appearance.LIGHT);
+        WindowPlace place = arguments.value("window", WindowPlace::parse).orElse(null);
         Locale language = arguments.language();
-        if (!hasDisplay()) {
+        if (!Display.isThere()) {
             System.err.println("simrobot: there is no display; use --headless for the console");
             return ExitStatus.UNAVAILABLE;
         }
@@ -60,25 +58,7 @@ final class RobotWindow {
         return ExitStatus.OK;
     }
 
-    private static boolean hasDisplay() {
-        try {
-            return !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError | NoClassDefFoundError | UnsatisfiedLinkError none) {
-            // a display that is named but cannot be reached, or a Java without its desktop's libraries
-            return false;
-        }
-    }
-
-    private static Point point(String text) {
-        if (!text.matches("-?[0-9]{1,5},-?[0-9]{1,5}")) {
-            throw new IllegalArgumentException("expected X,Y, found " + text);
-        }
-        String[] parts = text.split(",");
-        return new Point(Integer.parseInt(parts[0]), Integer.parseInt(parts[1]));
-    }
-
-    private static void open(WindowModel model, Locale language, Point place, CountDownLatch closed) {
+    private static void open(WindowModel model, Locale language, WindowPlace place, CountDownLatch closed) {
         SimRobotPanel panel = new SimRobotPanel(language, model.snapshot(), model);
         JFrame frame = new JFrame("SimRobot " + model.firstNumber());
         frame.setContentPane(panel);
@@ -99,7 +79,7 @@ final class RobotWindow {
         if (place == null) {
             frame.setLocationByPlatform(true);
         } else {
-            frame.setLocation(place);
+            place.take(frame);
         }
         newest.start();
         frame.setVisible(true);

@@ -1,7 +1,9 @@
 package simgsm.center;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.net.InetAddress;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -13,19 +15,24 @@ import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smsc.MemoryStore;
+import simgsm.console.HostPort;
 
 /** A running centre: its data directory, its port, its thread. */
 final class Center implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Center.class.getName());
+
     /** Ten pictures a second are enough for an eye. */
     private static final long SNAPSHOT_PERIOD_NANOS = 100_000_000;
 
     private final DataDirectory data;
     private final CenterLoop loop;
+    private final InetAddress address;
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
 
-    private Center(DataDirectory data, CenterLoop loop) {
+    private Center(DataDirectory data, CenterLoop loop, InetAddress address) {
         this.data = data;
         this.loop = loop;
+        this.address = address;
     }
 
     /**
@@ -33,13 +40,27 @@ final class Center implements AutoCloseable {
      *
      * @throws IOException naming the directory or the port that is not to be had
      */
-    static Center open(DataDirectory data, InetAddress address, int port) throws IOException {
+    static Center open(CenterSettings settings, Path data, int port) throws IOException {
+        InetAddress address = settings.address();
+        if (!address.isLoopbackAddress()) {
+            LOG.log(
+                    Level.WARNING,
+                    "listening on {0}: whoever reaches this address may register under any number",
+                    address.getHostAddress());
+        }
+        DataDirectory directory = DataDirectory.take(data);
         try {
-            return new Center(data, CenterLoop.open(address, port));
+            return new Center(directory, CenterLoop.open(address, port), address);
         } catch (IOException e) {
-            data.close();
+            directory.close();
             throw e;
         }
+    }
+
+    /** Where programs on this machine find the centre, as {@code --center} takes it. */
+    String reachedAt() {
+        InetAddress near = address.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : address;
+        return new HostPort(near.getHostAddress(), port()).toString();
     }
 
     int port() {

@@ -1,6 +1,5 @@
 package simgsm.center;
 
-import java.awt.Point;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,9 +12,8 @@ import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.console.UsageException;
 import simgsm.ui.Appearance;
-import simgsm.ui.Texts;
+import simgsm.ui.WindowPlace;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
 final class CenterWindow implements Operator {
@@ -35,38 +33,32 @@ final class CenterWindow implements Operator {
     }
 
     /** Opens the window and returns when it is closed. */
-    static int run(Center center, Arguments arguments) throws UsageException, InterruptedException {
-        return run(center, arguments, null, Optional.empty());
+    static int run(Center center, Arguments arguments, CenterSettings settings) throws InterruptedException {
+        return run(center, arguments, settings, null, settings.place().orElse(null));
     }
 
     /**
      * @param children running children that end with the window; null for none
-     * @param place where the window goes unless an option says otherwise; empty for wherever the desktop likes
+     * @param place where the window goes; null for wherever the desktop likes
      */
-    static int run(Center center, Arguments arguments, Children children, Optional<Point> place)
-            throws UsageException, InterruptedException {
-        Optional<Point> corner = arguments.value("window", CenterWindow::point).or(() -> place);
-        Appearance appearance = arguments.value("theme", Appearance::parse).orElseGet(Appearance::ofSystem);
+    static int run(Center center, Arguments arguments, CenterSettings settings, Children children, WindowPlace place)
+            throws InterruptedException {
         CenterWindow operator = new CenterWindow(center, arguments);
         operator.children = children;
         center.publishSnapshots();
-        center.start(CenterMain.seed(arguments), event -> {});
-        Texts texts = Messages.in(arguments.language());
-        MonitorWindow.open(operator, texts, arguments.language(), appearance, corner);
+        center.start(settings.seed(), event -> {});
+        MonitorWindow.open(
+                operator,
+                Messages.in(settings.language()),
+                settings.language(),
+                settings.appearance().orElseGet(Appearance::ofSystem),
+                Optional.ofNullable(place));
         if (arguments.has("end-with-input")) {
             operator.quitAtEndOfInput();
         }
         operator.ended.await();
         operator.endChildren();
         return ExitStatus.OK;
-    }
-
-    private static Point point(String text) {
-        if (!text.matches("-?[0-9]{1,5},-?[0-9]{1,5}")) {
-            throw new IllegalArgumentException("expected X,Y, found " + text);
-        }
-        String[] parts = text.split(",");
-        return new Point(Integer.parseInt(parts[0]), Integer.parseInt(parts[1]));
     }
 
     private void quitAtEndOfInput() {
@@ -125,7 +117,7 @@ final class CenterWindow implements Operator {
             children = Children.besideUs();
         }
         List<String> words = new ArrayList<>(
-                List.of("--number", number, "--center", "127.0.0.1:" + center.port(), "--end-with-input"));
+                List.of("--number", number, "--center", center.reachedAt(), "--end-with-input"));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(more);
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);

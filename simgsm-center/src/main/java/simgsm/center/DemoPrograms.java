@@ -8,9 +8,7 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import simgsm.console.Arguments;
-import simgsm.console.UsageException;
 
 /** The demo's centre with its temporary data, and the phone and the SimRobot that go with it. */
 final class DemoPrograms implements AutoCloseable {
@@ -19,38 +17,37 @@ final class DemoPrograms implements AutoCloseable {
     private static final String WORLD = "worlds/demo.map";
 
     private final Arguments arguments;
-    private final Path data;
+    private final Path temporary;
     private final Center center;
     private final Children children;
     private final Thread atExit;
 
-    private DemoPrograms(Arguments arguments, Path data, Center center, Children children) {
+    private DemoPrograms(Arguments arguments, Path temporary, Center center, Children children) {
         this.arguments = arguments;
-        this.data = data;
+        this.temporary = temporary;
         this.center = center;
         this.children = children;
         this.atExit = new Thread(this::end, "end of the demo");
     }
 
     /** Opens the centre, on a free port if the usual one is taken; the children are not started yet. */
-    static DemoPrograms open(Arguments arguments) throws IOException, UsageException {
+    static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException {
         Children children = Children.besideUs();
-        Optional<Path> given = arguments.path("data");
-        Path data = given.isPresent() ? given.get() : Files.createTempDirectory("simgsm-demo");
-        DemoPrograms programs =
-                new DemoPrograms(arguments, given.isPresent() ? null : data, open(arguments, data), children);
+        Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
+        Center center = open(settings, settings.data().orElse(temporary));
+        DemoPrograms programs = new DemoPrograms(arguments, temporary, center, children);
         Runtime.getRuntime().addShutdownHook(programs.atExit);
         return programs;
     }
 
-    private static Center open(Arguments arguments, Path data) throws IOException, UsageException {
+    private static Center open(CenterSettings settings, Path data) throws IOException {
+        if (settings.port().isPresent()) {
+            return Center.open(settings, data, settings.port().getAsInt());
+        }
         try {
-            return CenterMain.open(arguments, data, CenterMain.port(arguments, CenterMain.DEFAULT_PORT));
+            return Center.open(settings, data, CenterSettings.DEFAULT_PORT);
         } catch (IOException e) {
-            if (arguments.has("port")) {
-                throw e;
-            }
-            return CenterMain.open(arguments, data, 0);
+            return Center.open(settings, data, 0);
         }
     }
 
@@ -72,7 +69,7 @@ final class DemoPrograms implements AutoCloseable {
 
     private List<String> words(List<String> own, String... more) {
         List<String> words = new ArrayList<>(own);
-        words.addAll(List.of("--center", "127.0.0.1:" + center.port()));
+        words.addAll(List.of("--center", center.reachedAt()));
         words.addAll(List.of("--log-level", arguments.text("log-level").orElse("warning")));
         for (String passed : List.of("lang", "theme", "seed")) {
             arguments.text(passed).ifPresent(value -> words.addAll(List.of("--" + passed, value)));
@@ -97,8 +94,8 @@ final class DemoPrograms implements AutoCloseable {
     private void end() {
         children.close();
         center.close();
-        if (data != null) {
-            remove(data);
+        if (temporary != null) {
+            remove(temporary);
         }
     }
 

@@ -5,18 +5,17 @@ import java.lang.ProcessBuilder.Redirect;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
-import simgsm.console.UsageException;
 import simgsm.ui.Texts;
 
 /** The demo without a display: the same programs, played by a script, with a transcript for the reader. */
 final class HeadlessDemo {
     private HeadlessDemo() {}
 
-    static int run(Arguments arguments) throws IOException, UsageException, InterruptedException {
+    static int run(Arguments arguments, CenterSettings settings) throws IOException, InterruptedException {
         Transcript transcript = new Transcript(Program.standardOutput());
-        Texts texts = Messages.in(arguments.language());
-        try (DemoPrograms programs = DemoPrograms.open(arguments)) {
-            play(programs, CenterMain.seed(arguments), transcript, texts);
+        Texts texts = Messages.in(settings.language());
+        try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
+            play(programs, settings.seed(), transcript, texts);
         } catch (DemoFailure failure) {
             transcript.heading(texts.of("demo.failed", failure.getMessage()));
             return ExitStatus.FAILED;

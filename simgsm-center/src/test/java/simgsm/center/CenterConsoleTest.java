@@ -12,6 +12,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.ResourceBundle;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -30,7 +33,15 @@ class CenterConsoleTest {
 
     @BeforeEach
     void open() throws IOException {
-        center = Center.open(DataDirectory.take(temporary), InetAddress.getLoopbackAddress(), 0);
+        CenterSettings settings = new CenterSettings(
+                InetAddress.getLoopbackAddress(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                1,
+                Locale.ENGLISH,
+                Optional.empty(),
+                Optional.empty());
+        center = Center.open(settings, temporary, 0);
     }
 
     @AfterEach
@@ -80,7 +91,7 @@ class CenterConsoleTest {
     }
 
     private static List<String> keys(String bundle) {
-        return Collections.list(ResourceBundle.getBundle("simgsm.center." + bundle, java.util.Locale.ROOT)
+        return Collections.list(ResourceBundle.getBundle("simgsm.center." + bundle, Locale.ROOT)
                         .getKeys())
                 .stream()
                 .sorted()

@@ -1,6 +1,5 @@
 package simgsm.ui;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.util.Locale;
 
@@ -29,7 +28,7 @@ public enum Appearance {
         if (environment != null) {
             return isDarkName(environment) ? DARK : LIGHT;
         }
-        if (GraphicsEnvironment.isHeadless()) {
+        if (!Display.isThere()) {
             return LIGHT;
         }
         Object name = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");

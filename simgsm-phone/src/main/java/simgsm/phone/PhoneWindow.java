@@ -1,9 +1,5 @@
 package simgsm.phone;
 
-import java.awt.AWTError;
-import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
-import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -24,12 +20,14 @@ import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.ui.HandsetPanel;
 import simgsm.station.StationIdentity;
 import simgsm.ui.Appearance;
+import simgsm.ui.Display;
 import simgsm.ui.Newest;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.WindowIcon;
 import simgsm.ui.WindowKeys;
+import simgsm.ui.WindowPlace;
 
 /** The phone in a window: builds it, shows it, and cleans up once it is closed. */
 final class PhoneWindow {
@@ -40,9 +38,9 @@ final class PhoneWindow {
             throws UsageException, InterruptedException {
         Appearance appearance = arguments
                 .value("theme", Appearance::parse)
-                .orElseGet(() -> hasDisplay() ? Appearance.ofSystem() : Appearance.LIGHT);
-        Point place = arguments.value("window", PhoneWindow::point).orElse(null);
-        if (!hasDisplay()) {
+                .orElseGet(() -> Display.isThere() ? Appearance.ofSystem() : Appearance.LIGHT);
+        WindowPlace place = arguments.value("window", WindowPlace::parse).orElse(null);
+        if (!Display.isThere()) {
             System.err.println("simgsm-phone: there is no display; use --headless for the console");
             return ExitStatus.UNAVAILABLE;
         }
@@ -62,26 +60,8 @@ final class PhoneWindow {
         return ExitStatus.OK;
     }
 
-    private static boolean hasDisplay() {
-        try {
-            return !GraphicsEnvironment.isHeadless()
-                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError | NoClassDefFoundError | UnsatisfiedLinkError none) {
-            // A display that is named but cannot be reached, or a Java without its desktop's libraries.
-            return false;
-        }
-    }
-
-    private static Point point(String text) {
-        if (!text.matches("-?[0-9]{1,5},-?[0-9]{1,5}")) {
-            throw new IllegalArgumentException("expected X,Y, found " + text);
-        }
-        String[] parts = text.split(",");
-        return new Point(Integer.parseInt(parts[0]), Integer.parseInt(parts[1]));
-    }
-
     private static void open(
-            Phone phone, Msisdn number, Texts texts, Locale language, Point place, CountDownLatch closed) {
+            Phone phone, Msisdn number, Texts texts, Locale language, WindowPlace place, CountDownLatch closed) {
         HandsetSnapshot first = phone.handset().snapshot();
         HandsetPanel panel =
                 new HandsetPanel(texts, language, Clock.systemDefaultZone(), first, new PhoneControls(phone));
@@ -107,7 +87,7 @@ final class PhoneWindow {
         if (place == null) {
             frame.setLocationByPlatform(true);
         } else {
-            frame.setLocation(place);
+            place.take(frame);
         }
         newest.start();
         clock.start();

@@ -1,6 +1,5 @@
 package simgsm.center.ui;
 
-import java.awt.Point;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.Locale;
@@ -13,6 +12,7 @@ import simgsm.ui.Newest;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.WindowKeys;
+import simgsm.ui.WindowPlace;
 
 /** The centre's window: a frame around {@link MonitorPanel}. */
 public final class MonitorWindow {
@@ -21,10 +21,10 @@ public final class MonitorWindow {
     /**
      * Opens the window; returns at once.
      *
-     * @param place where its top left corner goes; empty for wherever the desktop likes
+     * @param place where it goes; empty for wherever the desktop likes
      */
     public static void open(
-            Operator operator, Texts texts, Locale language, Appearance appearance, Optional<Point> place) {
+            Operator operator, Texts texts, Locale language, Appearance appearance, Optional<WindowPlace> place) {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance);
             show(new MonitorPanel(texts, operator), operator, texts, language, place);
@@ -32,7 +32,7 @@ public final class MonitorWindow {
     }
 
     private static void show(
-            MonitorPanel panel, Operator operator, Texts texts, Locale language, Optional<Point> place) {
+            MonitorPanel panel, Operator operator, Texts texts, Locale language, Optional<WindowPlace> place) {
         JFrame frame = new JFrame(texts.of("window.title"));
         frame.setContentPane(panel);
         WindowKeys.install(frame.getRootPane(), language);
@@ -50,7 +50,7 @@ public final class MonitorWindow {
             }
         });
         frame.pack();
-        place.ifPresentOrElse(frame::setLocation, () -> frame.setLocationByPlatform(true));
+        place.ifPresentOrElse(where -> where.take(frame), () -> frame.setLocationByPlatform(true));
         newest.start();
         frame.setVisible(true);
         panel.requestFocusInWindow();

@@ -1,0 +1,52 @@
+package simgsm.center;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Random;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.ui.Appearance;
+import simgsm.ui.WindowPlace;
+
+/**
+ * What the command line says, read whole before anything is begun.
+ *
+ * @param port empty for the usual one
+ * @param data empty for the usual place
+ * @param place where the window goes; empty for wherever the desktop likes
+ */
+record CenterSettings(
+        InetAddress address,
+        OptionalInt port,
+        Optional<Path> data,
+        long seed,
+        Locale language,
+        Optional<Appearance> appearance,
+        Optional<WindowPlace> place) {
+    static final int DEFAULT_PORT = 3003;
+    private static final int MAX_PORT = 0xffff;
+
+    static CenterSettings read(Arguments arguments) throws UsageException {
+        int port = (int) arguments.integer("port", DEFAULT_PORT, 0, MAX_PORT);
+        return new CenterSettings(
+                arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
+                arguments.has("port") ? OptionalInt.of(port) : OptionalInt.empty(),
+                arguments.path("data"),
+                arguments.integer("seed", new Random().nextLong(), Long.MIN_VALUE, Long.MAX_VALUE),
+                arguments.language(),
+                arguments.value("theme", Appearance::parse),
+                arguments.value("window", WindowPlace::parse));
+    }
+
+    private static InetAddress address(String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("expected an address of this machine, found " + text);
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package simgsm.center;
+
+import simgsm.ui.WindowPlace;
+
+/**
+ * The demo's three windows on one screen: the phone at the left in its own size, SimRobot and the centre share the rest,
+ * side by side where that leaves each a useful width, else one above the other.
+ */
+record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center) {
+    /** The phone's width with its frame. */
+    private static final int PHONE_WIDTH = 336;
+
+    private static final int SIDE_BY_SIDE_WIDTH = 1_500;
+    private static final int ROBOT_WIDTH = 1_180;
+    private static final int ROBOT_HEIGHT = 860;
+    private static final int CENTER_WIDTH = 980;
+    private static final int LEAST_CENTER_WIDTH = 620;
+    private static final int CENTER_HEIGHT = 720;
+    private static final double ROBOT_SHARE_OF_HEIGHT = 0.58;
+
+    /** @param area what of the screen may be covered */
+    static DemoLayout of(WindowPlace area) {
+        WindowPlace phone = new WindowPlace(area.x(), area.y(), 0, 0);
+        int left = area.x() + PHONE_WIDTH;
+        int width = Math.max(1, area.width() - PHONE_WIDTH);
+        if (width >= SIDE_BY_SIDE_WIDTH) {
+            int centerWidth = Math.max(LEAST_CENTER_WIDTH, Math.min(CENTER_WIDTH, width - ROBOT_WIDTH));
+            int robotWidth = Math.min(ROBOT_WIDTH, width - centerWidth);
+            return new DemoLayout(
+                    phone,
+                    new WindowPlace(left, area.y(), robotWidth, Math.min(ROBOT_HEIGHT, area.height())),
+                    new WindowPlace(left + robotWidth, area.y(), centerWidth, Math.min(CENTER_HEIGHT, area.height())));
+        }
+        int robotHeight = Math.max(1, (int) (area.height() * ROBOT_SHARE_OF_HEIGHT));
+        return new DemoLayout(
+                phone,
+                new WindowPlace(left, area.y(), width, robotHeight),
+                new WindowPlace(left, area.y() + robotHeight, width, Math.max(1, area.height() - robotHeight)));
+    }
+}
