@@ -44,8 +44,7 @@ public final class CenterMain {
                     "simgsm-center: " + Messages.in(settings.language()).of("error.noDisplay"));
             return ExitStatus.UNAVAILABLE;
         }
-        Path data = settings.data()
-                .orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
+        Path data = settings.data().orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
         try (Center center = Center.open(settings, data, settings.port().orElse(CenterSettings.DEFAULT_PORT))) {
             return isHeadless ? runConsole(center, arguments, settings) : CenterWindow.run(center, arguments, settings);
         }

@@ -116,8 +116,8 @@ final class CenterWindow implements Operator {
         if (children == null) {
             children = Children.besideUs();
         }
-        List<String> words = new ArrayList<>(
-                List.of("--number", number, "--center", center.reachedAt(), "--end-with-input"));
+        List<String> words =
+                new ArrayList<>(List.of("--number", number, "--center", center.reachedAt(), "--end-with-input"));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(more);
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);

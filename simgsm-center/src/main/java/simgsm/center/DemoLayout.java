@@ -14,7 +14,7 @@ record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center) {
     private static final int ROBOT_WIDTH = 1_180;
     private static final int ROBOT_HEIGHT = 860;
     private static final int CENTER_WIDTH = 980;
-    private static final int LEAST_CENTER_WIDTH = 620;
+    private static final int LEAST_CENTER_WIDTH = 800;
     private static final int CENTER_HEIGHT = 720;
     private static final double ROBOT_SHARE_OF_HEIGHT = 0.58;
 

@@ -13,9 +13,15 @@ final class WindowedDemo {
         DemoLayout layout = DemoLayout.of(Display.usableArea());
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             programs.startPhone(
-                    Redirect.DISCARD, "--end-with-input", "--window", layout.phone().toString());
+                    Redirect.DISCARD,
+                    "--end-with-input",
+                    "--window",
+                    layout.phone().toString());
             programs.startRobot(
-                    Redirect.DISCARD, "--end-with-input", "--window", layout.robot().toString());
+                    Redirect.DISCARD,
+                    "--end-with-input",
+                    "--window",
+                    layout.robot().toString());
             return CenterWindow.run(
                     programs.center(),
                     arguments,

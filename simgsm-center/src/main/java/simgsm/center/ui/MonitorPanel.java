@@ -26,6 +26,9 @@ import simgsm.ui.Theme.Ink;
 public final class MonitorPanel extends JPanel {
     private static final Dimension SIZE_UNITS = new Dimension(1080, 680);
     private static final Dimension LEFT_UNITS = new Dimension(440, 400);
+    /** In a narrow window the ladder gives way first: the lists cannot be read in less. */
+    private static final int LEAST_LEFT_UNITS = 290;
+
     private static final double LEFT_SHARE = 0.3;
 
     private final Texts texts;
@@ -77,7 +80,7 @@ public final class MonitorPanel extends JPanel {
                 Named.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
                 Arrange.growing(Named.name(notice, "notice", texts.of("window.notice"))));
         JComponent card = new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
-        card.setMinimumSize(new Dimension(0, 0));
+        card.setMinimumSize(new Dimension(Theme.px(LEAST_LEFT_UNITS), 0));
         card.setPreferredSize(new Dimension(Theme.px(LEFT_UNITS.width), Theme.px(LEFT_UNITS.height)));
         return card;
     }

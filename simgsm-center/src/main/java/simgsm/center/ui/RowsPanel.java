@@ -23,6 +23,9 @@ import simgsm.ui.Theme.Ink;
 
 /** A table of a snapshot's rows; says in words when there are none. */
 final class RowsPanel<T> extends JPanel {
+    /** These say who it is, and what about; in a narrow window the columns behind them give way. */
+    private static final int FIRM_COLUMNS = 2;
+
     private final RowsModel<T> model;
     private final JTable table;
 
@@ -38,7 +41,11 @@ final class RowsPanel<T> extends JPanel {
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
         for (int i = 0; i < columns.size(); i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(columns.get(i).width());
+            int width = columns.get(i).width();
+            table.getColumnModel().getColumn(i).setPreferredWidth(width);
+            if (i < FIRM_COLUMNS) {
+                table.getColumnModel().getColumn(i).setMinWidth(width);
+            }
         }
         add(new JScrollPane(table), BorderLayout.CENTER);
         dress();
