@@ -3,6 +3,7 @@ package simgsm.center;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
@@ -13,6 +14,7 @@ import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.ui.Appearance;
+import simgsm.ui.Theme;
 import simgsm.ui.WindowPlace;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
@@ -93,12 +95,12 @@ final class CenterWindow implements Operator {
 
     @Override
     public void newPhone() throws IOException {
-        start("simgsm-phone.jar", free(nextPhone), List.of());
+        start("simgsm-phone.jar", free(nextPhone));
     }
 
     @Override
     public void newRobot() throws IOException {
-        start("simrobot.jar", free(nextRobot), List.of());
+        start("simrobot.jar", free(nextRobot));
     }
 
     /** The next number that nobody has registered yet. */
@@ -112,14 +114,14 @@ final class CenterWindow implements Operator {
         });
     }
 
-    private synchronized void start(String jar, String number, List<String> more) throws IOException {
+    private synchronized void start(String jar, String number) throws IOException {
         if (children == null) {
             children = Children.besideUs();
         }
         List<String> words =
                 new ArrayList<>(List.of("--number", number, "--center", center.reachedAt(), "--end-with-input"));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
-        words.addAll(more);
+        words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);
     }
 

@@ -31,7 +31,7 @@ final class Broadcaster {
         nextCode = (nextCode + 1) % CODES;
         for (Link link : mobility.attachedLinks()) {
             for (CellBroadcastPage page : pages) {
-                link.sendCommon(new RslMessage.SmsBroadcastCommand(page.encode()), "SMS BROADCAST COMMAND");
+                link.sendCommon(new RslMessage.SmsBroadcastCommand(page.encode()));
             }
         }
         return pages.size();

@@ -92,9 +92,9 @@ public final class Link {
     }
 
     /** Sends what needs no radio connection: paging and cell broadcast. */
-    void sendCommon(RslMessage message, String name) {
+    void sendCommon(RslMessage message) {
         byte[] octets = RslCodec.encode(message);
-        parts.trace().passed(this, Direction.DOWNLINK, name, OctetString.of(octets));
+        parts.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message), OctetString.of(octets));
         port.send(new IpaFrame(IpaFrame.RSL, octets));
     }
 

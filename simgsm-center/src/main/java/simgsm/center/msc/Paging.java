@@ -80,7 +80,7 @@ final class Paging {
         repetition = timers.start(T3113_NANOS, this::page);
         MobileIdentity identity =
                 link.subscriber.tmsi().<MobileIdentity>map(tmsi -> tmsi).orElse(link.subscriber.imsi());
-        link.sendCommon(new RslMessage.PagingCommand(identity), "PAGING COMMAND");
+        link.sendCommon(new RslMessage.PagingCommand(identity));
     }
 
     private void stop() {

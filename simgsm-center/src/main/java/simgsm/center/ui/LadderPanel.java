@@ -227,8 +227,10 @@ final class LadderPanel extends JPanel {
         }
         if (detailPane.isVisible() != (row != null)) {
             detailPane.setVisible(row != null);
+            dress();
             split.resetToPreferredSizes();
-            SwingUtilities.invokeLater(() -> list.ensureIndexIsVisible(list.getSelectedIndex()));
+            split.validate();
+            list.ensureIndexIsVisible(list.getSelectedIndex());
         }
     }
 
@@ -243,6 +245,7 @@ final class LadderPanel extends JPanel {
     private void dress() {
         heading.setFont(Theme.title());
         title.setFont(Theme.strong());
+        split.setDividerSize(detailPane.isVisible() ? Theme.px(Theme.GRID) : 0);
         title.setBorder(Theme.padding(8, 2, 6, 2));
         detail.setFont(Theme.monoSmall());
         list.fit();

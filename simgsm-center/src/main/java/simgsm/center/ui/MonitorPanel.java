@@ -3,6 +3,8 @@ package simgsm.center.ui;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.io.IOException;
+import java.util.Comparator;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -95,10 +97,18 @@ public final class MonitorPanel extends JPanel {
     public void show(ExchangeSnapshot snapshot) {
         header.show(snapshot);
         passing.show(snapshot);
-        subscribers.show(snapshot.subscribers());
+        subscribers.show(byNumber(snapshot.subscribers()));
         calls.show(snapshot.calls());
         messages.show(snapshot.messages());
         ladder.show(snapshot);
+    }
+
+    private static List<SubscriberRow> byNumber(List<SubscriberRow> rows) {
+        Comparator<String> shortFirst = Comparator.comparingInt(String::length);
+        return rows.stream()
+                .sorted(Comparator.comparing(
+                        row -> row.number().digits(), shortFirst.thenComparing(Comparator.naturalOrder())))
+                .toList();
     }
 
     private interface Start {

@@ -9,8 +9,10 @@ import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.ui.Appearance;
 import simgsm.ui.Newest;
+import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
+import simgsm.ui.WindowIcon;
 import simgsm.ui.WindowKeys;
 import simgsm.ui.WindowPlace;
 
@@ -34,6 +36,7 @@ public final class MonitorWindow {
     private static void show(
             MonitorPanel panel, Operator operator, Texts texts, Locale language, Optional<WindowPlace> place) {
         JFrame frame = new JFrame(texts.of("window.title"));
+        frame.setIconImages(WindowIcon.images(Symbol.BROADCAST));
         frame.setContentPane(panel);
         WindowKeys.install(frame.getRootPane(), language);
         Newest<ExchangeSnapshot> newest = new Newest<>(() -> operator.snapshot().orElse(null), snapshot -> {

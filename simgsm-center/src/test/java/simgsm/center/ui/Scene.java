@@ -111,8 +111,8 @@ final class Scene {
                 1,
                 50,
                 List.of(
-                        new ExchangeSnapshot.SubscriberRow(PHONE, true, "001010005550100", "001017500000017"),
                         new ExchangeSnapshot.SubscriberRow(ROBOT, true, "001010005550200", "001017500000025"),
+                        new ExchangeSnapshot.SubscriberRow(PHONE, true, "001010005550100", "001017500000017"),
                         new ExchangeSnapshot.SubscriberRow(ABSENT, false, "001010005550201", "")),
                 calls,
                 List.of(new ExchangeSnapshot.MessageRow(
