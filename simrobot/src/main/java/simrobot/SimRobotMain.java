@@ -16,6 +16,8 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.StationOptions;
 import simrobot.control.ConsoleEvents;
 import simrobot.control.EventPrinter;
 import simrobot.control.PrintedWorld;
@@ -50,6 +52,7 @@ public final class SimRobotMain {
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")
                 .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
+                .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")
                 .value("operators", "N,N,...", "the only numbers that may command; else every subscriber may")
                 .value("on-hangup", "stop|finish", "what becomes of a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
@@ -78,6 +81,7 @@ public final class SimRobotMain {
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         long seed = seed(arguments);
+        StationOptions options = new StationOptions(codec(arguments));
         Simulation simulation = new Simulation(world, seed);
         SimRobot simRobot = new SimRobot(simulation, new InetSocketAddress(center.host(), center.port()), settings);
         simRobot.simulation().setSpeed(speed);
@@ -88,9 +92,15 @@ public final class SimRobotMain {
             // With the number, or the robots of one seed would be one piece of equipment.
             Imei imei =
                     Imei.random(new Random(seed * 31 + name.number().digits().hashCode()));
-            simRobot.add(robot, name.number(), imei);
+            simRobot.add(robot, name.number(), imei, options);
         }
         return simRobot;
+    }
+
+    private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
+        return arguments.choice("codec", "alaw", "gsm").equals("gsm")
+                ? SpeechCodec.Kind.GSM_FULL_RATE
+                : SpeechCodec.Kind.A_LAW;
     }
 
     private static long seed(Arguments arguments) throws UsageException {

@@ -16,6 +16,7 @@ import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationListener;
+import simgsm.station.StationOptions;
 
 /**
  * M2 as a deterministic core: it owns a station and speaks for it. It alerts and connects every call at once, clears it with
@@ -50,14 +51,15 @@ public final class Modem {
     private int idleSamples;
     private int framesSinceHeard;
 
-    public Modem(StationIdentity identity, Sim sim, ModemListener listener) {
-        this(identity, sim, listener, RandomGenerator.getDefault());
+    public Modem(StationIdentity identity, Sim sim, StationOptions options, ModemListener listener) {
+        this(identity, sim, options, listener, RandomGenerator.getDefault());
     }
 
     /** @param random as for {@link MobileStation} */
-    public Modem(StationIdentity identity, Sim sim, ModemListener listener, RandomGenerator random) {
+    public Modem(
+            StationIdentity identity, Sim sim, StationOptions options, ModemListener listener, RandomGenerator random) {
         this.listener = listener;
-        station = new MobileStation(identity, sim, this::speak, new Ears(), random);
+        station = new MobileStation(identity, sim, options, this::speak, new Ears(), random);
     }
 
     /** For the thread that gives it time and a socket. */

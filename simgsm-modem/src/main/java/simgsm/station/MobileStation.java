@@ -29,19 +29,25 @@ public final class MobileStation {
     private volatile StationSnapshot snapshot;
 
     /** A station that is switched on and has no link yet. */
-    public MobileStation(StationIdentity identity, Sim sim, SpeechSource speech, StationListener listener) {
-        this(identity, sim, speech, listener, RandomGenerator.getDefault());
+    public MobileStation(
+            StationIdentity identity, Sim sim, StationOptions options, SpeechSource speech, StationListener listener) {
+        this(identity, sim, options, speech, listener, RandomGenerator.getDefault());
     }
 
     /** @param random gives the first message reference and the speech stream its number */
     public MobileStation(
-            StationIdentity identity, Sim sim, SpeechSource speech, StationListener listener, RandomGenerator random) {
+            StationIdentity identity,
+            Sim sim,
+            StationOptions options,
+            SpeechSource speech,
+            StationListener listener,
+            RandomGenerator random) {
         parts = new StationParts(identity, listener);
         registration = new Registration(parts);
         keepAlive = new KeepAlive(parts, registration::cellFound);
         services = new ServiceRequests(parts, registration);
         mobility = new MobilityMessages(parts, registration, services, sim);
-        this.speech = new SpeechPath(parts, speech, random.nextInt());
+        this.speech = new SpeechPath(parts, options, speech, random.nextInt());
         call = new Call(parts, services, this.speech);
         messages = new ShortMessages(parts, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
@@ -229,6 +235,8 @@ public final class MobileStation {
                 registration.rejectCause(),
                 mobility.networkName(),
                 call.state(),
-                call.peer());
+                call.peer(),
+                speech.codec(),
+                speech.heardCodec());
     }
 }

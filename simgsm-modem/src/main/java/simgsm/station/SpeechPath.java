@@ -2,6 +2,7 @@ package simgsm.station;
 
 import java.lang.System.Logger.Level;
 import java.util.Map;
+import java.util.Optional;
 import simgsm.air.IpaFrame;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RtpPacket;
@@ -20,8 +21,10 @@ final class SpeechPath {
 
     private final StationParts parts;
     private final SpeechSource source;
-    private final SpeechCodec coder = SpeechCodec.Kind.A_LAW.open();
-    /** By payload type; a new one for each call, because a codec may remember. */
+    private final SpeechCodec.Kind codec;
+    /** New for each call, as the decoders are, because a codec may remember. */
+    private SpeechCodec coder;
+    /** By payload type. */
     private Map<Integer, SpeechCodec> decoders = Map.of();
 
     private final long synchronizationSource;
@@ -33,11 +36,23 @@ final class SpeechPath {
     private boolean heard;
     private int expectedSequence;
     private long heardSource;
+    /** Null until the present call's first frame. */
+    private SpeechCodec.Kind heardCodec;
 
-    SpeechPath(StationParts parts, SpeechSource source, int synchronizationSource) {
+    SpeechPath(StationParts parts, StationOptions options, SpeechSource source, int synchronizationSource) {
         this.parts = parts;
+        this.codec = options.codec();
         this.source = source;
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
+    }
+
+    SpeechCodec.Kind codec() {
+        return codec;
+    }
+
+    /** What the far end's newest frame was coded with, in the present call. */
+    Optional<SpeechCodec.Kind> heardCodec() {
+        return Optional.ofNullable(heardCodec);
     }
 
     void setUplink(Uplink newUplink) {
@@ -47,6 +62,7 @@ final class SpeechPath {
     void start() {
         active = true;
         heard = false;
+        coder = codec.open();
         decoders = Map.of(
                 RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
                 RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
@@ -56,6 +72,7 @@ final class SpeechPath {
 
     void stop() {
         active = false;
+        heardCodec = null;
         parts.timers().stop(StationTimer.SPEECH);
     }
 
@@ -81,7 +98,7 @@ final class SpeechPath {
             return;
         }
         RtpPacket packet =
-                new RtpPacket(RtpPacket.A_LAW, sequence, timestamp, synchronizationSource, coder.encode(frame));
+                new RtpPacket(codec.payloadType(), sequence, timestamp, synchronizationSource, coder.encode(frame));
         sequence = sequence + 1 & SEQUENCE_MASK;
         timestamp = timestamp + SpeechCodec.SAMPLES_PER_FRAME & TIMESTAMP_MASK;
         uplink.send(new IpaFrame(IpaFrame.SPEECH, packet.encode()));
@@ -106,7 +123,9 @@ final class SpeechPath {
         for (int i = 0; i < lost; i++) {
             tell(new short[SpeechCodec.SAMPLES_PER_FRAME]);
         }
-        tell(decoders.get(packet.payloadType()).decode(packet.payload()));
+        SpeechCodec decoder = decoders.get(packet.payloadType());
+        heardCodec = decoder.kind();
+        tell(decoder.decode(packet.payload()));
         heard = true;
         heardSource = packet.source();
         expectedSequence = packet.sequence() + 1 & SEQUENCE_MASK;

@@ -3,6 +3,7 @@ package simgsm.station;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.speech.SpeechCodec;
 
 /**
  * A station as others see it, immutable.
@@ -11,6 +12,8 @@ import simgsm.air.RejectCause;
  * @param rejectCause why the network refused registration, if it did
  * @param networkName the operator's name for the display, empty until the network tells it
  * @param peer the other party of the present call, if there is one and its number is known
+ * @param codec of the speech that the station sends
+ * @param heardCodec of the far end's newest speech in the present call, empty until some has come
  */
 public record StationSnapshot(
         boolean powered,
@@ -19,4 +22,6 @@ public record StationSnapshot(
         Optional<RejectCause> rejectCause,
         String networkName,
         CallState callState,
-        Optional<Msisdn> peer) {}
+        Optional<Msisdn> peer,
+        SpeechCodec.Kind codec,
+        Optional<SpeechCodec.Kind> heardCodec) {}

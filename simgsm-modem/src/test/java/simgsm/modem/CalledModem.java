@@ -46,6 +46,7 @@ import simgsm.dtmf.DtmfReceiver;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.station.Uplink;
 
 /** A modem with a network and a caller played for it; time passes in speech frames. */
@@ -57,6 +58,7 @@ final class CalledModem implements Uplink, ModemListener {
     final Modem modem = new Modem(
             StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM modem"),
             Sim.WITHOUT_KEY,
+            StationOptions.STANDARD,
             this,
             new Random(1));
     final List<String> told = new ArrayList<>();

@@ -398,7 +398,7 @@ class CallTest {
     void aLostLinkReleasesTheCallWithCause41() {
         Scene scene = active();
         scene.linkDown();
-        assertEquals(List.of("unregistered", "released 41"), scene.told.lines());
+        assertEquals(List.of("released 41", "unregistered"), scene.told.lines());
         scene.spoken.clear();
         scene.pass(Scene.SECOND);
         assertTrue(scene.spoken.isEmpty());

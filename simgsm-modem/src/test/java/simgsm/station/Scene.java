@@ -60,15 +60,23 @@ final class Scene implements Uplink {
     }
 
     Scene(Sim sim) {
+        this(sim, StationOptions.STANDARD);
+    }
+
+    Scene(Sim sim, StationOptions options) {
         station = new MobileStation(
-                identity, sim, frame -> System.arraycopy(speech, 0, frame, 0, 160), told, new Random(1));
+                identity, sim, options, frame -> System.arraycopy(speech, 0, frame, 0, 160), told, new Random(1));
         told.station = station;
         station.timePassed(now);
     }
 
     /** A station that is registered, its radio connection released, nothing left to read. */
     static Scene registered() {
-        Scene scene = new Scene();
+        return registered(StationOptions.STANDARD);
+    }
+
+    static Scene registered(StationOptions options) {
+        Scene scene = new Scene(Sim.WITHOUT_KEY, options);
         scene.linkUp();
         scene.identify();
         scene.acceptLocationUpdating();

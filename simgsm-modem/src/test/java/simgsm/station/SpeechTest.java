@@ -2,6 +2,7 @@ package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -14,15 +15,23 @@ import simgsm.air.CallControl.Setup;
 import simgsm.air.IpaFrame;
 import simgsm.air.RtpPacket;
 import simgsm.air.TransactionIdentifier;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.DtmfReceiver;
 import simgsm.speech.SpeechCodec;
 
 class SpeechTest {
     private static final byte LOUD = (byte) 0x2a;
 
-    private final Scene scene = Scene.registered();
+    private Scene scene;
 
     @BeforeEach
     void call() {
+        call(StationOptions.STANDARD);
+    }
+
+    private void call(StationOptions options) {
+        scene = Scene.registered(options);
         scene.station.dial(Scene.OTHER);
         scene.acceptService();
         TransactionIdentifier own = scene.expect(Setup.class).transaction();
@@ -133,6 +142,50 @@ class SpeechTest {
         packet[1] = 0;
         scene.frame(IpaFrame.SPEECH, packet);
         assertEquals(1, scene.told.heard.size());
+    }
+
+    @Test
+    void aStationThatSpeaksFullRateSends33OctetsAFrame() throws Exception {
+        call(new StationOptions(SpeechCodec.Kind.GSM_FULL_RATE));
+        DtmfGenerator key = new DtmfGenerator();
+        key.enqueue(DtmfKey.FIVE, 100, 100);
+        StringBuilder heard = new StringBuilder();
+        DtmfReceiver ear = new DtmfReceiver(digit -> heard.append(digit.key().symbol()));
+        SpeechCodec decoder = SpeechCodec.Kind.GSM_FULL_RATE.open();
+        for (int i = 0; i < 10; i++) {
+            key.read(scene.speech);
+            scene.pass(20 * Scene.MILLI);
+        }
+        for (RtpPacket packet : scene.spoken) {
+            assertEquals(RtpPacket.GSM_FULL_RATE, packet.payloadType());
+            assertEquals(33, packet.payload().length);
+            ear.accept(decoder.decode(packet.payload()));
+        }
+        assertEquals("5", heard.toString());
+    }
+
+    @Test
+    void everyFrameIsDecodedByItsOwnPayloadTypeAndTheSnapshotNamesTheNewest() {
+        assertEquals(Optional.empty(), scene.station.snapshot().heardCodec());
+        assertEquals(SpeechCodec.Kind.A_LAW, scene.station.snapshot().codec());
+        byte[] fullRate = SpeechCodec.Kind.GSM_FULL_RATE.open().encode(new short[160]);
+        speak(10, LOUD);
+        assertEquals(
+                Optional.of(SpeechCodec.Kind.A_LAW), scene.station.snapshot().heardCodec());
+        scene.frame(IpaFrame.SPEECH, new RtpPacket(RtpPacket.GSM_FULL_RATE, 11, 0, 77, fullRate).encode());
+        assertEquals(
+                Optional.of(SpeechCodec.Kind.GSM_FULL_RATE),
+                scene.station.snapshot().heardCodec());
+        speak(12, LOUD);
+        assertEquals(3, scene.told.heard.size());
+        assertTrue(!isSilence(0) && !isSilence(2));
+        scene.station.hangUp();
+        assertEquals(Optional.empty(), scene.station.snapshot().heardCodec());
+    }
+
+    @Test
+    void muLawIsNotSpoken() {
+        assertThrows(IllegalArgumentException.class, () -> new StationOptions(SpeechCodec.Kind.MU_LAW));
     }
 
     @Test

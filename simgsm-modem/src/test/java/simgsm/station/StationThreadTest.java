@@ -66,7 +66,8 @@ class StationThreadTest {
         };
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn(number), Imei.random(new Random(1)), "SimGSM phone");
-        return new MobileStation(identity, Sim.WITHOUT_KEY, SpeechSource.SILENCE, listener, new Random(1));
+        return new MobileStation(
+                identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, SpeechSource.SILENCE, listener, new Random(1));
     }
 
     private void expect(String line) throws InterruptedException {

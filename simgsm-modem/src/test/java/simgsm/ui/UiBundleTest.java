@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.text.MessageFormat;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.PropertyResourceBundle;
 import java.util.ResourceBundle;
 import org.junit.jupiter.api.Test;
+import simgsm.speech.SpeechCodec;
 
 /** The shared pieces' texts say the same things in both languages. */
 class UiBundleTest {
@@ -26,6 +28,14 @@ class UiBundleTest {
 
     private static int parameters(String pattern) {
         return new MessageFormat(pattern, Locale.ROOT).getFormatsByArgumentIndex().length;
+    }
+
+    @Test
+    void theCodecIsNamedOnceWhereBothEndsAgreeAndTwiceWhereNot() {
+        Optional<SpeechCodec.Kind> full = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
+        assertEquals("A-law", SpeechText.of(SpeechCodec.Kind.A_LAW, Optional.empty(), Locale.ENGLISH));
+        assertEquals("GSM 06.10", SpeechText.of(SpeechCodec.Kind.GSM_FULL_RATE, full, Locale.ENGLISH));
+        assertEquals("A-law out, GSM 06.10 in", SpeechText.of(SpeechCodec.Kind.A_LAW, full, Locale.ENGLISH));
     }
 
     @Test

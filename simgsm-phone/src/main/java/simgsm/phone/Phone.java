@@ -14,6 +14,7 @@ import simgsm.speech.AudioOutput;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 
 /** A phone at work: handset, station and the thread that owns both. */
@@ -26,10 +27,10 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final Handset handset;
     private final MobileStation station;
 
-    Phone(StationIdentity identity, HandsetListener listener, AudioOutput output) {
+    Phone(StationIdentity identity, StationOptions options, HandsetListener listener, AudioOutput output) {
         this.output = output;
         handset = new Handset(identity.number(), listener, output, InstantSource.system());
-        station = new MobileStation(identity, Sim.WITHOUT_KEY, handset.mouth(), handset.ears());
+        station = new MobileStation(identity, Sim.WITHOUT_KEY, options, handset.mouth(), handset.ears());
         handset.attach(StationSide.of(station));
     }
 

@@ -14,7 +14,9 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.ui.Texts;
 
 /** Starts a phone, with its window or on a console. */
@@ -35,16 +37,18 @@ public final class PhoneMain {
                         "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
                 .value("number", "N", "the phone's own number, 1 to 10 digits (5550100)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
+                .value("codec", "alaw|gsm", "how the phone's speech is coded; it understands both (alaw)")
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
     static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
         StationIdentity identity = identity(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
+        StationOptions options = new StationOptions(codec(arguments));
         Locale language = arguments.language();
         return arguments.has("headless")
-                ? headless(arguments, identity, center, Messages.in(language))
-                : PhoneWindow.run(arguments, identity, address(center), Messages.in(language), language);
+                ? headless(arguments, identity, options, center, Messages.in(language))
+                : PhoneWindow.run(arguments, identity, options, address(center), Messages.in(language), language);
     }
 
     private static StationIdentity identity(Arguments arguments) throws UsageException {
@@ -63,6 +67,12 @@ public final class PhoneMain {
         }
     }
 
+    private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
+        return arguments.choice("codec", "alaw", "gsm").equals("gsm")
+                ? SpeechCodec.Kind.GSM_FULL_RATE
+                : SpeechCodec.Kind.A_LAW;
+    }
+
     static InetSocketAddress address(HostPort center) {
         return new InetSocketAddress(center.host(), center.port());
     }
@@ -71,10 +81,11 @@ public final class PhoneMain {
         return arguments.has("no-sound") ? AudioOutput.SILENT : AudioOutput.open();
     }
 
-    private static int headless(Arguments arguments, StationIdentity identity, HostPort center, Texts texts)
+    private static int headless(
+            Arguments arguments, StationIdentity identity, StationOptions options, HostPort center, Texts texts)
             throws IOException, InterruptedException, UsageException {
         Console console = new Console(Program.standardOutput());
-        Phone phone = new Phone(identity, new EventPrinter(console, texts), AudioOutput.SILENT);
+        Phone phone = new Phone(identity, options, new EventPrinter(console, texts), AudioOutput.SILENT);
         PhoneCommands commands = new PhoneCommands(console, phone);
         Thread lastWill = new Thread(phone::close, "detach");
         Runtime.getRuntime().addShutdownHook(lastWill);

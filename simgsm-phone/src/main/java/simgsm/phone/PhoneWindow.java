@@ -19,6 +19,7 @@ import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.ui.HandsetPanel;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.ui.Appearance;
 import simgsm.ui.Display;
 import simgsm.ui.Newest;
@@ -34,7 +35,12 @@ final class PhoneWindow {
     private PhoneWindow() {}
 
     static int run(
-            Arguments arguments, StationIdentity identity, InetSocketAddress center, Texts texts, Locale language)
+            Arguments arguments,
+            StationIdentity identity,
+            StationOptions options,
+            InetSocketAddress center,
+            Texts texts,
+            Locale language)
             throws UsageException, InterruptedException {
         Appearance appearance = arguments
                 .value("theme", Appearance::parse)
@@ -44,7 +50,7 @@ final class PhoneWindow {
             System.err.println("simgsm-phone: there is no display; use --headless for the console");
             return ExitStatus.UNAVAILABLE;
         }
-        Phone phone = new Phone(identity, new HandsetListener() {}, PhoneMain.sound(arguments));
+        Phone phone = new Phone(identity, options, new HandsetListener() {}, PhoneMain.sound(arguments));
         CountDownLatch closed = new CountDownLatch(1);
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         SwingUtilities.invokeLater(() -> {

@@ -38,6 +38,7 @@ class PhoneMainTest {
                 "--lang=fr | --lang",
                 "--theme=pink | --theme",
                 "--window=left | --window",
+                "--codec=mp3 | --codec",
                 "--seed=x | --seed",
                 "--volume=11 | --volume",
             })
@@ -61,6 +62,7 @@ class PhoneMainTest {
                 "--no-sound",
                 "--seed",
                 "--imei",
+                "--codec",
                 "--end-with-input")) {
             assertTrue(help.contains(option), option);
         }

@@ -18,6 +18,7 @@ import simgsm.modem.Modem;
 import simgsm.modem.ModemListener;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import vericommand.ReplyTone;
 
 /**
@@ -44,11 +45,17 @@ final class ModemLink implements ModemListener, ModemPort {
     private int tonesToLeave;
     private boolean clearWhenSilent;
 
-    ModemLink(StationIdentity identity, Sim sim, Executor stations, Executor simulation, LongSupplier clockNanos) {
+    ModemLink(
+            StationIdentity identity,
+            Sim sim,
+            StationOptions options,
+            Executor stations,
+            Executor simulation,
+            LongSupplier clockNanos) {
         this.stations = stations;
         this.simulation = simulation;
         this.clockNanos = clockNanos;
-        modem = new Modem(identity, sim, this);
+        modem = new Modem(identity, sim, options, this);
     }
 
     /** To be told once, before the modem has a link. */

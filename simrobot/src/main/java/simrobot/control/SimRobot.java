@@ -10,6 +10,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -35,10 +36,10 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /** Gives a robot its modem and its verifier; before the start. */
-    public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei) {
+    public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
         StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM robot");
-        ModemLink link =
-                new ModemLink(identity, Sim.WITHOUT_KEY, stationThread::execute, simulationThread, System::nanoTime);
+        ModemLink link = new ModemLink(
+                identity, Sim.WITHOUT_KEY, options, stationThread::execute, simulationThread, System::nanoTime);
         RobotControl control = new RobotControl(robot, settings, link, System::nanoTime);
         link.serve(control);
         TelephoneRobot added = new TelephoneRobot(number, control, link);

@@ -13,6 +13,7 @@ import simgsm.ui.LinkState;
 import simgsm.ui.Mark;
 import simgsm.ui.Named;
 import simgsm.ui.SignalBars;
+import simgsm.ui.SpeechText;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
@@ -26,18 +27,21 @@ final class ModemPanel extends JPanel {
     private final SignalBars signal;
     private final Lamp call;
     private final Line peer = new Line("modem.peer", Theme::monoStrong, Ink.TEXT);
+    private final Line codec = new Line("modem.codec", Theme::small, Ink.QUIET);
     private final ToneScope scope;
+    private final Locale language;
 
     ModemPanel(Texts texts, Locale language) {
         super(new BorderLayout());
         this.texts = texts;
+        this.language = language;
         setOpaque(false);
         signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
         scope = new ToneScope(language);
         JPanel facts = Arrange.column(
-                6, Arrange.row(10, number, Arrange.spring(), signal), network, call, peer, Arrange.spring());
+                6, Arrange.row(10, number, Arrange.spring(), signal), network, call, peer, codec, Arrange.spring());
         JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
         Card card = new Card(texts.of("modem.title"), content);
         add(card, BorderLayout.CENTER);
@@ -53,6 +57,7 @@ final class ModemPanel extends JPanel {
         signal.show(modem.registered() ? SignalBars.BARS : 0);
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
+        codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
         scope.show(line.heard());
     }
 

@@ -20,6 +20,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.station.StationOptions;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -40,7 +41,8 @@ class RobotConsoleTest {
             simRobot.add(
                     simulation.addRobot("r" + i, new Position(0, i), 0),
                     new Msisdn("555020" + i),
-                    Imei.random(new Random(i)));
+                    Imei.random(new Random(i)),
+                    StationOptions.STANDARD);
         }
         simRobot.simulation().setPaused(true);
         simRobot.simulation().start();

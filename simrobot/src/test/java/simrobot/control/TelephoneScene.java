@@ -35,6 +35,7 @@ import simgsm.dtmf.DtmfReceiver;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.station.Uplink;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -73,7 +74,8 @@ final class TelephoneScene implements Uplink {
     TelephoneScene(String... operators) {
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
-        link = new ModemLink(identity, Sim.WITHOUT_KEY, Runnable::run, Runnable::run, () -> nowNanos);
+        link = new ModemLink(
+                identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, Runnable::run, Runnable::run, () -> nowNanos);
         Settings settings = new Settings(Locale.ENGLISH, Set.of(operators), Settings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);
         control.listen(new ConsoleEvents("robot", event -> lines.add(event.toString())));

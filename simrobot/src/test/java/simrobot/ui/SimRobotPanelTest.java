@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JList;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.speech.SpeechCodec;
 import simgsm.ui.Appearance;
 import simgsm.ui.Chip;
 import simgsm.ui.Keycaps;
@@ -214,6 +216,15 @@ class SimRobotPanelTest {
         assertEquals("Call: in call with", bench.spoken("modem.call"));
         assertEquals("5550100", bench.spoken("modem.peer"));
         assertTrue(bench.spoken("lamp.link").endsWith("in service"), bench.spoken("lamp.link"));
+    }
+
+    @Test
+    void theModemShowsHowSpeechIsCodedEachWay() throws Exception {
+        WindowBench bench = bench(WindowBench.line("robot", true, false, WindowBench.noOrders(), ""));
+        assertEquals("A-law", bench.spoken("modem.codec"));
+        WindowBench mixed = bench(WindowBench.line(
+                "robot", true, true, WindowBench.noOrders(), "", Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
+        assertEquals("A-law out, GSM 06.10 in", mixed.spoken("modem.codec"));
     }
 
     @Test

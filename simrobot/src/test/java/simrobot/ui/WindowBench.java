@@ -13,6 +13,7 @@ import java.util.function.ToIntFunction;
 import javax.swing.AbstractButton;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneTrace;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.CallState;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Named;
@@ -129,6 +130,16 @@ final class WindowBench implements Operator {
 
     static LineSnapshot line(
             String robot, boolean registered, boolean inCall, VeriCommandSnapshot orders, String tones) {
+        return line(robot, registered, inCall, orders, tones, Optional.empty());
+    }
+
+    static LineSnapshot line(
+            String robot,
+            boolean registered,
+            boolean inCall,
+            VeriCommandSnapshot orders,
+            String tones,
+            Optional<SpeechCodec.Kind> heardCodec) {
         StationSnapshot modem = new StationSnapshot(
                 true,
                 registered,
@@ -136,7 +147,9 @@ final class WindowBench implements Operator {
                 Optional.empty(),
                 "SimGSM",
                 inCall ? CallState.ACTIVE : CallState.NULL,
-                inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty());
+                inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
+                SpeechCodec.Kind.A_LAW,
+                heardCodec);
         return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones);
     }
 

@@ -8,6 +8,7 @@ import static simgsm.center.msc.TestMobile.OUR_CALL;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
@@ -118,6 +119,20 @@ class CallTest {
         called.tell(new CallControl.Connect(CALLED_TRANSACTION));
         called.speak(speech(1));
         assertArrayEquals(speech(1), caller.heard.get(0));
+    }
+
+    @Test
+    void everyKindOfSpeechPassesUnaltered() {
+        ActiveCall call = network.activeCall("5550100", "5550200");
+        byte[] octets = new byte[33];
+        new Random(1).nextBytes(octets);
+        byte[] fullRate = new RtpPacket(RtpPacket.GSM_FULL_RATE, 7, 1120, 1, octets).encode();
+        call.caller().speak(fullRate);
+        call.called().speak(speech(1));
+        call.called().speak(fullRate);
+        assertArrayEquals(fullRate, call.called().heard.get(0));
+        assertArrayEquals(speech(1), call.caller().heard.get(0));
+        assertArrayEquals(fullRate, call.caller().heard.get(1));
     }
 
     @Test

@@ -50,7 +50,7 @@ public final class HandsetPanel extends JPanel {
         this.texts = texts;
         this.language = language;
         setLayout(layout);
-        lcd = new Lcd(texts, clock, first);
+        lcd = new Lcd(texts, language, clock, first);
         add(lcd, HandsetLayout.LCD);
         link = Lamp.ofLink(language);
         add(link, HandsetLayout.LINK);

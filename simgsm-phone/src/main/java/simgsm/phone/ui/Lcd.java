@@ -4,6 +4,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
+import java.util.Locale;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
@@ -19,9 +20,9 @@ final class Lcd extends JComponent {
     private HandsetSnapshot phone;
     private int shownMinute = -1;
 
-    Lcd(Texts texts, Clock clock, HandsetSnapshot first) {
+    Lcd(Texts texts, Locale language, Clock clock, HandsetSnapshot first) {
         this.spoken = new LcdSpoken(texts);
-        this.painter = new LcdPainter(texts, clock.getZone());
+        this.painter = new LcdPainter(texts, language, clock.getZone());
         this.clock = clock;
         this.phone = first;
         setName("lcd");

@@ -7,8 +7,10 @@ import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.ToneMeaning;
+import simgsm.station.StationSnapshot;
 import simgsm.ui.Drawing;
 import simgsm.ui.Mark;
+import simgsm.ui.SpeechText;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme.Ink;
@@ -18,16 +20,21 @@ final class LcdHome {
     private static final int KEYED_SHOWN = 25;
     private static final int EARLIER_SHOWN = 5;
 
-    private final Texts texts;
+    private static final double CODEC_SIZE = 11;
+    private static final double CODEC_GAP = 6;
 
-    LcdHome(Texts texts) {
+    private final Texts texts;
+    private final Locale language;
+
+    LcdHome(Texts texts, Locale language) {
         this.texts = texts;
+        this.language = language;
     }
 
     void paint(LcdPen pen, HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
         if (call.phase() != CallPhase.NONE) {
-            call(pen, call);
+            call(pen, phone.station(), call);
         } else if (!phone.typed().isEmpty()) {
             typed(pen, phone.typed());
         } else if (call.ended().isPresent()) {
@@ -84,12 +91,18 @@ final class LcdHome {
         return words.equals(key) ? cause.title() + " (" + cause.code() + ")" : words;
     }
 
-    private void call(LcdPen pen, CallSnapshot call) {
+    private void call(LcdPen pen, StationSnapshot station, CallSnapshot call) {
         String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
         symbolOf(call.phase()).paint(pen.graphics(), 19 * pen.unit(), 48 * pen.unit(), 6 * pen.unit(), Ink.LCD_INK);
         pen.left(phase, pen.sans(13, true), 32, 53, 150);
         if (call.phase() == CallPhase.CONNECTED) {
-            pen.right(time(call.seconds()), pen.mono(14, true), LcdPen.WIDTH - LcdPen.MARGIN, 53);
+            double edge = LcdPen.WIDTH - LcdPen.MARGIN;
+            pen.right(time(call.seconds()), pen.mono(14, true), edge, 53);
+            codec(
+                    pen,
+                    station,
+                    32 + pen.width(pen.sans(13, true), phase),
+                    edge - pen.width(pen.mono(14, true), time(call.seconds())));
         }
         String number = call.number().isEmpty() ? texts.of("lcd.unknown") : call.number();
         pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
@@ -98,6 +111,17 @@ final class LcdHome {
             tone(pen, call.heard(), 146);
         }
         hint(pen, texts.of("lcd.hint.call." + call.phase().name().toLowerCase(Locale.ROOT)));
+    }
+
+    /** How the speech is coded, in the middle of what room there is. */
+    private void codec(LcdPen pen, StationSnapshot station, double from, double to) {
+        String words = SpeechText.of(station.codec(), station.heardCodec(), language);
+        double natural = pen.width(pen.sans(CODEC_SIZE, false), words);
+        double room = to - from - 2 * CODEC_GAP;
+        var font = pen.sans(Math.min(CODEC_SIZE, CODEC_SIZE * room / natural), false);
+        pen.ink(Ink.LCD_QUIET);
+        pen.left(words, font, (from + to - pen.width(font, words)) / 2, 53);
+        pen.ink(Ink.LCD_INK);
     }
 
     private static Mark symbolOf(CallPhase phase) {

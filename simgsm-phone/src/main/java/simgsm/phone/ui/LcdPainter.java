@@ -23,9 +23,9 @@ final class LcdPainter {
     private final LcdMessages messages;
     private final LcdWriting writing;
 
-    LcdPainter(Texts texts, ZoneId zone) {
+    LcdPainter(Texts texts, Locale language, ZoneId zone) {
         this.texts = texts;
-        this.home = new LcdHome(texts);
+        this.home = new LcdHome(texts, language);
         this.messages = new LcdMessages(texts, zone);
         this.writing = new LcdWriting(texts);
     }

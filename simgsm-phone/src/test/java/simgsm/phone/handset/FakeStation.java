@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.CallState;
 import simgsm.station.StationListener;
 import simgsm.station.StationSnapshot;
@@ -13,6 +14,9 @@ import simgsm.station.StationSnapshot;
 public final class FakeStation implements StationSide {
     /** What was asked, in order. */
     public final List<String> asked = new ArrayList<>();
+
+    /** How the far end's speech is coded. */
+    public Optional<SpeechCodec.Kind> heardCodec = Optional.empty();
 
     private boolean powered = true;
     private boolean inCall;
@@ -91,6 +95,14 @@ public final class FakeStation implements StationSide {
     @Override
     public StationSnapshot snapshot() {
         return new StationSnapshot(
-                powered, true, powered, Optional.empty(), "SIMGSM", CallState.NULL, Optional.empty());
+                powered,
+                true,
+                powered,
+                Optional.empty(),
+                "SIMGSM",
+                CallState.NULL,
+                Optional.empty(),
+                SpeechCodec.Kind.A_LAW,
+                heardCodec);
     }
 }

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.ResourceBundle;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
+import simgsm.speech.SpeechCodec;
 import simgsm.ui.Appearance;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
@@ -42,6 +44,7 @@ class LcdScreensTest {
         screens.put("calling", with(bench -> bench.handset.dial(new Msisdn("5550200"))));
         screens.put("ringing", with(bench -> bench.station.ring("5550101")));
         screens.put("connected", Bench.connected());
+        screens.put("connected, full rate comes", fullRate());
         screens.put("menu", with(bench -> bench.tap(PhoneKey.MENU)));
         screens.put("menu, second", with(bench -> bench.tap(PhoneKey.MENU, PhoneKey.DOWN)));
         screens.put("empty inbox", with(bench -> bench.tap(PhoneKey.DOWN)));
@@ -64,6 +67,13 @@ class LcdScreensTest {
         screens.put("note", with(bench -> bench.tap(PhoneKey.STAR, PhoneKey.CALL)));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
+    }
+
+    private static Bench fullRate() {
+        Bench bench = Bench.connected();
+        bench.station.heardCodec = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
+        bench.ears.stateChanged(bench.station.snapshot());
+        return bench;
     }
 
     private static void messages(Bench bench) {
@@ -119,8 +129,8 @@ class LcdScreensTest {
                     .getAccessibleName();
             seen.put(spoken, name);
         });
-        // The list says what its selected message says; a message scrolled is the same message.
-        assertEquals(screens().size() - 2, seen.size());
+        // The list says what its selected message says; a message scrolled is the same message; a codec is not spoken.
+        assertEquals(screens().size() - 3, seen.size());
     }
 
     @ParameterizedTest
