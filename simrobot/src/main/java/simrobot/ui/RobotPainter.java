@@ -231,13 +231,6 @@ final class RobotPainter {
         g.fill(nose);
     }
 
-    /** Body and heading mark alone, in metres about the centre of rotation. */
-    static void emblem(Graphics2D g, Ink ink) {
-        g.setColor(ink.color());
-        g.fill(BODY);
-        nose(g);
-    }
-
     /** The status as a shape beside the robot, and its name where there are several; both upright. */
     void badge(RobotSnapshot robot, boolean named) {
         double x = view.screenX(robot.xMeters());
