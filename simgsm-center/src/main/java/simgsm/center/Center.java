@@ -15,6 +15,7 @@ import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smsc.MemoryStore;
+import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 
 /** A running centre: its data directory, its port, its thread. */
@@ -70,8 +71,13 @@ final class Center implements AutoCloseable {
     void start(long seed, ExchangeListener listener) {
         MemoryStore store =
                 new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
-        loop.start(new Exchange(
-                new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now()), store, listener));
+        ExchangeSettings settings = new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now());
+        loop.start(new Exchange(settings, store, listener), Center::giveUp);
+    }
+
+    /** A centre that serves nobody must not look alive. Not on the loop's own thread, whose end the exit waits for. */
+    private static void giveUp() {
+        new Thread(() -> System.exit(ExitStatus.FAILED), "give up").start();
     }
 
     /** Has the exchange asked something by its own thread, and waits for the answer or its exception. */

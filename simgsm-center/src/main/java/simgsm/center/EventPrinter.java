@@ -1,5 +1,6 @@
 package simgsm.center;
 
+import java.lang.System.Logger.Level;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import simgsm.center.msc.ExchangeEvent;
@@ -13,8 +14,13 @@ final class EventPrinter implements ExchangeListener, AutoCloseable {
     /** How long the last lines may take at the program's end. */
     private static final long DRAIN_MILLIS = 2_000;
 
+    /** Beyond this, a reader who has stopped reading loses events. The longest list is shorter. */
+    private static final int MAX_UNPRINTED = 1_000_000;
+
+    private static final System.Logger LOG = System.getLogger(EventPrinter.class.getName());
+
     private final Console console;
-    private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
     private final Thread thread = new Thread(this::run, "events");
 
     EventPrinter(Console console) {
@@ -24,7 +30,9 @@ final class EventPrinter implements ExchangeListener, AutoCloseable {
     }
 
     void print(Event event) {
-        queue.add(event);
+        if (!queue.offer(event)) {
+            LOG.log(Level.DEBUG, "nobody reads our output; lost: {0}", event);
+        }
     }
 
     @Override
@@ -45,7 +53,7 @@ final class EventPrinter implements ExchangeListener, AutoCloseable {
     /** Prints what is left. */
     @Override
     public void close() {
-        queue.add(END);
+        queue.offer(END);
         try {
             thread.join(DRAIN_MILLIS);
         } catch (InterruptedException e) {

@@ -44,6 +44,7 @@ public final class CenterLoop implements AutoCloseable {
     private final Connection.Host host = new Host();
     private final Thread thread = new Thread(this::run, "centre");
     private Exchange exchange;
+    private Runnable onFailure = () -> {};
     private final View view = new View();
     private int connections;
     private long acceptAgainNanos = Long.MAX_VALUE;
@@ -102,9 +103,14 @@ public final class CenterLoop implements AutoCloseable {
         return server.socket().getLocalPort();
     }
 
-    /** Gives the loop its exchange and begins. */
-    public void start(Exchange owned) {
+    /**
+     * Gives the loop its exchange and begins.
+     *
+     * @param failed done when the thread has ended without being told to: the centre serves nobody any more
+     */
+    public void start(Exchange owned, Runnable failed) {
         exchange = owned;
+        onFailure = failed;
         thread.start();
     }
 
@@ -138,6 +144,9 @@ public final class CenterLoop implements AutoCloseable {
             LOG.log(Level.ERROR, "the selector has failed: {0}", e.getMessage());
         } finally {
             shutAll();
+            if (!isClosing) {
+                onFailure.run();
+            }
         }
     }
 

@@ -14,6 +14,7 @@ import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
 import simgsm.center.timer.Timers;
+import simgsm.sms.SubmitTpdu;
 
 /** Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. */
 public final class ShortMessageCenter {
@@ -33,6 +34,7 @@ public final class ShortMessageCenter {
     private final MessageListener listener;
     private final Map<Msisdn, ReceiverQueue> queues = new LinkedHashMap<>();
     private final Map<Long, Submission> submissions = new HashMap<>();
+    private final RecentSubmissions recent = new RecentSubmissions();
     private int waitingCount;
     private long nextId = 1;
     private long nextTicket = 1;
@@ -63,10 +65,29 @@ public final class ShortMessageCenter {
             answer.accept(Optional.of(RpCause.ofCode(violation.statusCause().code())));
             return;
         }
-        if (!hasRoomFor(message.to())) {
+        SubmitTpdu unit = TransferUnits.submitOf(message);
+        Optional<Long> original = recent.original(from, message.to(), unit, timers.nowNanos());
+        if (original.isPresent()) {
+            answerAs(original.get(), answer);
+        } else if (hasRoomFor(message.to())) {
+            recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
+            commit(message, answer);
+        } else {
             answer.accept(Optional.of(RpCause.CONGESTION));
-            return;
         }
+    }
+
+    /** A repeated submission: stored already, or answered together with the first one. */
+    private void answerAs(long ticket, Consumer<Optional<RpCause>> answer) {
+        Submission pending = submissions.get(ticket);
+        if (pending == null) {
+            answer.accept(Optional.empty());
+        } else {
+            submissions.put(ticket, new Submission(pending.message, pending.answer.andThen(answer)));
+        }
+    }
+
+    private void commit(ShortMessage message, Consumer<Optional<RpCause>> answer) {
         nextId++;
         long ticket = nextTicket++;
         submissions.put(ticket, new Submission(message, answer));
@@ -90,6 +111,8 @@ public final class ShortMessageCenter {
             listener.changed(submission.message, MessageState.ACCEPTED);
             enqueue(new Envelope.Delivery(submission.message));
         } else {
+            ShortMessage lost = submission.message;
+            recent.forget(lost.from(), lost.to(), TransferUnits.submitOf(lost));
             submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
             listener.changed(submission.message, MessageState.REJECTED);
         }

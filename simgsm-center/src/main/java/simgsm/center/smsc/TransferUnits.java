@@ -46,7 +46,7 @@ final class TransferUnits {
     }
 
     /** The SUBMIT of a message that was accepted, and so can be read. */
-    private static SubmitTpdu submitOf(ShortMessage message) {
+    static SubmitTpdu submitOf(ShortMessage message) {
         try {
             return decode(message.submit());
         } catch (ProtocolViolation impossible) {

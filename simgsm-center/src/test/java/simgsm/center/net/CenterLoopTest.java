@@ -1,6 +1,7 @@
 package simgsm.center.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -36,13 +37,16 @@ class CenterLoopTest {
 
     private final BlockingQueue<ExchangeEvent> events = new LinkedBlockingQueue<>();
     private CenterLoop loop;
+    private volatile boolean failed;
 
     @BeforeEach
     void open() throws IOException {
         loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
         MemoryStore store =
                 new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
-        loop.start(new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, events::add));
+        loop.start(
+                new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, events::add),
+                () -> failed = true);
     }
 
     @AfterEach
@@ -173,6 +177,7 @@ class CenterLoopTest {
             client.awaitEnd();
         }
         loop.close();
+        assertFalse(failed, "it was told to");
     }
 
     @Test

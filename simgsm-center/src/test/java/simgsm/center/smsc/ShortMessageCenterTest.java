@@ -167,6 +167,60 @@ class ShortMessageCenterTest {
         assertEquals(0, timers.size());
     }
 
+    private static OctetString repeated(int reference, String text) {
+        return TpduCodec.encode(new SubmitTpdu(
+                true, false, false, reference, SmsAddress.of(RECEIVER), 0, Optional.empty(), UserData.of(text)));
+    }
+
+    @Test
+    void aRepetitionOfAStoredMessageIsAcknowledgedAndNotStoredAgain() {
+        submit("** #**20 **");
+        center.submit(SENDER, repeated(1, "** #**20 **"), answers::add);
+        assertEquals(List.of(Optional.empty(), Optional.empty()), answers);
+        assertTrue(tickets.isEmpty());
+        assertEquals(1, center.waitingCount());
+    }
+
+    @Test
+    void aRepetitionIsKnownEvenAfterTheMessageWasDelivered() {
+        reachable.add(RECEIVER);
+        submit("** #**20 **");
+        end(DeliveryOutcome.DELIVERED);
+        center.submit(SENDER, repeated(1, "** #**20 **"), answers::add);
+        assertEquals(1, delivered.size(), "a robot must not drive an order twice");
+    }
+
+    @Test
+    void aRepetitionOfAMessageStillBeingStoredWaitsForTheStore() {
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        assertEquals(1, tickets.size());
+        assertTrue(answers.isEmpty());
+        center.committed(tickets.get(0), true);
+        assertEquals(List.of(Optional.empty(), Optional.empty()), answers);
+    }
+
+    @Test
+    void aRepetitionOfAMessageThatWasNotStoredIsStored() {
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
+        center.committed(tickets.remove(0), false);
+        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        assertEquals(1, tickets.size());
+    }
+
+    @Test
+    void whatOnlyLooksLikeARepetitionIsStored() {
+        submit("hello");
+        submit("hello");
+        center.submit(SENDER, repeated(2, "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hullo"), answers::add);
+        center.submit(RECEIVER, repeated(1, "hello"), answers::add);
+        assertEquals(3, tickets.size(), "another reference, another text, another sender");
+        timers.advance(RecentSubmissions.REMEMBERED_NANOS + 1);
+        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        assertEquals(4, tickets.size(), "too long ago");
+    }
+
     @Test
     void aMessageToLettersIsRefusedWithCause1() {
         center.submit(SENDER, submit(SmsAddress.ofLetters("Nobody"), "hello"), answers::add);

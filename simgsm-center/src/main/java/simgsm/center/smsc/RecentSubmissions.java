@@ -1,0 +1,53 @@
+package simgsm.center.smsc;
+
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.UserData;
+
+/**
+ * What has lately been handed in, so that a sender who lost the acknowledgement may send again without the message
+ * arriving twice (TP-RD of TS 23.040, 9.2.3.25). The standard asks this only for messages still held; but a robot must
+ * not drive an order twice because the first copy was delivered too fast.
+ */
+final class RecentSubmissions {
+    static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
+    static final int MAX_REMEMBERED = 20_000;
+
+    private record Key(Msisdn from, Msisdn to, int reference, UserData userData) {}
+
+    private record Remembered(long ticket, long submittedNanos) {}
+
+    private final Map<Key, Remembered> recent = new LinkedHashMap<>() {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Key, Remembered> eldest) {
+            return size() > MAX_REMEMBERED;
+        }
+    };
+
+    /** The ticket of the submission that this one repeats, if it says that it may be a repetition and is one. */
+    Optional<Long> original(Msisdn from, Msisdn to, SubmitTpdu submit, long nowNanos) {
+        Remembered found = submit.rejectDuplicates() ? recent.get(key(from, to, submit)) : null;
+        return found == null || nowNanos - found.submittedNanos > REMEMBERED_NANOS
+                ? Optional.empty()
+                : Optional.of(found.ticket);
+    }
+
+    void remember(Msisdn from, Msisdn to, SubmitTpdu submit, long ticket, long nowNanos) {
+        Key key = key(from, to, submit);
+        recent.remove(key);
+        recent.put(key, new Remembered(ticket, nowNanos));
+    }
+
+    /** The submission came to nothing; a repetition is welcome. */
+    void forget(Msisdn from, Msisdn to, SubmitTpdu submit) {
+        recent.remove(key(from, to, submit));
+    }
+
+    private static Key key(Msisdn from, Msisdn to, SubmitTpdu submit) {
+        return new Key(from, to, submit.reference(), submit.userData());
+    }
+}
