@@ -45,7 +45,7 @@ class LayeringTest {
             Map.entry(
                     "simgsm.modem.tools",
                     Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.speech", "simgsm.console")),
-            Map.entry("simgsm.ui", Set.of("simgsm.dtmf", "simgsm.speech")));
+            Map.entry("simgsm.ui", Set.of("simgsm.console", "simgsm.dtmf", "simgsm.speech")));
 
     @Test
     void sharedPackagesUseOnlyWhatLiesBelowThem() {

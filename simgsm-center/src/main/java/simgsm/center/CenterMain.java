@@ -1,13 +1,14 @@
 package simgsm.center;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
-import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.ui.Display;
+import simgsm.ui.ProgramWindow;
 
 /** Starts M3 from the command line. */
 public final class CenterMain {
@@ -35,18 +36,19 @@ public final class CenterMain {
 
     private static int run(Arguments arguments) throws Exception {
         CenterSettings settings = CenterSettings.read(arguments);
-        boolean isHeadless = arguments.has("headless") || !Display.isThere();
+        boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
-            return isHeadless ? HeadlessDemo.run(arguments, settings) : WindowedDemo.run(arguments, settings);
+            return isHeadless || !Display.isThere()
+                    ? HeadlessDemo.run(arguments, settings)
+                    : WindowedDemo.run(arguments, settings);
         }
-        if (isHeadless && !arguments.has("headless")) {
-            System.err.println(
-                    "simgsm-center: " + Messages.in(settings.language()).of("error.noDisplay"));
-            return ExitStatus.UNAVAILABLE;
-        }
+        Optional<ProgramWindow> window =
+                isHeadless ? Optional.empty() : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
         Path data = settings.data().orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
         try (Center center = Center.open(settings, data, settings.port().orElse(CenterSettings.DEFAULT_PORT))) {
-            return isHeadless ? runConsole(center, arguments, settings) : CenterWindow.run(center, arguments, settings);
+            return window.isPresent()
+                    ? CenterWindow.run(center, arguments, settings, null, window.get())
+                    : runConsole(center, arguments, settings);
         }
     }
 

@@ -9,24 +9,14 @@ import java.util.OptionalInt;
 import java.util.Random;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
-import simgsm.ui.Appearance;
-import simgsm.ui.WindowPlace;
 
 /**
  * What the command line says, read whole before anything is begun.
  *
  * @param port empty for the usual one
  * @param data empty for the usual place
- * @param place where the window goes; empty for wherever the desktop likes
  */
-record CenterSettings(
-        InetAddress address,
-        OptionalInt port,
-        Optional<Path> data,
-        long seed,
-        Locale language,
-        Optional<Appearance> appearance,
-        Optional<WindowPlace> place) {
+record CenterSettings(InetAddress address, OptionalInt port, Optional<Path> data, long seed, Locale language) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -37,9 +27,7 @@ record CenterSettings(
                 arguments.has("port") ? OptionalInt.of(port) : OptionalInt.empty(),
                 arguments.path("data"),
                 arguments.integer("seed", new Random().nextLong(), Long.MIN_VALUE, Long.MAX_VALUE),
-                arguments.language(),
-                arguments.value("theme", Appearance::parse),
-                arguments.value("window", WindowPlace::parse));
+                arguments.language());
     }
 
     private static InetAddress address(String text) {

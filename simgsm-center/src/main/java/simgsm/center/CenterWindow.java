@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -13,9 +12,8 @@ import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.ui.Appearance;
+import simgsm.ui.ProgramWindow;
 import simgsm.ui.Theme;
-import simgsm.ui.WindowPlace;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
 final class CenterWindow implements Operator {
@@ -24,58 +22,31 @@ final class CenterWindow implements Operator {
 
     private final Center center;
     private final Arguments arguments;
-    private final CountDownLatch ended = new CountDownLatch(1);
+    private final ProgramWindow window;
     private final AtomicLong nextPhone = new AtomicLong(FIRST_PHONE);
     private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
     private Children children;
 
-    private CenterWindow(Center center, Arguments arguments) {
+    private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
         this.center = center;
         this.arguments = arguments;
-    }
-
-    /** Opens the window and returns when it is closed. */
-    static int run(Center center, Arguments arguments, CenterSettings settings) throws InterruptedException {
-        return run(center, arguments, settings, null, settings.place().orElse(null));
+        this.window = window;
     }
 
     /**
+     * Shows the window and returns when it is closed.
+     *
      * @param children running children that end with the window; null for none
-     * @param place where the window goes; null for wherever the desktop likes
      */
-    static int run(Center center, Arguments arguments, CenterSettings settings, Children children, WindowPlace place)
+    static int run(Center center, Arguments arguments, CenterSettings settings, Children children, ProgramWindow window)
             throws InterruptedException {
-        CenterWindow operator = new CenterWindow(center, arguments);
+        CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;
         center.publishSnapshots();
         center.start(settings.seed(), event -> {});
-        MonitorWindow.open(
-                operator,
-                Messages.in(settings.language()),
-                settings.language(),
-                settings.appearance().orElseGet(Appearance::ofSystem),
-                Optional.ofNullable(place));
-        if (arguments.has("end-with-input")) {
-            operator.quitAtEndOfInput();
-        }
-        operator.ended.await();
+        window.show(() -> MonitorWindow.content(operator, Messages.in(settings.language())));
         operator.endChildren();
         return ExitStatus.OK;
-    }
-
-    private void quitAtEndOfInput() {
-        Thread watcher = new Thread(
-                () -> {
-                    try {
-                        System.in.transferTo(java.io.OutputStream.nullOutputStream());
-                    } catch (IOException e) {
-                        // An input that breaks has ended, too.
-                    }
-                    quit();
-                },
-                "end of input");
-        watcher.setDaemon(true);
-        watcher.start();
     }
 
     @Override
@@ -133,6 +104,6 @@ final class CenterWindow implements Operator {
 
     @Override
     public void quit() {
-        ended.countDown();
+        window.close();
     }
 }

@@ -1,16 +1,18 @@
 package simgsm.center;
 
-import java.io.IOException;
 import java.lang.ProcessBuilder.Redirect;
+import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.ui.Display;
+import simgsm.ui.ProgramWindow;
 
 /** The demo with a display: three windows side by side, ready to dial; closing the centre's ends them all. */
 final class WindowedDemo {
     private WindowedDemo() {}
 
-    static int run(Arguments arguments, CenterSettings settings) throws IOException, InterruptedException {
+    static int run(Arguments arguments, CenterSettings settings) throws Exception {
         DemoLayout layout = DemoLayout.of(Display.usableArea());
+        ProgramWindow window = ProgramWindow.of(arguments, Optional.of(layout.center()));
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             programs.startPhone(
                     Redirect.DISCARD,
@@ -22,12 +24,7 @@ final class WindowedDemo {
                     "--end-with-input",
                     "--window",
                     layout.robot().toString());
-            return CenterWindow.run(
-                    programs.center(),
-                    arguments,
-                    settings,
-                    programs.children(),
-                    settings.place().orElse(layout.center()));
+            return CenterWindow.run(programs.center(), arguments, settings, programs.children(), window);
         }
     }
 }

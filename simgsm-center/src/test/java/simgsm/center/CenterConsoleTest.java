@@ -34,13 +34,7 @@ class CenterConsoleTest {
     @BeforeEach
     void open() throws IOException {
         CenterSettings settings = new CenterSettings(
-                InetAddress.getLoopbackAddress(),
-                OptionalInt.empty(),
-                Optional.empty(),
-                1,
-                Locale.ENGLISH,
-                Optional.empty(),
-                Optional.empty());
+                InetAddress.getLoopbackAddress(), OptionalInt.empty(), Optional.empty(), 1, Locale.ENGLISH);
         center = Center.open(settings, temporary, 0);
     }
 

@@ -58,6 +58,9 @@ public final class Program {
         } catch (UsageException e) {
             err.println(name + ": " + e.getMessage() + "; see --help");
             return ExitStatus.USAGE;
+        } catch (UnavailableException e) {
+            err.println(name + ": " + e.getMessage());
+            return ExitStatus.UNAVAILABLE;
         } catch (IOException | UncheckedIOException e) {
             err.println(name + ": " + describe(e));
             return ExitStatus.INPUT_OUTPUT;

@@ -78,10 +78,11 @@ public final class MobileStation {
         speech.setUplink(Uplink.DISCONNECTED);
         keepAlive.linkDown();
         mobility.forgetNetwork();
-        messages.linkLost();
         // A call that the link took with it is released before the loss of service is told.
-        services.linkLost();
+        call.lost();
         registration.linkLost();
+        messages.linkLost();
+        services.linkLost();
         settle();
     }
 

@@ -44,6 +44,9 @@ class MutationTest {
                 } catch (ProtocolViolation violation) {
                     continue;
                 }
+                if (namesNobody(message, example.direction())) {
+                    continue;
+                }
                 byte[] written = Layer3Codec.encode(message, example.direction(), 0);
                 assertEquals(
                         message,
@@ -51,6 +54,13 @@ class MutationTest {
                         () -> OctetString.of(spoilt).toString());
             }
         }
+    }
+
+    /** A call to a number that could not be read: it is understood, but nobody of ours would write it. */
+    private static boolean namesNobody(Layer3Message message, Direction direction) {
+        return direction == Direction.UPLINK
+                && message instanceof CallControl.Setup setup
+                && setup.called().isEmpty();
     }
 
     @Test

@@ -3,20 +3,26 @@ package simgsm.phone;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
+import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
+import simgsm.phone.handset.HandsetListener;
+import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
+import simgsm.ui.ProgramWindow;
 import simgsm.ui.Texts;
 
 /** Starts a phone, with its window or on a console. */
@@ -41,14 +47,14 @@ public final class PhoneMain {
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
-    static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
+    static int run(Arguments arguments) throws Exception {
         StationIdentity identity = identity(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         StationOptions options = new StationOptions(codec(arguments));
         Locale language = arguments.language();
         return arguments.has("headless")
                 ? headless(arguments, identity, options, center, Messages.in(language))
-                : PhoneWindow.run(arguments, identity, options, address(center), Messages.in(language), language);
+                : windowed(arguments, identity, options, center, Messages.in(language));
     }
 
     private static StationIdentity identity(Arguments arguments) throws UsageException {
@@ -79,6 +85,20 @@ public final class PhoneMain {
 
     static AudioOutput sound(Arguments arguments) {
         return arguments.has("no-sound") ? AudioOutput.SILENT : AudioOutput.open();
+    }
+
+    private static int windowed(
+            Arguments arguments, StationIdentity identity, StationOptions options, HostPort center, Texts texts)
+            throws UsageException, UnavailableException, InterruptedException {
+        ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
+        Locale language = arguments.language();
+        Phone phone = new Phone(identity, options, new HandsetListener() {}, sound(arguments));
+        Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
+        phone.start(address(center));
+        window.show(() -> HandsetWindow.content(
+                identity.number().digits(), texts, language, phone.handset()::snapshot, new PhoneControls(phone)));
+        phone.close();
+        return ExitStatus.OK;
     }
 
     private static int headless(

@@ -1,0 +1,45 @@
+package simgsm.phone.ui;
+
+import java.time.Clock;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.Timer;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.ui.Newest;
+import simgsm.ui.ProgramWindow;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.WindowIcon;
+
+/** What "Sim Cellular" has in its window: the handset, kept up to date. */
+public final class HandsetWindow {
+    private static final int SECOND_MILLIS = 1000;
+
+    private HandsetWindow() {}
+
+    /** Made on the event thread. @param number the phone's own, for the title */
+    public static ProgramWindow.Content content(
+            String number,
+            Texts texts,
+            Locale language,
+            Supplier<HandsetSnapshot> snapshots,
+            HandsetControls controls) {
+        HandsetPanel panel = new HandsetPanel(texts, language, Clock.systemDefaultZone(), snapshots.get(), controls);
+        Newest<HandsetSnapshot> newest = new Newest<>(snapshots, panel::show);
+        Timer clock = new Timer(SECOND_MILLIS, event -> panel.lookAtClock());
+        newest.start();
+        clock.start();
+        return new ProgramWindow.Content(
+                texts.of("window.title") + " " + number,
+                WindowIcon.images(Symbol.PHONE),
+                panel,
+                Optional.empty(),
+                Optional.empty(),
+                panel::requestFocusInWindow,
+                () -> {
+                    newest.stop();
+                    clock.stop();
+                });
+    }
+}
