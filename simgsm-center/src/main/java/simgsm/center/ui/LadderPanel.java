@@ -32,8 +32,12 @@ import simgsm.ui.Theme.Ink;
 
 /** Who sent which GSM message to whom, live; below, what the chosen message says. */
 final class LadderPanel extends JPanel {
-    private static final Dimension LIST_UNITS = new Dimension(540, 240);
+    private static final Dimension LIST_UNITS = new Dimension(560, 240);
     private static final Dimension DETAIL_UNITS = new Dimension(540, 150);
+
+    private static final int LOW_UNITS = 330;
+    /** Of the width, when the message stands beside the ladder. */
+    private static final double LADDER_SHARE = 0.58;
 
     private final Texts texts;
     private final LadderModel model = new LadderModel();
@@ -82,9 +86,8 @@ final class LadderPanel extends JPanel {
         heading.setText(texts.of("window.ladder"));
         JPanel row = Arrange.row(
                 12,
-                heading,
+                Arrange.growing(heading),
                 who,
-                Arrange.spring(),
                 follow,
                 Named.name(new JButton(clear), "ladder.clear", texts.of("window.ladder.clear")));
         row.setBorder(Theme.padding(0, 0, 8, 0));
@@ -222,16 +225,30 @@ final class LadderPanel extends JPanel {
         if (row != null) {
             String way = row.entry().from() + " → " + row.entry().to();
             title.setText(row.entry().name() + "   " + way + "   " + row.clock());
-            detail.setText(MessageWords.of(row));
+            detail.setText(MessageWords.of(row, isLow() ? MessageWords.NARROW : MessageWords.WIDE));
             detail.setCaretPosition(0);
         }
         if (detailPane.isVisible() != (row != null)) {
             detailPane.setVisible(row != null);
             dress();
-            split.resetToPreferredSizes();
-            split.validate();
-            list.ensureIndexIsVisible(list.getSelectedIndex());
+            placeDetail();
         }
+    }
+
+    private boolean isLow() {
+        return getHeight() > 0 && getHeight() < Theme.px(LOW_UNITS);
+    }
+
+    /** Below the ladder, or beside it where the window is low. */
+    private void placeDetail() {
+        split.setOrientation(isLow() ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT);
+        if (isLow()) {
+            split.setDividerLocation((int) (split.getWidth() * LADDER_SHARE));
+        } else {
+            split.resetToPreferredSizes();
+        }
+        split.validate();
+        list.ensureIndexIsVisible(list.getSelectedIndex());
     }
 
     @Override

@@ -23,7 +23,7 @@ record Lifelines(List<String> names) {
     /** The outer lines stand so far from the columns beside them that their heads find room. */
     private static final int HALF_HEAD_UNITS = 44;
 
-    private static final int LEAST_GAP_UNITS = 96;
+    private static final int LEAST_GAP_UNITS = 72;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
 

@@ -19,13 +19,15 @@ import simgsm.sms.TpduCodec;
 
 /** All that a message says, in lines: its fields, a short message or broadcast page inside, its octets. */
 final class MessageWords {
-    private static final int OCTETS_PER_LINE = 16;
+    static final int WIDE = 16;
+    static final int NARROW = 8;
     private static final int NAME_WIDTH = 22;
     private static final HexFormat HEX = HexFormat.ofDelimiter(" ");
 
     private MessageWords() {}
 
-    static String of(LadderRow row) {
+    /** @param octetsPerLine {@link #WIDE} or {@link #NARROW} */
+    static String of(LadderRow row, int octetsPerLine) {
         StringJoiner lines = new StringJoiner("\n");
         OctetString octets = row.entry().octets();
         if (Protocol.of(row.entry()) == Protocol.COMMON_CHANNEL) {
@@ -35,7 +37,7 @@ final class MessageWords {
             MessageText.tpdu(octets, row.direction()).ifPresent(tpdu -> addTpdu(lines, tpdu, row));
         }
         lines.add("");
-        addOctets(lines, octets.toArray());
+        addOctets(lines, octets.toArray(), octetsPerLine);
         return lines.toString().stripLeading();
     }
 
@@ -95,9 +97,9 @@ final class MessageWords {
         }
     }
 
-    private static void addOctets(StringJoiner lines, byte[] octets) {
-        for (int start = 0; start < octets.length; start += OCTETS_PER_LINE) {
-            int end = Math.min(octets.length, start + OCTETS_PER_LINE);
+    private static void addOctets(StringJoiner lines, byte[] octets, int octetsPerLine) {
+        for (int start = 0; start < octets.length; start += octetsPerLine) {
+            int end = Math.min(octets.length, start + octetsPerLine);
             lines.add(String.format("%04x  %s", start, HEX.formatHex(octets, start, end)));
         }
     }

@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.io.IOException;
 import java.util.Comparator;
@@ -27,10 +28,10 @@ import simgsm.ui.Theme.Ink;
 /** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
 public final class MonitorPanel extends JPanel {
     private static final Dimension SIZE_UNITS = new Dimension(1080, 680);
-    private static final Dimension LEFT_UNITS = new Dimension(440, 400);
-    /** In a narrow window the ladder gives way first: the lists cannot be read in less. */
-    private static final int LEAST_LEFT_UNITS = 290;
-
+    private static final int LISTS_UNITS = 410;
+    private static final int LADDER_UNITS = 570;
+    private static final int LEAST_UNITS = 290;
+    /** Of what room is to spare or to give up. */
     private static final double LEFT_SHARE = 0.3;
 
     private final Texts texts;
@@ -42,6 +43,8 @@ public final class MonitorPanel extends JPanel {
     private final RowsPanel<MessageRow> messages;
     private final LadderPanel ladder;
     private final JTabbedPane tabs = new JTabbedPane();
+    private final JSplitPane split;
+    private double shownZoom;
     private final JLabel notice = new JLabel(" ");
 
     /** @param texts of the centre's bundle; @param operator whom the buttons ask */
@@ -56,7 +59,7 @@ public final class MonitorPanel extends JPanel {
                 .onChoice(row -> ladder.choose(row.number().digits()));
         calls = Tables.calls(texts);
         messages = Tables.messages(texts);
-        JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
@@ -81,10 +84,7 @@ public final class MonitorPanel extends JPanel {
                 Named.name(new JButton(phone), "new.phone", texts.of("window.new.phone.why")),
                 Named.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
                 Arrange.growing(Named.name(notice, "notice", texts.of("window.notice"))));
-        JComponent card = new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
-        card.setMinimumSize(new Dimension(Theme.px(LEAST_LEFT_UNITS), 0));
-        card.setPreferredSize(new Dimension(Theme.px(LEFT_UNITS.width), Theme.px(LEFT_UNITS.height)));
-        return card;
+        return new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
     }
 
     /** The lists come first for the keyboard. */
@@ -120,7 +120,6 @@ public final class MonitorPanel extends JPanel {
             start.run();
             notice.setText(" ");
         } catch (IOException failure) {
-            notice.setForeground(Ink.DANGER.color());
             notice.setText(texts.of("window.new.failed", failure.getMessage()));
             notice.setToolTipText(failure.getMessage());
         }
@@ -135,8 +134,20 @@ public final class MonitorPanel extends JPanel {
     }
 
     private void dress() {
+        notice.setForeground(Ink.DANGER.color());
         setBackground(Ink.SURFACE.color());
         setBorder(Theme.padding(12));
-        setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
+        if (shownZoom != Theme.zoom()) {
+            shownZoom = Theme.zoom();
+            setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
+            measure(split.getLeftComponent(), LISTS_UNITS);
+            measure(split.getRightComponent(), LADDER_UNITS);
+            split.resetToPreferredSizes();
+        }
+    }
+
+    private static void measure(Component half, int widthUnits) {
+        half.setMinimumSize(new Dimension(Theme.px(LEAST_UNITS), 0));
+        half.setPreferredSize(new Dimension(Theme.px(widthUnits), 0));
     }
 }

@@ -20,27 +20,33 @@ import simgsm.ui.Theme.Ink;
  * intermedio), to which telephone (TEL saliente), and the message.
  */
 final class PassingPanel extends JPanel {
+    private static final int ONE_ROW_UNITS = 1100;
+
     private final Texts texts;
     private final JTextField incoming = field();
     private final JTextField intermediate = field();
     private final JTextField outgoing = field();
     private final JTextField message = field();
-    private final String center;
+    private final JLabel firstArrow = new JLabel(Symbol.RIGHT.icon());
+    private final JLabel secondArrow = new JLabel(Symbol.RIGHT.icon());
+    private final JComponent numbers;
+    private final JComponent text;
+    private boolean isOneRow;
 
     PassingPanel(Texts texts, int port) {
         super(new BorderLayout());
         this.texts = texts;
-        center = String.format("%04d %d", LocationArea.TEST.areaCode(), port);
         setOpaque(false);
-        JPanel numbers = Arrange.row(
+        numbers = Arrange.row(
                 12,
                 Arrange.growing(labelled(incoming, "window.tel.incoming")),
-                arrow(),
+                firstArrow,
                 Arrange.growing(labelled(intermediate, "window.tel.intermediate")),
-                arrow(),
+                secondArrow,
                 Arrange.growing(labelled(outgoing, "window.tel.outgoing")));
-        add(Arrange.column(8, numbers, labelled(message, "window.message")), BorderLayout.CENTER);
-        intermediate.setText(center);
+        text = labelled(message, "window.message");
+        arrange(false);
+        set(intermediate, String.format("%04d %d", LocationArea.TEST.areaCode(), port));
         name("tel.incoming", incoming, "window.tel.incoming");
         name("tel.intermediate", intermediate, "window.tel.intermediate");
         name("tel.outgoing", outgoing, "window.tel.outgoing");
@@ -49,7 +55,7 @@ final class PassingPanel extends JPanel {
     }
 
     private static JTextField field() {
-        JTextField field = new JTextField(10);
+        JTextField field = new JTextField(12);
         field.setEditable(false);
         return field;
     }
@@ -65,10 +71,23 @@ final class PassingPanel extends JPanel {
         return Arrange.row(8, label, Arrange.growing(field));
     }
 
-    private static JComponent arrow() {
-        JLabel arrow = new JLabel(Symbol.RIGHT.icon());
-        arrow.setForeground(Ink.QUIET.color());
-        return arrow;
+    private void arrange(boolean oneRow) {
+        isOneRow = oneRow;
+        removeAll();
+        add(
+                oneRow ? Arrange.row(16, numbers, Arrange.growing(text)) : Arrange.column(8, numbers, text),
+                BorderLayout.CENTER);
+        revalidate();
+    }
+
+    /** A window that is wide, and then often low, has everything in one row. */
+    @Override
+    public void doLayout() {
+        boolean hasRoom = getWidth() >= Theme.px(ONE_ROW_UNITS);
+        if (hasRoom != isOneRow) {
+            arrange(hasRoom);
+        }
+        super.doLayout();
     }
 
     void show(ExchangeSnapshot snapshot) {
@@ -106,6 +125,8 @@ final class PassingPanel extends JPanel {
     }
 
     private void dress() {
+        firstArrow.setForeground(Ink.QUIET.color());
+        secondArrow.setForeground(Ink.QUIET.color());
         for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
             field.setFont(Theme.mono(15, false));
         }

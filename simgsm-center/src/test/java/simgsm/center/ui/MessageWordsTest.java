@@ -20,6 +20,13 @@ class MessageWordsTest {
     }
 
     @Test
+    void aNarrowPlaceHasEightOctetsALine() {
+        String words = MessageWords.of(new LadderRow(1, Scene.setup()), MessageWords.NARROW);
+
+        assertTrue(words.contains("0000  03 05 04 06 60 04 02 00\n0008  05 81"), words);
+    }
+
+    @Test
     void aShortMessageShowsItsTextFirst() {
         String words = words(Scene.submit("** #*#90 **"));
 
@@ -53,6 +60,6 @@ class MessageWordsTest {
     }
 
     private static String words(LadderEntry entry) {
-        return MessageWords.of(new LadderRow(1, entry));
+        return MessageWords.of(new LadderRow(1, entry), MessageWords.WIDE);
     }
 }

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.ResourceBundle;
+import java.util.function.Consumer;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -26,6 +27,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -143,6 +145,25 @@ class MonitorPanelTest {
 
         assertTrue(find("ladder.title", JLabel.class).getText().startsWith("Setup   5550100 → M3"));
         assertTrue(find("ladder.detail", JTextArea.class).getText().contains("called                5550200"));
+    }
+
+    @Test
+    void aWindowThatIsWideAndLowShowsTheMessageBesideTheLadder() {
+        panel.show(Scene.busy());
+        panel.setSize(1300, 420);
+        layOut(panel);
+        JTextField incoming = find("tel.incoming", JTextField.class);
+        JTextField message = find("message", JTextField.class);
+        assertEquals(yOf(incoming), yOf(message));
+
+        find("ladder.list", JList.class).setSelectedIndex(1);
+        layOut(panel);
+
+        assertTrue(yOf(find("ladder.detail", JTextArea.class)) < yOf(find("new.phone", JComponent.class)));
+    }
+
+    private int yOf(JComponent component) {
+        return SwingUtilities.convertPoint(component, 0, 0, panel).y;
     }
 
     @Test
@@ -364,7 +385,7 @@ class MonitorPanelTest {
         button.getAction().actionPerformed(new ActionEvent(button, ActionEvent.ACTION_PERFORMED, name));
     }
 
-    private static void walk(Component component, java.util.function.Consumer<Component> visitor) {
+    private static void walk(Component component, Consumer<Component> visitor) {
         visitor.accept(component);
         if (component instanceof Container container) {
             for (Component child : container.getComponents()) {
