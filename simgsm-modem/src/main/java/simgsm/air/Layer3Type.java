@@ -23,6 +23,7 @@ public enum Layer3Type {
     TMSI_REALLOCATION_COMPLETE(5, 0x1b, Way.UP, TmsiReallocationComplete.class, "TMSI Reallocation Complete"),
     CM_SERVICE_ACCEPT(5, 0x21, Way.DOWN, CmServiceAccept.class, "CM Service Accept"),
     CM_SERVICE_REJECT(5, 0x22, Way.DOWN, CmServiceReject.class, "CM Service Reject"),
+    CM_SERVICE_ABORT(5, 0x23, Way.UP, CmServiceAbort.class, "CM Service Abort"),
     CM_SERVICE_REQUEST(5, 0x24, Way.UP, CmServiceRequest.class, "CM Service Request"),
     MM_STATUS(5, 0x31, Way.BOTH, MmStatus.class, "MM Status"),
     MM_INFORMATION(5, 0x32, Way.DOWN, MmInformation.class, "MM Information"),

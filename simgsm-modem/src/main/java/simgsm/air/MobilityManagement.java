@@ -116,6 +116,9 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record CmServiceReject(RejectCause cause) implements MobilityManagement {}
 
+    /** The mobile no longer wants what it has asked for, and the radio connection neither. */
+    record CmServiceAbort() implements MobilityManagement {}
+
     record ImsiDetachIndication(MobileIdentity identity) implements MobilityManagement {}
 
     record MmStatus(RejectCause cause) implements MobilityManagement {}

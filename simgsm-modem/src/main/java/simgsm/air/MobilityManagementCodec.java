@@ -5,6 +5,7 @@ import simgsm.air.MobilityManagement.AuthenticationFailure;
 import simgsm.air.MobilityManagement.AuthenticationReject;
 import simgsm.air.MobilityManagement.AuthenticationRequest;
 import simgsm.air.MobilityManagement.AuthenticationResponse;
+import simgsm.air.MobilityManagement.CmServiceAbort;
 import simgsm.air.MobilityManagement.CmServiceAccept;
 import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
@@ -135,6 +136,8 @@ final class MobilityManagementCodec {
                 return readCmServiceRequest(in);
             case CM_SERVICE_ACCEPT:
                 return new CmServiceAccept();
+            case CM_SERVICE_ABORT:
+                return new CmServiceAbort();
             case CM_SERVICE_REJECT:
                 return new CmServiceReject(RejectCause.ofCode(in.octet("reject cause")));
             case IMSI_DETACH_INDICATION:

@@ -67,6 +67,7 @@ public final class MobileStation {
         parts.radio().linkUp(uplink);
         speech.setUplink(uplink);
         keepAlive.linkUp(uplink);
+        services.linkUp();
         settle();
     }
 
@@ -191,16 +192,29 @@ public final class MobileStation {
             case T3211 -> registration.t3211Expired();
             case T3220 -> registration.t3220Expired();
             case T3230 -> services.t3230Expired();
-            case T3240 -> parts.radio().release();
+            case T3240 -> leaveIdleChannel();
             case T303 -> call.expired(CallEvent.T303_EXPIRED);
             case T305 -> call.expired(CallEvent.T305_EXPIRED);
             case T308 -> call.t308Expired();
             case T310 -> call.expired(CallEvent.T310_EXPIRED);
             case T313 -> call.expired(CallEvent.T313_EXPIRED);
             case TC1_OUTGOING, TC1_INCOMING, TR1M, MESSAGE_WAIT -> messages.expired(timer);
-            case SPEECH -> speech.frameDue();
+            case SPEECH -> speak();
             case PING -> keepAlive.pingDue();
             case IDENTITY -> keepAlive.identityExpired();
+        }
+    }
+
+    private void leaveIdleChannel() {
+        parts.radio().release();
+        services.channelLeft();
+    }
+
+    /** A call in which nothing comes any more is dead, even if nobody says so. */
+    private void speak() {
+        speech.frameDue();
+        if (speech.isDead()) {
+            call.clear(Cause.TEMPORARY_FAILURE);
         }
     }
 
@@ -218,9 +232,7 @@ public final class MobileStation {
     private void watchIdleChannel() {
         boolean idle = parts.radio().isOpen()
                 && !registration.needsRadio()
-                && services.isIdle()
-                && call.state() == CallState.NULL
-                && !messages.isBusy();
+                && (services.isAborting() || services.isIdle() && call.state() == CallState.NULL && !messages.isBusy());
         if (!idle) {
             parts.timers().stop(StationTimer.T3240);
         } else if (!parts.timers().isRunning(StationTimer.T3240)) {

@@ -7,6 +7,7 @@ import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
+import simgsm.air.MobilityManagement.CmServiceAbort;
 import simgsm.air.MobilityManagement.CmServiceRequest;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.RejectCause;
@@ -37,8 +38,11 @@ final class ServiceRequests {
     /** The request that the network has not answered yet, or null. */
     private ServiceType asked;
 
+    private boolean linkUp;
     private boolean askedInVain;
     private int repeats;
+    /** We have let go of an unanswered request; nothing is asked until the channel is released (TS 24.008, 4.5.1.7). */
+    private boolean aborting;
 
     ServiceRequests(StationParts parts, Registration registration) {
         this.parts = parts;
@@ -59,6 +63,10 @@ final class ServiceRequests {
         serve();
     }
 
+    void linkUp() {
+        linkUp = true;
+    }
+
     /** The user wants no connection any more, or has done with it. */
     void release(ServiceType service) {
         waiting.remove(service);
@@ -66,10 +74,18 @@ final class ServiceRequests {
         if (service == asked) {
             askedInVain = true;
             if (active.isEmpty()) {
-                stopAsking();
-                parts.radio().release();
-                serve();
+                abort();
             }
+        }
+    }
+
+    private void abort() {
+        stopAsking();
+        if (parts.radio().isOpen()) {
+            aborting = true;
+            parts.radio().send(new CmServiceAbort());
+        } else {
+            serve();
         }
     }
 
@@ -92,9 +108,14 @@ final class ServiceRequests {
         return active.isEmpty() && waiting.isEmpty() && asked == null;
     }
 
+    /** Whether nobody uses the channel and the network is to release it, whatever waits for the next. */
+    boolean isAborting() {
+        return aborting;
+    }
+
     /** Sends the next request, if the network may be asked now. */
     void serve() {
-        if (registration.isRegistered() && asked == null && !waiting.isEmpty()) {
+        if (linkUp && registration.isRegistered() && asked == null && !aborting && !waiting.isEmpty()) {
             asked = waiting.poll();
             askedInVain = false;
             parts.timers().start(StationTimer.T3230);
@@ -146,6 +167,7 @@ final class ServiceRequests {
     void channelReleased() {
         ServiceType unanswered = asked;
         boolean wanted = !askedInVain;
+        aborting = false;
         stopAsking();
         loseActive();
         if (unanswered != null && ++repeats <= MOST_REPEATS) {
@@ -157,8 +179,16 @@ final class ServiceRequests {
         serve();
     }
 
+    /** We have left a channel that the network did not release. */
+    void channelLeft() {
+        aborting = false;
+        serve();
+    }
+
     void linkLost() {
         repeats = 0;
+        aborting = false;
+        linkUp = false;
         Set<ServiceType> all = EnumSet.copyOf(users.keySet());
         waiting.clear();
         active.clear();

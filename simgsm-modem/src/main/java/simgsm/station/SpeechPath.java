@@ -16,6 +16,9 @@ final class SpeechPath {
     /** A larger jump of the sequence numbers is a new stream, not a loss: 1 s. */
     private static final int LONGEST_LOSS_FRAMES = 50;
 
+    /** 10 s in frames of our own, so that a pause of the owner does not count; speech comes in silence, too. */
+    static final int LONGEST_SILENCE_FRAMES = 500;
+
     private static final int SEQUENCE_MASK = 0xffff;
     private static final long TIMESTAMP_MASK = 0xffff_ffffL;
 
@@ -36,6 +39,7 @@ final class SpeechPath {
     private boolean heard;
     private int expectedSequence;
     private long heardSource;
+    private int framesSinceHeard;
     /** Null until the present call's first frame. */
     private SpeechCodec.Kind heardCodec;
 
@@ -62,6 +66,7 @@ final class SpeechPath {
     void start() {
         active = true;
         heard = false;
+        framesSinceHeard = 0;
         coder = codec.open();
         decoders = Map.of(
                 RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
@@ -97,11 +102,17 @@ final class SpeechPath {
         if (!active) {
             return;
         }
+        framesSinceHeard++;
         RtpPacket packet =
                 new RtpPacket(codec.payloadType(), sequence, timestamp, synchronizationSource, coder.encode(frame));
         sequence = sequence + 1 & SEQUENCE_MASK;
         timestamp = timestamp + SpeechCodec.SAMPLES_PER_FRAME & TIMESTAMP_MASK;
         uplink.send(new IpaFrame(IpaFrame.SPEECH, packet.encode()));
+    }
+
+    /** Whether the far end has been silent for longer than any call is. */
+    boolean isDead() {
+        return active && framesSinceHeard >= LONGEST_SILENCE_FRAMES;
     }
 
     void arrived(byte[] payload) {
@@ -116,6 +127,7 @@ final class SpeechPath {
     }
 
     private void take(RtpPacket packet) {
+        framesSinceHeard = 0;
         int lost = framesLostBefore(packet);
         if (lost < 0) {
             return;

@@ -23,6 +23,7 @@ import simgsm.air.MobilityManagement.AuthenticationFailure;
 import simgsm.air.MobilityManagement.AuthenticationReject;
 import simgsm.air.MobilityManagement.AuthenticationRequest;
 import simgsm.air.MobilityManagement.AuthenticationResponse;
+import simgsm.air.MobilityManagement.CmServiceAbort;
 import simgsm.air.MobilityManagement.CmServiceAccept;
 import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
@@ -100,6 +101,7 @@ final class Examples {
                     new CmServiceRequest(ServiceType.MOBILE_ORIGINATED_CALL, 7, new Tmsi(0x1234abcd)),
                     "0524710333198105f41234abcd"),
             down(new CmServiceAccept(), "0521"),
+            new Example(new CmServiceAbort(), UP, 1, "0563"),
             down(new CmServiceReject(RejectCause.CONGESTION), "052216"),
             up(new ImsiDetachIndication(new Tmsi(0x1234abcd)), "05013305f41234abcd"),
             up(new MmStatus(RejectCause.MESSAGE_TYPE_NON_EXISTENT), "053161"),

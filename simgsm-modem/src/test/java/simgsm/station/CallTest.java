@@ -20,6 +20,7 @@ import simgsm.air.CallControl.Setup;
 import simgsm.air.CallControl.Status;
 import simgsm.air.CallControl.StatusEnquiry;
 import simgsm.air.Cause;
+import simgsm.air.MobilityManagement.CmServiceAbort;
 import simgsm.air.MobilityManagement.CmServiceAccept;
 import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
@@ -281,13 +282,53 @@ class CallTest {
     }
 
     @Test
-    void hangingUpBeforeTheServiceIsGrantedLeavesTheChannel() {
+    void hangingUpBeforeTheServiceIsGrantedAbortsTheRequest() {
+        Scene scene = hungUpBeforeTheService();
+        assertEquals(List.of("calling 5550200", "released 16"), scene.told.lines());
+        scene.releaseChannel();
+        scene.expectNothing();
+    }
+
+    private static Scene hungUpBeforeTheService() {
         Scene scene = Scene.registered();
         scene.station.dial(Scene.OTHER);
         scene.expectFirst(CmServiceRequest.class);
         scene.station.hangUp();
+        scene.expect(CmServiceAbort.class);
+        return scene;
+    }
+
+    @Test
+    void aGrantThatCrossesTheAbortGrantsNothing() {
+        Scene scene = hungUpBeforeTheService();
+        scene.station.dial(THIRD);
+        scene.down(new CmServiceAccept());
+        scene.expectNothing();
+        scene.releaseChannel();
+        scene.expectFirst(CmServiceRequest.class);
+        scene.down(new CmServiceAccept());
+        assertEquals(Optional.of(THIRD), scene.expect(Setup.class).called());
+    }
+
+    @Test
+    void anAbortThatTheNetworkIgnoresIsOverAfterT3240() {
+        Scene scene = hungUpBeforeTheService();
+        scene.station.dial(THIRD);
+        scene.pass(10 * Scene.SECOND - 1);
+        scene.expectNothing();
+        scene.pass(1);
         scene.expectReleaseIndication();
-        assertEquals(List.of("calling 5550200", "released 16"), scene.told.lines());
+        scene.expectFirst(CmServiceRequest.class);
+    }
+
+    @Test
+    void aLostLinkForgetsTheAbort() {
+        Scene scene = hungUpBeforeTheService();
+        scene.linkDown();
+        scene.linkUp();
+        scene.identify();
+        scene.acceptLocationUpdating();
+        scene.releaseChannel();
         scene.station.dial(THIRD);
         scene.expectFirst(CmServiceRequest.class);
     }

@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.air.CallControl.Connect;
 import simgsm.air.CallControl.ConnectAcknowledge;
+import simgsm.air.CallControl.Disconnect;
 import simgsm.air.CallControl.Setup;
 import simgsm.air.IpaFrame;
 import simgsm.air.RtpPacket;
@@ -181,6 +183,27 @@ class SpeechTest {
         assertTrue(!isSilence(0) && !isSilence(2));
         scene.station.hangUp();
         assertEquals(Optional.empty(), scene.station.snapshot().heardCodec());
+    }
+
+    @Test
+    void aCallInWhichNothingComesFor10SecondsIsReleasedWithCause41() {
+        scene.told.clear();
+        scene.pass(5 * Scene.SECOND);
+        speak(10, LOUD);
+        scene.pass(10 * Scene.SECOND - 20 * Scene.MILLI);
+        assertEquals(List.of(), scene.told.lines());
+        scene.pass(20 * Scene.MILLI);
+        assertEquals(List.of("released 41"), scene.told.lines());
+        scene.expect(Disconnect.class);
+    }
+
+    @Test
+    void aPauseOfTheOwnerIsNoSilence() {
+        scene.told.clear();
+        scene.now += 60 * Scene.SECOND;
+        scene.station.timePassed(scene.now);
+        scene.pass(9 * Scene.SECOND);
+        assertEquals(List.of(), scene.told.lines());
     }
 
     @Test

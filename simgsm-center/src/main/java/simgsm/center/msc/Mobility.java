@@ -57,6 +57,8 @@ final class Mobility {
             updateLocation(link, request);
         } else if (message instanceof MobilityManagement.CmServiceRequest request) {
             serve(link, request);
+        } else if (message instanceof MobilityManagement.CmServiceAbort) {
+            link.radio.takeService();
         } else if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
             detach(link, indication);
         } else if (message instanceof MobilityManagement.MmStatus) {

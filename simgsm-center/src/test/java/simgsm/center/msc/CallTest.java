@@ -504,6 +504,17 @@ class CallTest {
     }
 
     @Test
+    void anAbortedServiceGivesTheChannelBack() {
+        TestMobile caller = network.attach("5550100");
+        caller.requestService(MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL);
+        caller.tell(new MobilityManagement.CmServiceAbort());
+        caller.leaveReleasedChannel();
+        assertTrue(caller.hasNothing());
+        caller.dial("5550100");
+        assertTrue(network.callStates().contains(CallState.INITIATED));
+    }
+
+    @Test
     void twoWhoCallEachOtherAtTheSameMomentAreNotStuck() {
         TestMobile one = network.attach("5550100");
         TestMobile other = network.attach("5550200");
