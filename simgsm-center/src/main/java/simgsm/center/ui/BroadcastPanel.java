@@ -65,8 +65,8 @@ final class BroadcastPanel extends JPanel {
         add(
                 Arrange.column(
                         8,
-                        Arrange.row(8, channelLabel, channel, Arrange.spring()),
-                        Arrange.row(8, textLabel, Arrange.spring(), pages),
+                        Arrange.row(8, channelLabel, channel, Arrange.spring(), pages),
+                        textLabel,
                         Arrange.growing(scroll),
                         Arrange.row(
                                 8,
