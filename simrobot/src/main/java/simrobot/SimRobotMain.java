@@ -2,7 +2,10 @@ package simrobot;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.HashSet;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -18,6 +21,7 @@ import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
+import simgsm.ui.ProgramWindow;
 import simrobot.control.ConsoleEvents;
 import simrobot.control.EventPrinter;
 import simrobot.control.PrintedWorld;
@@ -27,6 +31,7 @@ import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
+import simrobot.ui.SimRobotWindow;
 import simrobot.world.World;
 import vericommand.Settings;
 
@@ -61,18 +66,34 @@ public final class SimRobotMain {
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 
-    private static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
+    private static int run(Arguments arguments) throws Exception {
         Settings settings = settings(arguments);
         World world = WorldFile.read(arguments.path("world"));
         if (arguments.has("print-world")) {
             PrintedWorld.print(world, Program.standardOutput());
             return ExitStatus.OK;
         }
-        SimRobot simRobot = build(arguments, settings, world);
         if (arguments.has("headless")) {
-            return headless(arguments, simRobot);
+            return headless(arguments, build(arguments, settings, world));
         }
-        return RobotWindow.run(arguments, simRobot, WorldFile.find(arguments.path("world")));
+        ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
+        return windowed(
+                window,
+                arguments.language(),
+                build(arguments, settings, world),
+                WorldFile.find(arguments.path("world")));
+    }
+
+    private static int windowed(ProgramWindow window, Locale language, SimRobot built, Path worldFile)
+            throws InterruptedException {
+        try (SimRobot simRobot = built) {
+            Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
+            WindowModel model = new WindowModel(simRobot, worldFile);
+            simRobot.start();
+            window.show(
+                    () -> SimRobotWindow.content("SimRobot " + model.firstNumber(), language, model::snapshot, model));
+        }
+        return ExitStatus.OK;
     }
 
     private static SimRobot build(Arguments arguments, Settings settings, World world) throws UsageException {

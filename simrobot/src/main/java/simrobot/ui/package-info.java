@@ -4,7 +4,7 @@
  * out through {@link simrobot.ui.Operator}; so panels and painters work without a display.
  *
  * <pre>
- *   SimRobotWindow (frame) - SimRobotPanel - WorldView, Inspector, ModemPanel, VeriCommandPanel
+ *   SimRobotWindow - SimRobotPanel - WorldView, Inspector, ModemPanel, VeriCommandPanel
  *                                                |
  *                                  WorldPainter - FloorPainter, RobotPainter
  * </pre>
