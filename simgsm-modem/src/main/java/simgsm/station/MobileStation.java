@@ -67,7 +67,6 @@ public final class MobileStation {
         parts.radio().linkUp(uplink);
         speech.setUplink(uplink);
         keepAlive.linkUp(uplink);
-        services.linkUp();
         settle();
     }
 

@@ -38,7 +38,6 @@ final class ServiceRequests {
     /** The request that the network has not answered yet, or null. */
     private ServiceType asked;
 
-    private boolean linkUp;
     private boolean askedInVain;
     private int repeats;
     /** We have let go of an unanswered request; nothing is asked until the channel is released (TS 24.008, 4.5.1.7). */
@@ -61,10 +60,6 @@ final class ServiceRequests {
             waiting.add(service);
         }
         serve();
-    }
-
-    void linkUp() {
-        linkUp = true;
     }
 
     /** The user wants no connection any more, or has done with it. */
@@ -115,7 +110,7 @@ final class ServiceRequests {
 
     /** Sends the next request, if the network may be asked now. */
     void serve() {
-        if (linkUp && registration.isRegistered() && asked == null && !aborting && !waiting.isEmpty()) {
+        if (registration.isRegistered() && asked == null && !aborting && !waiting.isEmpty()) {
             asked = waiting.poll();
             askedInVain = false;
             parts.timers().start(StationTimer.T3230);
@@ -188,7 +183,6 @@ final class ServiceRequests {
     void linkLost() {
         repeats = 0;
         aborting = false;
-        linkUp = false;
         Set<ServiceType> all = EnumSet.copyOf(users.keySet());
         waiting.clear();
         active.clear();

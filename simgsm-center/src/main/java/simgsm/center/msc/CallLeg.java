@@ -3,6 +3,7 @@ package simgsm.center.msc;
 import java.util.Optional;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.timer.Timer;
@@ -41,6 +42,8 @@ final class CallLeg implements PagedTransaction {
     private boolean releaseRepeated;
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     private Optional<Cause> sentCause = Optional.empty();
+    /** Null until the mobile signals its first key. */
+    private ToneSender tones;
 
     /**
      * @param transaction as the network writes it
@@ -118,13 +121,27 @@ final class CallLeg implements PagedTransaction {
     void receive(CallControl message) {
         if (message instanceof CallControl.StatusEnquiry) {
             sendStatus(Cause.RESPONSE_TO_STATUS_ENQUIRY);
-        } else if (message instanceof CallControl.StartDtmf) {
-            link.send(new CallControl.StartDtmfReject(transaction, Cause.SERVICE_NOT_AVAILABLE));
+        } else if (message instanceof CallControl.StartDtmf start) {
+            tones().start(start.key());
+        } else if (message instanceof CallControl.StopDtmf) {
+            tones().stop();
         } else if (message instanceof CallControl.Status status) {
             receiveStatus(status);
         } else if (!receiveForTable(message)) {
             sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
         }
+    }
+
+    private ToneSender tones() {
+        if (tones == null) {
+            tones = new ToneSender(this, timers);
+        }
+        return tones;
+    }
+
+    /** What the other party is to hear in the place of this speech frame: mostly itself; null if nothing. */
+    IpaFrame audible(IpaFrame speech) {
+        return tones == null ? speech : tones.inPlaceOf(speech);
     }
 
     void sendStatus(Cause why) {
@@ -197,6 +214,9 @@ final class CallLeg implements PagedTransaction {
         if (!before.isClearing()) {
             cause = told;
             sentCause = sent;
+        }
+        if (tones != null && !state.speaks()) {
+            tones.end();
         }
         link.callLegChanged(this);
         row.get().actions().forEach(this::perform);

@@ -150,8 +150,8 @@ final class CallSwitch {
     }
 
     /**
-     * Passes a speech frame on as it is. Nothing is kept and nothing is altered, so the far end sees the speaker's own
-     * numbering and loss.
+     * Passes a speech frame on as it is, unless a signalled key sounds in its place. Nothing is kept and nothing is altered,
+     * so the far end sees the speaker's own numbering and loss.
      */
     void switchSpeech(Link link, IpaFrame frame) {
         CallLeg leg = link.speakingLeg();
@@ -160,7 +160,10 @@ final class CallSwitch {
             speechFramesUnheard++;
         } else {
             speechFramesSwitched++;
-            listening.link().port.send(frame);
+            IpaFrame audible = leg.audible(frame);
+            if (audible != null) {
+                listening.link().port.send(audible);
+            }
             keyTap.passed(leg, frame.payload());
         }
     }

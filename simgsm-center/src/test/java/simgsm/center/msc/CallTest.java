@@ -464,15 +464,6 @@ class CallTest {
     }
 
     @Test
-    void signalledTonesAreRefusedWithCause63() {
-        ActiveCall call = network.activeCall("5550100", "5550200");
-        call.caller().tell(new CallControl.StartDtmf(OUR_CALL, '5'));
-        assertEquals(
-                Cause.SERVICE_NOT_AVAILABLE,
-                call.caller().next(CallControl.StartDtmfReject.class).cause());
-    }
-
-    @Test
     void messagesOfACallThatIsNotThereAreAnsweredWithCause81() {
         ActiveCall call = network.activeCall("5550100", "5550200");
         TransactionIdentifier unknown = new TransactionIdentifier(5, false);
