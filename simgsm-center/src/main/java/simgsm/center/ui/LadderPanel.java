@@ -2,33 +2,26 @@ package simgsm.center.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.JToggleButton;
-import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
-import simgsm.ui.Drawing;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** Who sent which GSM message to whom, live; below, what the chosen message says. */
 final class LadderPanel extends JPanel {
@@ -43,7 +36,7 @@ final class LadderPanel extends JPanel {
     private final LadderModel model = new LadderModel();
     private final LadderCell cell = new LadderCell();
     private final LifelineHeader header = new LifelineHeader();
-    private final LadderList list = new LadderList();
+    private final LadderList list;
     private final JTextArea detail = new JTextArea();
     private final JLabel heading = new JLabel();
     private final JLabel title = new JLabel();
@@ -56,6 +49,7 @@ final class LadderPanel extends JPanel {
     LadderPanel(Texts texts) {
         super(new BorderLayout());
         this.texts = texts;
+        list = new LadderList(model, cell, texts.of("window.ladder.empty"));
         setOpaque(false);
         follow = Named.name(
                 new JToggleButton(new Act("ladder.follow", texts.of("window.ladder.follow"), this::followed)
@@ -95,9 +89,6 @@ final class LadderPanel extends JPanel {
     }
 
     private JScrollPane listPane() {
-        list.setModel(model);
-        list.setCellRenderer(cell);
-        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         Named.name(list, "ladder.list", texts.of("window.ladder.name"));
         JScrollPane pane = new JScrollPane(
                 list,
@@ -266,43 +257,5 @@ final class LadderPanel extends JPanel {
         title.setBorder(Theme.padding(8, 2, 6, 2));
         detail.setFont(Theme.monoSmall());
         list.fit();
-    }
-
-    /** Fills the window's width, or scrolls once the lifelines would stand too close. */
-    private final class LadderList extends JList<LadderRow> {
-        void fit() {
-            Dimension size = cell.getPreferredSize();
-            setFixedCellWidth(size.width);
-            setFixedCellHeight(size.height);
-            setBackground(Ink.CARD.color());
-            revalidate();
-            repaint();
-        }
-
-        @Override
-        public String getToolTipText(MouseEvent event) {
-            int index = locationToIndex(event.getPoint());
-            return index < 0 ? null : getModel().getElementAt(index).toString();
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return getParent() == null || getParent().getWidth() >= getFixedCellWidth();
-        }
-
-        @Override
-        protected void paintComponent(Graphics graphics) {
-            super.paintComponent(graphics);
-            if (getModel().getSize() == 0) {
-                Graphics2D g = Drawing.on(graphics);
-                try {
-                    g.setColor(Ink.QUIET.color());
-                    Drawing.centred(
-                            g, texts.of("window.ladder.empty"), Theme.base(), getWidth() / 2.0, Theme.exact(60));
-                } finally {
-                    g.dispose();
-                }
-            }
-        }
     }
 }
