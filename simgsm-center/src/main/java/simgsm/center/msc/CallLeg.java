@@ -77,9 +77,7 @@ final class CallLeg implements PagedTransaction {
 
     void page() {
         happen(CallEvent.PAGE);
-        if (state == NetworkCallState.MM_CONNECTION_PENDING) {
-            link.paging.request(this);
-        }
+        link.pageForCalls();
     }
 
     void proceed() {

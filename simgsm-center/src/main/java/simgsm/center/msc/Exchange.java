@@ -151,14 +151,14 @@ public final class Exchange {
         }
     }
 
-    /** Releases the channels that nothing needs any more; only links on which something happened are looked at. */
+    /** Lets the links come to rest; only those on which something happened are looked at. */
     private void settle() {
         while (!settlement.isEmpty()) {
             List<Link> touched = new ArrayList<>(settlement);
             settlement.clear();
             for (Link link : touched) {
                 if (!link.isClosed) {
-                    link.radio.releaseIfUnused();
+                    link.settle();
                 }
             }
         }

@@ -37,6 +37,10 @@ final class Paging {
         }
     }
 
+    boolean awaits(PagedTransaction transaction) {
+        return waiting.contains(transaction);
+    }
+
     void cancel(PagedTransaction transaction) {
         waiting.remove(transaction);
         if (waiting.isEmpty()) {
