@@ -29,6 +29,7 @@ final class CallSwitch {
     private final Timers timers;
     private final Consumer<Call> changes;
     private final Set<Call> calls = new LinkedHashSet<>();
+    private final HeldCalls heldCalls;
     private final KeyTap keyTap = new KeyTap();
     private long speechFramesSwitched;
     private long speechFramesUnheard;
@@ -38,6 +39,7 @@ final class CallSwitch {
         this.mobility = mobility;
         this.timers = timers;
         this.changes = changes;
+        this.heldCalls = new HeldCalls(timers);
     }
 
     /** Calls from their SETUP to the first clearing message. */
@@ -112,11 +114,12 @@ final class CallSwitch {
             call.refuse(Cause.SWITCHING_EQUIPMENT_CONGESTION);
         } else {
             call.originating().proceed();
-            reach(call, mobility.locationOf(called.get()));
+            reach(call);
         }
     }
 
-    private void reach(Call call, Optional<Link> called) {
+    private void reach(Call call) {
+        Optional<Link> called = call.to().flatMap(mobility.register()::ofNumber).flatMap(mobility::locationOf);
         if (called.isEmpty()) {
             call.refuse(Cause.DESTINATION_OUT_OF_ORDER);
             return;
@@ -124,6 +127,8 @@ final class CallSwitch {
         Optional<TransactionIdentifier> transaction = freeTransaction(called.get());
         if (called.get().isInCall() || transaction.isEmpty()) {
             call.refuse(Cause.USER_BUSY);
+        } else if (called.get().isClearingCall()) {
+            heldCalls.hold(call, called.get());
         } else {
             call.extend(called.get(), transaction.get(), timers);
         }
@@ -139,10 +144,16 @@ final class CallSwitch {
         return Optional.empty();
     }
 
+    /** Legs may have come free: calls that waited for them go on. */
+    void legsChanged() {
+        heldCalls.release(this::reach);
+    }
+
     /** A call has entered a state; called by the call itself. */
     void changed(Call call) {
         if (call.state() == CallState.RELEASED) {
             calls.remove(call);
+            heldCalls.forget(call);
         } else {
             calls.add(call);
         }

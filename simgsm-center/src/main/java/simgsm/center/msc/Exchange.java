@@ -154,6 +154,7 @@ public final class Exchange {
     /** Lets the links come to rest; only those on which something happened are looked at. */
     private void settle() {
         while (!settlement.isEmpty()) {
+            calls.legsChanged();
             List<Link> touched = new ArrayList<>(settlement);
             settlement.clear();
             for (Link link : touched) {

@@ -186,6 +186,11 @@ public final class Link {
         return callLegs.stream().anyMatch(leg -> !leg.state().isClearing());
     }
 
+    /** Whether a call is over here but for its last messages. */
+    boolean isClearingCall() {
+        return callLegs.stream().anyMatch(leg -> leg.state().isClearing());
+    }
+
     /** Everything that lived on the radio connection, or waited for one, ends. */
     void loseTransactions() {
         List.copyOf(callLegs).forEach(CallLeg::linkLost);
