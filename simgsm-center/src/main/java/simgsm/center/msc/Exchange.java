@@ -58,7 +58,10 @@ public final class Exchange {
                 delivery,
                 (message, state) -> messageChanged(message, state, listener));
         mobility = new Mobility(
-                register, timers, settings.networkName(), new AttachmentEvents(listener, shortMessages::available));
+                register,
+                timers,
+                settings.networkName(),
+                new AttachmentEvents(listener, number -> shortMessages.available(number)));
         delivery.locations(mobility);
         calls = new CallSwitch(mobility, timers, call -> callChanged(call, listener));
         broadcaster = new Broadcaster(mobility, random);

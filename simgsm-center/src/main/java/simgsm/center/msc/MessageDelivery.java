@@ -2,10 +2,11 @@ package simgsm.center.msc;
 
 import java.util.Optional;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.DeliveryPort;
 import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.Envelope;
+import simgsm.center.smsc.Recipient;
 import simgsm.center.subscriber.SubscriberRegister;
 
 /** The short message centre's way to attached mobiles. */
@@ -23,15 +24,18 @@ final class MessageDelivery implements DeliveryPort {
     }
 
     @Override
-    public boolean isReachable(Msisdn receiver) {
-        return linkOf(receiver).isPresent();
+    public boolean isReachable(Recipient receiver) {
+        return receiver instanceof Recipient.Number number
+                && linkOf(number.number()).isPresent();
     }
 
     @Override
-    public void deliver(Msisdn receiver, OctetString tpdu, DeliveryReceipt receipt) {
-        linkOf(receiver)
-                .ifPresentOrElse(
-                        link -> link.shortMessages.deliver(tpdu, receipt), () -> receipt.ended(DeliveryOutcome.ABSENT));
+    public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
+        Optional<Link> link =
+                envelope.receiver() instanceof Recipient.Number number ? linkOf(number.number()) : Optional.empty();
+        link.ifPresentOrElse(
+                there -> there.shortMessages.deliver(envelope.tpdu(moreWaiting), receipt),
+                () -> receipt.ended(DeliveryOutcome.ABSENT));
     }
 
     private Optional<Link> linkOf(Msisdn receiver) {

@@ -1,17 +1,19 @@
 package simgsm.center.smsc;
 
-import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
-
 /** The way from the short message centre to receivers. */
 public interface DeliveryPort {
-    /** Whether an attempt makes sense now. */
-    boolean isReachable(Msisdn receiver);
+    /** Whether an attempt makes sense now. Who says no tells the centre when that changes. */
+    boolean isReachable(Recipient receiver);
+
+    /** How many attempts to one receiver may be under way at a time. */
+    default int window(Recipient receiver) {
+        return 1;
+    }
 
     /**
-     * Begins one attempt; the centre never begins a second one to the same receiver before the first has ended.
+     * Begins one attempt.
      *
-     * @param tpdu DELIVER or STATUS-REPORT
+     * @param moreWaiting whether the receiver may be told that more is to come
      */
-    void deliver(Msisdn receiver, OctetString tpdu, DeliveryReceipt receipt);
+    void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt);
 }

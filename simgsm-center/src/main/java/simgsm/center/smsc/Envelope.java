@@ -1,25 +1,28 @@
 package simgsm.center.smsc;
 
 import java.time.Instant;
-import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 
 /** Something that waits in a receiver's queue. */
-sealed interface Envelope {
+public sealed interface Envelope {
     ShortMessage message();
 
-    Msisdn receiver();
+    Recipient receiver();
 
     Instant expiresAt();
 
-    /** @param moreWaiting whether the receiver is told that more is to come (TP-MMS) */
+    /**
+     * DELIVER or STATUS-REPORT.
+     *
+     * @param moreWaiting whether the receiver is told that more is to come (TP-MMS)
+     */
     OctetString tpdu(boolean moreWaiting);
 
     /** A message on its way to its receiver. */
     record Delivery(ShortMessage message) implements Envelope {
         @Override
-        public Msisdn receiver() {
-            return message.to();
+        public Recipient receiver() {
+            return new Recipient.Number(message.to());
         }
 
         @Override
@@ -36,8 +39,10 @@ sealed interface Envelope {
     /** What became of a message, on its way back to the sender. */
     record Report(ShortMessage message, MessageState state, Instant at, Instant expiresAt) implements Envelope {
         @Override
-        public Msisdn receiver() {
-            return message.from();
+        public Recipient receiver() {
+            return message.esme()
+                    .<Recipient>map(origin -> new Recipient.Esme(origin.systemId()))
+                    .orElseGet(() -> new Recipient.Number(message.from()));
         }
 
         @Override

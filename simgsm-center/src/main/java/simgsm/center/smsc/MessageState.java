@@ -8,5 +8,7 @@ public enum MessageState {
     /** Its validity ended before it could be delivered. */
     EXPIRED,
     /** Refused by the receiver, or by the store. */
-    REJECTED
+    REJECTED,
+    /** Called back by the application that sent it. */
+    DELETED
 }

@@ -1,24 +1,29 @@
 package simgsm.center.smsc;
 
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import simgsm.air.Msisdn;
+import java.util.PriorityQueue;
+import java.util.Queue;
 import simgsm.center.timer.Timer;
 import simgsm.center.timer.Timers;
 
-/** What waits for one receiver, in the order of acceptance; one attempt at a time. */
+/** What waits for one receiver; attempts begin in the order of acceptance, as many at a time as the way takes. */
 final class ReceiverQueue {
     /** When to try again after 1, 2, 3 ... failures; the last holds for all further ones. Minutes. */
     private static final int[] RETRY_MINUTES = {1, 5, 10, 30, 60, 180, 360, 720};
 
-    private final Msisdn receiver;
+    private final Recipient receiver;
     private final Timers timers;
     private final DeliveryPort port;
     private final Ends ends;
     private final Map<Long, Waiting> waiting = new LinkedHashMap<>();
-    private Waiting inFlight;
+    /** What is not being attempted. May hold envelopes that are gone. */
+    private final Queue<Waiting> ready = new PriorityQueue<>(Comparator.comparingLong((Waiting each) -> each.place));
+
+    private int inFlight;
     private boolean isMemoryFull;
     private int failures;
     private Timer retry;
@@ -33,7 +38,10 @@ final class ReceiverQueue {
         final long place;
         final Envelope envelope;
         Timer expiry;
-        boolean isExpired;
+        boolean isInFlight;
+        boolean isGone;
+        /** How it ends if the attempt under way fails. */
+        MessageState lateState;
 
         Waiting(long place, Envelope envelope) {
             this.place = place;
@@ -41,7 +49,7 @@ final class ReceiverQueue {
         }
     }
 
-    ReceiverQueue(Msisdn receiver, Timers timers, DeliveryPort port, Ends ends) {
+    ReceiverQueue(Recipient receiver, Timers timers, DeliveryPort port, Ends ends) {
         this.receiver = receiver;
         this.timers = timers;
         this.port = port;
@@ -71,6 +79,7 @@ final class ReceiverQueue {
     void add(Envelope envelope, long lifetimeNanos) {
         Waiting added = new Waiting(nextPlace++, envelope);
         waiting.put(added.place, added);
+        ready.add(added);
         added.expiry = timers.start(lifetimeNanos, () -> expire(added));
         attempt();
     }
@@ -84,18 +93,31 @@ final class ReceiverQueue {
         attempt();
     }
 
-    private void attempt() {
-        boolean mustWait = inFlight != null || isMemoryFull || retry != null || waiting.isEmpty();
-        if (mustWait || !port.isReachable(receiver)) {
-            return;
+    /** Begins as many attempts as can be made now. */
+    void attempt() {
+        while (!isMemoryFull && retry == null && inFlight < port.window(receiver) && skipGone() && isReachable()) {
+            Waiting first = ready.remove();
+            first.isInFlight = true;
+            inFlight++;
+            port.deliver(first.envelope, waiting.size() > 1, outcome -> ended(first, outcome));
         }
-        Waiting first = waiting.values().iterator().next();
-        inFlight = first;
-        port.deliver(receiver, first.envelope.tpdu(waiting.size() > 1), outcome -> ended(first, outcome));
+    }
+
+    private boolean isReachable() {
+        return port.isReachable(receiver);
+    }
+
+    /** @return whether anything is ready after that */
+    private boolean skipGone() {
+        while (!ready.isEmpty() && ready.peek().isGone) {
+            ready.remove();
+        }
+        return !ready.isEmpty();
     }
 
     private void ended(Waiting attempted, DeliveryOutcome outcome) {
-        inFlight = null;
+        inFlight--;
+        attempted.isInFlight = false;
         switch (outcome) {
             case DELIVERED -> remove(attempted, MessageState.DELIVERED);
             case REFUSED -> remove(attempted, MessageState.REJECTED);
@@ -110,14 +132,19 @@ final class ReceiverQueue {
 
     private void remove(Waiting gone, MessageState state) {
         failures = 0;
+        gone.isGone = true;
         timers.cancel(gone.expiry);
         waiting.remove(gone.place);
         ends.ended(gone.envelope, state);
     }
 
     private void failed(Waiting attempted) {
-        if (attempted.isExpired) {
-            remove(attempted, MessageState.EXPIRED);
+        if (attempted.lateState != null) {
+            remove(attempted, attempted.lateState);
+            return;
+        }
+        ready.add(attempted);
+        if (retry != null) {
             return;
         }
         int minutes = RETRY_MINUTES[Math.min(failures++, RETRY_MINUTES.length - 1)];
@@ -129,9 +156,28 @@ final class ReceiverQueue {
     }
 
     private void expire(Waiting late) {
-        late.isExpired = true;
-        if (late != inFlight) {
-            remove(late, MessageState.EXPIRED);
+        end(late, MessageState.EXPIRED);
+    }
+
+    private void end(Waiting early, MessageState state) {
+        early.lateState = state;
+        if (!early.isInFlight) {
+            remove(early, state);
         }
+    }
+
+    /** @return false if there is no such message here, or if it is just being delivered */
+    boolean cancel(long id) {
+        for (Waiting each : waiting.values()) {
+            if (each.envelope instanceof Envelope.Delivery delivery
+                    && delivery.message().id() == id) {
+                boolean canStill = !each.isInFlight;
+                if (canStill) {
+                    end(each, MessageState.DELETED);
+                }
+                return canStill;
+            }
+        }
+        return false;
     }
 }

@@ -1,5 +1,6 @@
 package simgsm.center.smsc;
 
+import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -9,12 +10,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
 import simgsm.center.timer.Timers;
 import simgsm.sms.SubmitTpdu;
+import simgsm.sms.TpduCodec;
 
 /** Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. */
 public final class ShortMessageCenter {
@@ -23,6 +26,10 @@ public final class ShortMessageCenter {
 
     public static final int MAX_WAITING_PER_RECEIVER = 200_000;
     public static final int MAX_WAITING = 500_000;
+    /** Receipts for one application. */
+    public static final int MAX_WAITING_RECEIPTS = 100_000;
+
+    private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
 
     /** How long a message without a validity period is kept, and every report. */
     private static final Duration DEFAULT_VALIDITY = Duration.ofDays(7);
@@ -32,7 +39,7 @@ public final class ShortMessageCenter {
     private final MessageStore store;
     private final DeliveryPort port;
     private final MessageListener listener;
-    private final Map<Msisdn, ReceiverQueue> queues = new LinkedHashMap<>();
+    private final Map<Recipient, ReceiverQueue> queues = new LinkedHashMap<>();
     private final Map<Long, Submission> submissions = new HashMap<>();
     private final RecentSubmissions recent = new RecentSubmissions();
     private int waitingCount;
@@ -77,6 +84,36 @@ public final class ShortMessageCenter {
         }
     }
 
+    /** The id of the message that is taken next. */
+    public long nextId() {
+        return nextId;
+    }
+
+    /** Takes a message from an application, under {@link #nextId}. */
+    public void submit(
+            EsmeOrigin origin,
+            Msisdn from,
+            Msisdn to,
+            SubmitTpdu submit,
+            Optional<Instant> expiresAt,
+            Consumer<Optional<RpCause>> answer) {
+        if (hasRoomFor(to)) {
+            Instant now = now();
+            commit(
+                    new ShortMessage(
+                            nextId,
+                            from,
+                            to,
+                            TpduCodec.encode(submit),
+                            now,
+                            expiresAt.orElse(now.plus(DEFAULT_VALIDITY)),
+                            Optional.of(origin)),
+                    answer);
+        } else {
+            answer.accept(Optional.of(RpCause.CONGESTION));
+        }
+    }
+
     /** A repeated submission: stored already, or answered together with the first one. */
     private void answerAs(long ticket, Consumer<Optional<RpCause>> answer) {
         Submission pending = submissions.get(ticket);
@@ -95,7 +132,7 @@ public final class ShortMessageCenter {
     }
 
     private boolean hasRoomFor(Msisdn receiver) {
-        ReceiverQueue queue = queues.get(receiver);
+        ReceiverQueue queue = queues.get(new Recipient.Number(receiver));
         return waitingCount + submissions.size() < MAX_WAITING
                 && (queue == null || queue.size() < MAX_WAITING_PER_RECEIVER);
     }
@@ -112,7 +149,9 @@ public final class ShortMessageCenter {
             enqueue(new Envelope.Delivery(submission.message));
         } else {
             ShortMessage lost = submission.message;
-            recent.forget(lost.from(), lost.to(), TransferUnits.submitOf(lost));
+            if (lost.esme().isEmpty()) {
+                recent.forget(lost.from(), lost.to(), TransferUnits.submitOf(lost));
+            }
             submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
             listener.changed(submission.message, MessageState.REJECTED);
         }
@@ -120,10 +159,39 @@ public final class ShortMessageCenter {
 
     /** A receiver has registered, or has memory for messages again. */
     public void available(Msisdn receiver) {
+        available(new Recipient.Number(receiver));
+    }
+
+    /** The same for any receiver. */
+    public void available(Recipient receiver) {
         ReceiverQueue queue = queues.get(receiver);
         if (queue != null) {
             queue.receiverAvailable();
         }
+    }
+
+    /** All receivers of a kind have become available, as when an application comes that serves them. */
+    public void available(Predicate<Recipient> receivers) {
+        List<Recipient> found = queues.keySet().stream().filter(receivers).toList();
+        found.forEach(this::available);
+    }
+
+    /** There is room again on the way to a receiver; nothing else has changed. */
+    public void roomFor(Recipient receiver) {
+        ReceiverQueue queue = queues.get(receiver);
+        if (queue != null) {
+            queue.attempt();
+        }
+    }
+
+    /**
+     * Takes a message back that waits and is not just being delivered.
+     *
+     * @return whether it was so
+     */
+    public boolean cancel(Msisdn receiver, long id) {
+        ReceiverQueue queue = queues.get(new Recipient.Number(receiver));
+        return queue != null && queue.cancel(id);
     }
 
     /** Messages that wait, by receiver and in order; reports are not among them. */
@@ -161,13 +229,24 @@ public final class ShortMessageCenter {
             ShortMessage message = envelope.message();
             store.commit(nextTicket++, new StoreEntry.Ended(message.id(), state, now()));
             listener.changed(message, state);
-            if (TransferUnits.wantsReport(message)) {
-                enqueue(new Envelope.Report(message, state, now(), now().plus(DEFAULT_VALIDITY)));
+            if (TransferUnits.wantsReport(message, state)) {
+                report(new Envelope.Report(message, state, now(), now().plus(DEFAULT_VALIDITY)));
             }
         }
     }
 
-    private Instant now() {
+    /** Reports for somebody who never fetches them must not take the room of messages. */
+    private void report(Envelope.Report report) {
+        ReceiverQueue queue = queues.get(report.receiver());
+        if (report.receiver() instanceof Recipient.Number || queue == null || queue.size() < MAX_WAITING_RECEIPTS) {
+            enqueue(report);
+        } else {
+            LOG.log(Level.DEBUG, "{0}: fetches no receipts, one more is lost", report.receiver());
+        }
+    }
+
+    /** Civil time. */
+    public Instant now() {
         return startedAt.plusNanos(timers.nowNanos());
     }
 }

@@ -11,7 +11,6 @@ import simgsm.air.ProtocolViolation;
 import simgsm.sms.Alphabet;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
-import simgsm.sms.SmsAddress;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.Timestamp;
@@ -54,8 +53,10 @@ final class TransferUnits {
         }
     }
 
-    static boolean wantsReport(ShortMessage message) {
-        return submitOf(message).statusReportRequest();
+    static boolean wantsReport(ShortMessage message, MessageState state) {
+        return message.esme().isPresent()
+                ? message.esme().get().receipts().areWantedFor(state)
+                : submitOf(message).statusReportRequest();
     }
 
     static OctetString deliver(ShortMessage message, boolean moreWaiting) {
@@ -64,7 +65,7 @@ final class TransferUnits {
                 moreWaiting,
                 submit.statusReportRequest(),
                 submit.replyPath(),
-                SmsAddress.of(message.from()),
+                message.sender(),
                 submit.protocolIdentifier(),
                 timestamp(message.acceptedAt()),
                 submit.userData()));
@@ -86,6 +87,7 @@ final class TransferUnits {
             case DELIVERED -> DeliveryStatus.DELIVERED;
             case EXPIRED -> DeliveryStatus.VALIDITY_EXPIRED;
             case REJECTED -> DeliveryStatus.CONNECTION_REJECTED_BY_RECEIVER;
+            case DELETED -> DeliveryStatus.DELETED_BY_ORIGINATOR;
             case ACCEPTED -> throw new IllegalArgumentException("a message under way has no final status");
         };
     }

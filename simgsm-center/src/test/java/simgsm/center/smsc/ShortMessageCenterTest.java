@@ -38,13 +38,13 @@ class ShortMessageCenterTest {
 
     private final DeliveryPort port = new DeliveryPort() {
         @Override
-        public boolean isReachable(Msisdn receiver) {
-            return reachable.contains(receiver);
+        public boolean isReachable(Recipient receiver) {
+            return reachable.contains(((Recipient.Number) receiver).number());
         }
 
         @Override
-        public void deliver(Msisdn receiver, OctetString tpdu, DeliveryReceipt receipt) {
-            delivered.add(tpdu);
+        public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
+            delivered.add(envelope.tpdu(moreWaiting));
             receipts.add(receipt);
         }
     };
