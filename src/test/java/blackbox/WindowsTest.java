@@ -14,8 +14,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** The three real windows on a display, where there is one (CI has a virtual one). */
+@Isolated("one mouse, one keyboard, one screen")
 class WindowsTest {
     @Test
     void keysPressedWithTheMouseMoveTheRobot(@TempDir Path data) throws Exception {

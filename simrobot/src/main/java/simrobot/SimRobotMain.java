@@ -73,15 +73,15 @@ public final class SimRobotMain {
             PrintedWorld.print(world, Program.standardOutput());
             return ExitStatus.OK;
         }
-        if (arguments.has("headless")) {
-            return headless(arguments, build(arguments, settings, world));
-        }
-        ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
-        return windowed(
-                window,
-                arguments.language(),
-                build(arguments, settings, world),
-                WorldFile.find(arguments.path("world")));
+        // Reads the rest of the command line, so before anything is said about a display.
+        SimRobot simRobot = build(arguments, settings, world);
+        return arguments.has("headless")
+                ? headless(arguments, simRobot)
+                : windowed(
+                        ProgramWindow.of(arguments, Optional.empty()),
+                        arguments.language(),
+                        simRobot,
+                        WorldFile.find(arguments.path("world")));
     }
 
     private static int windowed(ProgramWindow window, Locale language, SimRobot built, Path worldFile)
