@@ -35,6 +35,9 @@ public final class Pioneer2Dx {
     /** Between the wheels' middles. */
     public static final double TRACK_METERS = 0.317;
 
+    /** What the wheels' speeds mean for the turn: 2 / DiffConvFactor 0.0056 of ARIA's p2dx.p, tyres slipping included. */
+    public static final double EFFECTIVE_TRACK_METERS = 2 / 0.0056 / 1000;
+
     /** No echo within this distance: the sonar says so. */
     public static final double SONAR_RANGE_METERS = 5;
 

@@ -2,9 +2,9 @@ package simrobot.robot;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.world.Cone;
 import simrobot.world.Contact;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -44,6 +44,10 @@ public final class SimulatedRobot implements Robot {
     private Errand errand;
     private boolean errandHasMoved;
 
+    private final DrivenMotion driven;
+    private final Odometry odometry = new Odometry();
+    private Touch touch = Touch.NONE;
+
     /** A robot that stands there with power and motors on. */
     public SimulatedRobot(String name, Floor floor, double xMeters, double yMeters, double headingRadians) {
         this.name = Objects.requireNonNull(name);
@@ -51,6 +55,7 @@ public final class SimulatedRobot implements Robot {
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
+        driven = new DrivenMotion(this, floor);
     }
 
     public String name() {
@@ -127,6 +132,32 @@ public final class SimulatedRobot implements Robot {
         if (errand != null) {
             errand.brake();
         }
+        driven.drive().stop();
+    }
+
+    /** Stands still at once, without slowing down; an order under way ends as one that was braked. */
+    public void brakeAtOnce() {
+        Errand under = errand;
+        stand();
+        if (under != null) {
+            under.brake();
+            rest(under);
+        } else if (status() == RobotStatus.MOVING) {
+            driven.rest();
+        }
+    }
+
+    /** True while it executes an instruction; its drive is not to be touched then. */
+    public boolean isUnderOrder() {
+        return errand != null;
+    }
+
+    /**
+     * The drive for whoever steers directly: targets set here take effect in the next step, if the robot has motors and
+     * is under no order. Motion shows in the status as any other.
+     */
+    public Drive drive() {
+        return driven.drive();
     }
 
     /** Moves the robot through a step of simulated time. */
@@ -135,7 +166,7 @@ public final class SimulatedRobot implements Robot {
         double beltX = floor.beltVelocityX(x, y) * seconds;
         double beltY = floor.beltVelocityY(x, y) * seconds;
         if (errand == null) {
-            carry(beltX, beltY);
+            driven.step(seconds, beltX, beltY);
         } else if (errand.isForward()) {
             goForward(errand, seconds, beltX, beltY);
         } else {
@@ -148,7 +179,7 @@ public final class SimulatedRobot implements Robot {
     }
 
     /** The belt takes the robot along until something stops it; that is no collision of the robot's own making. */
-    private void carry(double dx, double dy) {
+    void carry(double dx, double dy) {
         if (dx != 0 || dy != 0) {
             advance(dx, dy, floor.sweep(this, dx, dy).contact().fraction());
         }
@@ -164,33 +195,51 @@ public final class SimulatedRobot implements Robot {
         under.isAt(x, y);
         speed = stretch.speed();
         boolean wheelsPush = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
-        if (contact.touches() && wheelsPush) {
-            touch();
-            if (encounter.isRobot()) {
-                encounter.robot().touch();
-            }
+        boolean stopped = contact.touches() && wheelsPush;
+        odometry.roll(stretch.way() * (stopped ? contact.fraction() : 1), 0);
+        if (stopped) {
+            touch(encounter);
+        }
+    }
+
+    void touch(Floor.Encounter encounter) {
+        Touch here = Touch.of(encounter.contact());
+        touch(here);
+        if (encounter.isRobot()) {
+            encounter.robot().touch(here.opposite());
         }
     }
 
     private void turn(Errand under, double seconds, double beltX, double beltY) {
         Trapezoid.Stretch stretch = under.next(turnSpeed, seconds);
         under.hasTurnedBy(stretch.way());
+        odometry.roll(0, -stretch.way());
         heading = stretch.speed() == 0 && under.isAtGoal() ? under.goalHeading() : heading - stretch.way();
         turnSpeed = stretch.speed();
         carry(beltX, beltY);
     }
 
-    private void advance(double dx, double dy, double share) {
+    void advance(double dx, double dy, double share) {
         x += dx * share;
         y += dy * share;
         floor.moved(this);
     }
 
     /** A moving robot that touches something stands still at once. */
-    private void touch() {
+    private void touch(Touch here) {
+        touch = here;
         if (errand != null) {
             finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION);
+        } else if (status() == RobotStatus.MOVING) {
+            stand();
+            change(StatusEvent.TOUCHED);
         }
+    }
+
+    private void stand() {
+        driven.halt();
+        speed = 0;
+        turnSpeed = 0;
     }
 
     private void tellFirstMotion() {
@@ -217,10 +266,13 @@ public final class SimulatedRobot implements Robot {
                 blocked && well == MotionOutcome.Kind.DONE ? MotionOutcome.Kind.COLLISION : well);
     }
 
-    private boolean isWayBlocked() {
+    boolean isWayBlocked() {
         // a gap of exactly the free way, less the gap that contact leaves, counts as free
-        double way = FREE_WAY_METERS - 1e-6;
-        return floor.sweep(this, way * StrictMath.cos(heading), way * StrictMath.sin(heading))
+        return !isWayFree(FREE_WAY_METERS - 1e-6);
+    }
+
+    boolean isWayFree(double way) {
+        return !floor.sweep(this, way * StrictMath.cos(heading), way * StrictMath.sin(heading))
                 .contact()
                 .touches();
     }
@@ -234,12 +286,25 @@ public final class SimulatedRobot implements Robot {
     private Errand takeErrand() {
         Errand taken = errand;
         errand = null;
-        speed = 0;
-        turnSpeed = 0;
+        stand();
         return taken;
     }
 
-    private void change(StatusEvent event) {
+    void turnBy(double radians) {
+        heading += radians;
+    }
+
+    void runsAt(double metersPerSecond, double radiansPerSecond) {
+        speed = metersPerSecond;
+        turnSpeed = 0 - radiansPerSecond;
+    }
+
+    /** Whether what was touched last is still there. */
+    boolean isTouching() {
+        return touch.holds(this, floor);
+    }
+
+    void change(StatusEvent event) {
         RobotStatus status = machine.apply(event);
         statusListeners.forEach(listener -> listener.accept(status));
     }
@@ -248,6 +313,9 @@ public final class SimulatedRobot implements Robot {
     public void halt() {
         if (errand != null) {
             finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.ABORTED);
+        } else if (status() == RobotStatus.MOVING) {
+            stand();
+            change(StatusEvent.MOTION_ENDED);
         }
     }
 
@@ -309,6 +377,16 @@ public final class SimulatedRobot implements Robot {
         return Math.rint(value * 1e9) / 1e9 + 0.0;
     }
 
+    /** Where its wheels say that it is. */
+    public Odometry odometry() {
+        return odometry;
+    }
+
+    /** Where something presses on its body, anticlockwise from ahead, in (-pi, pi]; empty when nothing does. */
+    public OptionalDouble touchBearingRadians() {
+        return isTouching() ? OptionalDouble.of(touch.bearing(heading)) : OptionalDouble.empty();
+    }
+
     /** The way that it has come, for drawing. */
     public Trail trail() {
         return trail;
@@ -318,38 +396,11 @@ public final class SimulatedRobot implements Robot {
 
     /** What the sixteen sonars hear now, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {
-        double[] ranges = new double[SonarRing.COUNT];
-        double cos = StrictMath.cos(heading);
-        double sin = StrictMath.sin(heading);
-        for (int i = 0; i < ranges.length; i++) {
-            double armX = SonarRing.mountX(i) * cos - SonarRing.mountY(i) * sin;
-            double armY = SonarRing.mountX(i) * sin + SonarRing.mountY(i) * cos;
-            ranges[i] = Math.max(Pioneer2Dx.SONAR_LEAST_METERS, sonarRange(i, armX, armY));
-        }
-        return ranges;
-    }
-
-    /**
-     * One sonar whose mouth is at this offset. The rear mouths stick out of the collision circle, so a wall may stand
-     * between the robot and a mouth; the sonar then presses against it and does not look through it.
-     */
-    private double sonarRange(int sonar, double armX, double armY) {
-        double arm = Math.sqrt(armX * armX + armY * armY);
-        if (floor.rayRange(this, x, y, armX / arm, armY / arm, arm) < arm) {
-            return 0;
-        }
-        double direction = heading + SonarRing.directionRadians(sonar);
-        Cone cone = new Cone(x + armX, y + armY, direction, Pioneer2Dx.SONAR_CONE_RADIANS);
-        return floor.coneRange(this, cone, Pioneer2Dx.SONAR_RANGE_METERS);
+        return Sonars.rangesMeters(this, floor);
     }
 
     /** The same in whole millimetres, 100 to 5000. */
     public int[] sonarRangesMillimeters() {
-        double[] meters = sonarRangesMeters();
-        int[] millimeters = new int[meters.length];
-        for (int i = 0; i < meters.length; i++) {
-            millimeters[i] = (int) Math.round(meters[i] * 1000);
-        }
-        return millimeters;
+        return Sonars.rangesMillimeters(this, floor);
     }
 }
