@@ -3,20 +3,18 @@ package simgsm.ui;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A small numbered token with its word: a reply tone, a count. The number stands on the ink, the word beside it. */
-public final class Chip extends JComponent implements Accessible {
+public final class Chip extends SpokenComponent {
     private final String number;
     private final String word;
     private final Ink ink;
 
     /** @param word may be empty, then only the number is shown */
     public Chip(String number, String word, Ink ink) {
+        super(AccessibleRole.LABEL);
         this.number = number;
         this.word = word;
         this.ink = ink;
@@ -85,20 +83,7 @@ public final class Chip extends JComponent implements Accessible {
     }
 
     @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return (number + " " + word).strip();
-                }
-            };
-        }
-        return accessibleContext;
+    protected String spoken() {
+        return (number + " " + word).strip();
     }
 }

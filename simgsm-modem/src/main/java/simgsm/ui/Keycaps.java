@@ -4,14 +4,11 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A run of telephone keys as keycaps, newest at the right; a fault is underlined at its position. */
-public final class Keycaps extends JComponent implements Accessible {
+public final class Keycaps extends SpokenComponent {
     private static final double CAP_UNITS = 22;
     private static final double STEP_UNITS = 25;
     private static final double HEIGHT_UNITS = 34;
@@ -22,6 +19,7 @@ public final class Keycaps extends JComponent implements Accessible {
 
     /** @param subject for assistive technology: "Keys of the order" */
     public Keycaps(String subject) {
+        super(AccessibleRole.LABEL);
         this.subject = subject;
     }
 
@@ -107,20 +105,7 @@ public final class Keycaps extends JComponent implements Accessible {
     }
 
     @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return subject + ": " + keys;
-                }
-            };
-        }
-        return accessibleContext;
+    protected String spoken() {
+        return subject + ": " + keys;
     }
 }

@@ -6,14 +6,11 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
 import java.util.Objects;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
-public final class Lamp extends JComponent implements Accessible {
+public final class Lamp extends SpokenComponent {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
 
@@ -25,6 +22,7 @@ public final class Lamp extends JComponent implements Accessible {
 
     /** @param subject what the lamp tells about, for assistive technology: "Link to the centre" */
     public Lamp(String subject) {
+        super(AccessibleRole.LABEL);
         this.subject = subject;
         setFont(Theme.base());
         setToolTipText(subject);
@@ -33,15 +31,12 @@ public final class Lamp extends JComponent implements Accessible {
     /** Shows a state. A lamp that is not lit shows its shape as an outline of quiet colour. */
     public void show(Mark newMark, Ink newInk, String newWord) {
         if (newMark != mark || newInk != ink || !newWord.equals(word)) {
-            String before = accessibleName();
+            String before = spoken();
             mark = newMark;
             ink = newInk;
             boolean resized = !newWord.equals(word);
             word = Objects.requireNonNull(newWord);
-            if (accessibleContext != null) {
-                accessibleContext.firePropertyChange(
-                        AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, accessibleName());
-            }
+            tellSpoken(before, spoken());
             if (resized) {
                 revalidate();
             }
@@ -79,7 +74,8 @@ public final class Lamp extends JComponent implements Accessible {
         return word;
     }
 
-    private String accessibleName() {
+    @Override
+    protected String spoken() {
         return word.isEmpty() ? subject : subject + ": " + word;
     }
 
@@ -117,23 +113,5 @@ public final class Lamp extends JComponent implements Accessible {
         } finally {
             g.dispose();
         }
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return accessibleName();
-                }
-            };
-        }
-        return accessibleContext;
     }
 }

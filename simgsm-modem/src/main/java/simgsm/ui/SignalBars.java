@@ -4,14 +4,11 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Theme.Ink;
 
 /** Signal strength as bars of growing height; the painter serves the phone's display, too. */
-public final class SignalBars extends JComponent implements Accessible {
+public final class SignalBars extends SpokenComponent {
     public static final int BARS = 5;
 
     private final String subject;
@@ -19,6 +16,7 @@ public final class SignalBars extends JComponent implements Accessible {
 
     /** @param subject for assistive technology: "Signal" */
     public SignalBars(String subject) {
+        super(AccessibleRole.LABEL);
         this.subject = subject;
         setToolTipText(subject);
     }
@@ -29,12 +27,9 @@ public final class SignalBars extends JComponent implements Accessible {
             throw new IllegalArgumentException("signal level " + newLevel + " is not 0 to " + BARS);
         }
         if (newLevel != level) {
-            String before = accessibleName();
+            String before = spoken();
             level = newLevel;
-            if (accessibleContext != null) {
-                accessibleContext.firePropertyChange(
-                        AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, accessibleName());
-            }
+            tellSpoken(before, spoken());
             repaint();
         }
     }
@@ -43,7 +38,8 @@ public final class SignalBars extends JComponent implements Accessible {
         return level;
     }
 
-    private String accessibleName() {
+    @Override
+    protected String spoken() {
         return subject + ": " + level + "/" + BARS;
     }
 
@@ -80,23 +76,5 @@ public final class SignalBars extends JComponent implements Accessible {
             g.setColor(i < level ? on : off);
             Drawing.fillCrisp(g, x + i * step, y + height - tall, step * 0.64, tall);
         }
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return accessibleName();
-                }
-            };
-        }
-        return accessibleContext;
     }
 }

@@ -3,16 +3,16 @@ package simrobot.ui;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Drawing;
+import simgsm.ui.SpokenComponent;
 
 /** A small painted component that asks the theme whenever it paints, and says what it shows. */
-abstract class Painted extends JComponent {
+abstract class Painted extends SpokenComponent {
     private String spoken = "";
 
     Painted(String name) {
+        super(AccessibleRole.LABEL);
         setName(name);
     }
 
@@ -21,9 +21,7 @@ abstract class Painted extends JComponent {
         if (!newSpoken.equals(spoken)) {
             String before = spoken;
             spoken = newSpoken;
-            if (accessibleContext != null) {
-                accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, spoken);
-            }
+            tellSpoken(before, spoken);
             repaint();
         }
     }
@@ -54,20 +52,7 @@ abstract class Painted extends JComponent {
     }
 
     @Override
-    public final AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return spoken;
-                }
-            };
-        }
-        return accessibleContext;
+    protected final String spoken() {
+        return spoken;
     }
 }

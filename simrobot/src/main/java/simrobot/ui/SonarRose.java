@@ -37,10 +37,10 @@ final class SonarRose extends Painted {
             ranges = newRanges;
             repaint();
         }
-        say(spoken());
+        say(nearestInWords());
     }
 
-    private String spoken() {
+    private String nearestInWords() {
         int nearest = nearest();
         return nearest < 0 || ranges[nearest] >= Pioneer2Dx.SONAR_RANGE_METERS
                 ? texts.of("sonar.none")
@@ -79,7 +79,7 @@ final class SonarRose extends Painted {
         }
         robot(g, x, y, radius);
         g.setColor(Ink.QUIET.color());
-        Drawing.centred(g, spoken(), Theme.small(), x, height - caption / 2);
+        Drawing.centred(g, nearestInWords(), Theme.small(), x, height - caption / 2);
     }
 
     private static double reach(double meters, double radius) {

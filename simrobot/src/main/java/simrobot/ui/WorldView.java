@@ -9,10 +9,9 @@ import java.awt.event.ComponentEvent;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.ui.Drawing;
+import simgsm.ui.SpokenComponent;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
@@ -22,7 +21,7 @@ import simrobot.world.Area;
 import simrobot.world.World;
 
 /** The floor with its robots: zoom, pan, follow, and robots that can be dragged and turned. */
-final class WorldView extends JComponent {
+final class WorldView extends SpokenComponent {
     private static final double MARGIN_UNITS = 36;
 
     private final Texts texts;
@@ -39,6 +38,7 @@ final class WorldView extends JComponent {
 
     /** @param selection told when a robot is picked with the mouse */
     WorldView(SimulationSnapshot picture, Texts texts, Operator operator, Consumer<String> selection) {
+        super(AccessibleRole.CANVAS);
         this.picture = picture;
         this.texts = texts;
         this.operator = operator;
@@ -72,9 +72,7 @@ final class WorldView extends JComponent {
             fit();
         }
         follow();
-        if (accessibleContext != null && !spoken.equals(spoken())) {
-            accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, spoken, spoken());
-        }
+        tellSpoken(spoken, spoken());
         if (still) {
             repaint(getWidth() - Theme.px(120), 0, Theme.px(120), Theme.px(40));
         } else {
@@ -250,7 +248,8 @@ final class WorldView extends JComponent {
 
     // ---- accessibility ---------------------------------------------------------------------------------------------
 
-    private String spoken() {
+    @Override
+    protected String spoken() {
         return selectedRobot()
                 .map(robot -> texts.of(
                         "world.spoken",
@@ -260,23 +259,5 @@ final class WorldView extends JComponent {
                         PoseTexts.meters(robot.yMeters()),
                         PoseTexts.degrees(robot.headingRadians())))
                 .orElse(texts.of("world.spoken.empty", picture.world().name()));
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.CANVAS;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return spoken();
-                }
-            };
-        }
-        return accessibleContext;
     }
 }

@@ -3,16 +3,15 @@ package simgsm.center.ui;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import javax.accessibility.Accessible;
-import javax.accessibility.AccessibleContext;
-import javax.swing.JComponent;
+import javax.accessibility.AccessibleRole;
 import simgsm.center.msc.LadderEntry;
 import simgsm.ui.Drawing;
+import simgsm.ui.SpokenComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
 
 /** The heads of the lifelines, above the ladder. */
-final class LifelineHeader extends JComponent implements Accessible {
+final class LifelineHeader extends SpokenComponent {
     private static final double HEIGHT_UNITS = 36;
     private static final double BOX_UNITS = 24;
 
@@ -22,6 +21,10 @@ final class LifelineHeader extends JComponent implements Accessible {
         lifelines = newLifelines;
         revalidate();
         repaint();
+    }
+
+    LifelineHeader() {
+        super(AccessibleRole.CANVAS);
     }
 
     @Override
@@ -63,15 +66,7 @@ final class LifelineHeader extends JComponent implements Accessible {
     }
 
     @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public String getAccessibleName() {
-                    return String.join(", ", lifelines.names());
-                }
-            };
-        }
-        return accessibleContext;
+    protected String spoken() {
+        return String.join(", ", lifelines.names());
     }
 }

@@ -5,15 +5,14 @@ import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
 import java.util.Locale;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.ui.Drawing;
+import simgsm.ui.SpokenComponent;
 import simgsm.ui.Texts;
 
 /** The phone's display. */
-final class Lcd extends JComponent {
+final class Lcd extends SpokenComponent {
     private final LcdPainter painter;
     private final LcdSpoken spoken;
     private final Clock clock;
@@ -21,6 +20,7 @@ final class Lcd extends JComponent {
     private int shownMinute = -1;
 
     Lcd(Texts texts, Locale language, Clock clock, HandsetSnapshot first) {
+        super(AccessibleRole.LABEL);
         this.spoken = new LcdSpoken(texts);
         this.painter = new LcdPainter(texts, language, clock.getZone());
         this.clock = clock;
@@ -40,9 +40,7 @@ final class Lcd extends JComponent {
         phone = snapshot;
         if (!sameLook) {
             String after = spoken();
-            if (accessibleContext != null && !before.equals(after)) {
-                accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, after);
-            }
+            tellSpoken(before, after);
             repaint();
         }
     }
@@ -54,7 +52,8 @@ final class Lcd extends JComponent {
         }
     }
 
-    String spoken() {
+    @Override
+    protected String spoken() {
         return spoken.of(phone);
     }
 
@@ -68,23 +67,5 @@ final class Lcd extends JComponent {
         } finally {
             g.dispose();
         }
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null) {
-            accessibleContext = new AccessibleJComponent() {
-                @Override
-                public AccessibleRole getAccessibleRole() {
-                    return AccessibleRole.LABEL;
-                }
-
-                @Override
-                public String getAccessibleName() {
-                    return spoken();
-                }
-            };
-        }
-        return accessibleContext;
     }
 }
