@@ -6,7 +6,7 @@
  *
  * <pre>
  *   modem    -> station, console, dtmf, sms, speech, air
- *   station  -> sms, speech, air
+ *   station  -> sms, dtmf, speech, air
  *   sms      -> air
  *   ui       -> dtmf
  *   console, dtmf, speech and air need nothing

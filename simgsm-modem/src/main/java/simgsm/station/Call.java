@@ -16,6 +16,7 @@ final class Call implements ServiceRequests.User {
     private final StationParts parts;
     private final ServiceRequests services;
     private final SpeechPath speech;
+    private final KeySignalling keys;
     private CallState state = CallState.NULL;
     /** As our messages carry it; null in state NULL. */
     private TransactionIdentifier transaction;
@@ -31,10 +32,11 @@ final class Call implements ServiceRequests.User {
     /** Dialled while the call before was still being cleared. */
     private Optional<Msisdn> next = Optional.empty();
 
-    Call(StationParts parts, ServiceRequests services, SpeechPath speech) {
+    Call(StationParts parts, ServiceRequests services, SpeechPath speech, KeySignalling keys) {
         this.parts = parts;
         this.services = services;
         this.speech = speech;
+        this.keys = keys;
     }
 
     CallState state() {
@@ -170,6 +172,7 @@ final class Call implements ServiceRequests.User {
         toldCause = told;
         row.get().actions().forEach(this::perform);
         if (state == CallState.NULL) {
+            keys.end();
             transaction = null;
             peer = Optional.empty();
             beginNext();
@@ -202,13 +205,23 @@ final class Call implements ServiceRequests.User {
             case START_T310 -> parts.timers().start(StationTimer.T310);
             case START_T313 -> parts.timers().start(StationTimer.T313);
             case STOP_TIMERS -> stopTimers();
-            case START_SPEECH -> speech.start();
-            case STOP_SPEECH -> speech.stop();
+            case START_SPEECH -> startSpeech();
+            case STOP_SPEECH -> stopSpeech();
             case CHECK_COMPATIBILITY -> happens(CallEvent.COMPATIBLE);
             case ALERT_USER -> happens(CallEvent.USER_ALERTED);
             case LISTEN_FOR_TONES -> happens(CallEvent.NOTHING_TO_HEAR);
             default -> tell(action);
         }
+    }
+
+    private void startSpeech() {
+        speech.start();
+        keys.begin(transaction);
+    }
+
+    private void stopSpeech() {
+        speech.stop();
+        keys.end();
     }
 
     private void tell(CallAction action) {

@@ -26,10 +26,12 @@ final class CallMessages {
 
     private final StationParts parts;
     private final Call call;
+    private final KeySignalling keys;
 
-    CallMessages(StationParts parts, Call call) {
+    CallMessages(StationParts parts, Call call, KeySignalling keys) {
         this.parts = parts;
         this.call = call;
+        this.keys = keys;
     }
 
     void arrived(CallControl message) {
@@ -95,6 +97,9 @@ final class CallMessages {
         }
         if (message instanceof CallControl.Status status) {
             statusArrived(status);
+            return;
+        }
+        if (keys.arrived(message)) {
             return;
         }
         CallEvent event = EVENTS.get(message.getClass());

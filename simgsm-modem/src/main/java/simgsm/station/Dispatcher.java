@@ -35,13 +35,14 @@ final class Dispatcher {
             ServiceRequests services,
             MobilityMessages mobility,
             Call call,
+            KeySignalling keys,
             ShortMessages messages) {
         this.parts = parts;
         this.registration = registration;
         this.services = services;
         this.mobility = mobility;
         this.call = call;
-        this.calls = new CallMessages(parts, call);
+        this.calls = new CallMessages(parts, call, keys);
         this.messages = messages;
     }
 

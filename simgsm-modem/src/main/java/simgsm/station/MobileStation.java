@@ -6,6 +6,7 @@ import simgsm.air.Cause;
 import simgsm.air.IpaFrame;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
 
 /**
  * A mobile station as a deterministic core: frames, acts and time in; frames and {@link StationListener} calls out. It has
@@ -22,6 +23,7 @@ public final class MobileStation {
     private final ServiceRequests services;
     private final MobilityMessages mobility;
     private final SpeechPath speech;
+    private final KeySignalling keys;
     private final Call call;
     private final ShortMessages messages;
     private final Dispatcher dispatcher;
@@ -48,11 +50,12 @@ public final class MobileStation {
         services = new ServiceRequests(parts, registration);
         mobility = new MobilityMessages(parts, registration, services, sim);
         this.speech = new SpeechPath(parts, options, speech, random.nextInt());
-        call = new Call(parts, services, this.speech);
+        keys = new KeySignalling(parts);
+        call = new Call(parts, services, this.speech, keys);
         messages = new ShortMessages(parts, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
-        dispatcher = new Dispatcher(parts, registration, services, mobility, call, messages);
+        dispatcher = new Dispatcher(parts, registration, services, mobility, call, keys, messages);
         snapshot = present();
     }
 
@@ -161,6 +164,29 @@ public final class MobileStation {
     }
 
     /**
+     * Signals a key to the network (START DTMF, STOP DTMF), which makes its sound for the far end: after those that wait, and
+     * not before the call is active.
+     *
+     * @param millis how long it sounds; 70 at least
+     */
+    public void signalKey(DtmfKey key, int millis) {
+        keys.press(key, millis);
+        settle();
+    }
+
+    /** Signals a key that sounds until {@link #letGoKey}; one that is still held is let go. */
+    public void holdKey(DtmfKey key) {
+        keys.hold(key);
+        settle();
+    }
+
+    /** The key that is held goes up; does nothing when none is. */
+    public void letGoKey() {
+        keys.letGo();
+        settle();
+    }
+
+    /**
      * Queues a text, cut into as many parts as it needs; a status report is asked for. Without service it waits for a while.
      *
      * @return the message reference of the first part, 0 to 255
@@ -198,6 +224,7 @@ public final class MobileStation {
             case T310 -> call.expired(CallEvent.T310_EXPIRED);
             case T313 -> call.expired(CallEvent.T313_EXPIRED);
             case TC1_OUTGOING, TC1_INCOMING, TR1M, MESSAGE_WAIT -> messages.expired(timer);
+            case T336, T337, KEY -> keys.expired(timer);
             case SPEECH -> speak();
             case PING -> keepAlive.pingDue();
             case IDENTITY -> keepAlive.identityExpired();

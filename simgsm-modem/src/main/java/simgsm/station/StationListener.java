@@ -5,6 +5,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfKey;
 
 /**
  * What a station tells its user. Called by the owner thread once the station's state is settled, so every act of the
@@ -32,6 +33,18 @@ public interface StationListener {
 
     /** The far end's next 20 ms: 160 samples, 8 kHz, 16 bit. Frames that were lost come as silence of their length. */
     default void speechReceived(short[] samples) {}
+
+    /** A signalled key: the network lets it sound from now on. */
+    default void keySounds(DtmfKey key) {}
+
+    /** A signalled key: the network has been asked to end its tone. */
+    default void keyLetGo(DtmfKey key) {}
+
+    /** A signalled key: its tone is over. */
+    default void keyLeft(DtmfKey key) {}
+
+    /** The network has refused a signalled key, or has not answered; those that waited behind it are dropped. */
+    default void keysRefused(Cause cause) {}
 
     /** The network has acknowledged all parts. @param id what {@link MobileStation#sendMessage} returned */
     default void messageSent(int id, Msisdn to, int parts) {}

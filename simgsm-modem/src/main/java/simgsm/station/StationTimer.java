@@ -24,6 +24,12 @@ enum StationTimer {
     T310(30_000),
     /** CONNECT is acknowledged. */
     T313(30_000),
+    /** START DTMF is answered (TS 24.008, table 11.3). */
+    T336(10_000),
+    /** STOP DTMF is acknowledged. */
+    T337(10_000),
+    /** Ours: a signalled key has sounded long enough, or the pause behind it is over. */
+    KEY(70),
     /** CP-DATA of an own message is acknowledged (TC1*, TS 24.011, 5.3.2.1, leaves the time to us). */
     TC1_OUTGOING(5_000),
     /** CP-DATA of our answer to a received message is acknowledged. */

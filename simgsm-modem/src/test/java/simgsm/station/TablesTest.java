@@ -97,6 +97,18 @@ class TablesTest {
     }
 
     @Test
+    void everyKeyStateCanBeReachedAndLeftByTheEndOfTheCall() {
+        assertEquals(
+                EnumSet.allOf(KeyState.class),
+                reachable(KeyTable.ROWS, KeyState.IDLE, KeyState.class, KeyEvent.values()));
+        for (KeyState state : KeyState.values()) {
+            assertEquals(
+                    KeyState.IDLE,
+                    KeyTable.ROWS.row(state, KeyEvent.CALL_ENDED).orElseThrow().next());
+        }
+    }
+
+    @Test
     void everyEndOfAMessageIsToldExactlyOnce() {
         for (OutgoingState state : OutgoingState.values()) {
             for (OutgoingEvent event : OutgoingEvent.values()) {

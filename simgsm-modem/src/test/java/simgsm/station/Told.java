@@ -7,6 +7,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfKey;
 
 /** What a station has told, a line each. */
 final class Told implements StationListener {
@@ -59,6 +60,26 @@ final class Told implements StationListener {
     @Override
     public void released(Cause cause) {
         lines.add("released " + cause.code());
+    }
+
+    @Override
+    public void keySounds(DtmfKey key) {
+        lines.add("sounds " + key.symbol());
+    }
+
+    @Override
+    public void keyLetGo(DtmfKey key) {
+        lines.add("let go " + key.symbol());
+    }
+
+    @Override
+    public void keyLeft(DtmfKey key) {
+        lines.add("left " + key.symbol());
+    }
+
+    @Override
+    public void keysRefused(Cause cause) {
+        lines.add("keys refused " + cause.code());
     }
 
     @Override

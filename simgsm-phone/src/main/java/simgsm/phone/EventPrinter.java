@@ -63,6 +63,11 @@ final class EventPrinter implements HandsetListener {
     }
 
     @Override
+    public void keysRefused(String keys, Cause cause) {
+        console.error("press: the network refuses the keys " + keys + ", cause " + cause.code() + ", " + cause.title());
+    }
+
+    @Override
     public void toneHeard(DtmfKey key) {
         console.emit(Event.of("tone")
                 .with("key", key.symbol())

@@ -13,8 +13,6 @@ import simgsm.phone.handset.StationSide;
 import simgsm.speech.AudioOutput;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 
 /** A phone at work: handset, station and the thread that owns both. */
@@ -27,10 +25,12 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final Handset handset;
     private final MobileStation station;
 
-    Phone(StationIdentity identity, StationOptions options, HandsetListener listener, AudioOutput output) {
+    Phone(PhoneSettings settings, HandsetListener listener, AudioOutput output) {
         this.output = output;
-        handset = new Handset(identity.number(), listener, output, InstantSource.system());
-        station = new MobileStation(identity, Sim.WITHOUT_KEY, options, handset.mouth(), handset.ears());
+        handset =
+                new Handset(settings.identity().number(), settings.keyMode(), listener, output, InstantSource.system());
+        station = new MobileStation(
+                settings.identity(), Sim.WITHOUT_KEY, settings.options(), handset.mouth(), handset.ears());
         handset.attach(StationSide.of(station));
     }
 

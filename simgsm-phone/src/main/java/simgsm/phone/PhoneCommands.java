@@ -18,8 +18,8 @@ import simgsm.phone.handset.StoredMessage;
 final class PhoneCommands implements Console.Commands {
     /** So long the end waits for acknowledgements. */
     private static final long PATIENCE_SECONDS = 10;
-    /** A queued key takes 100 ms of tone and 100 ms of pause. */
-    private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+    /** A queued key takes 100 ms of tone and 100 ms of pause, or two answers of the network. */
+    private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
 
     private final Console console;
     private final HandsetAccess phone;

@@ -26,6 +26,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.FakeStation;
 import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.KeyMode;
 import simgsm.speech.AudioOutput;
 import simgsm.station.StationListener;
 
@@ -41,7 +42,7 @@ class PhoneConsoleTest {
     private final EventPrinter printer = new EventPrinter(console, Messages.in(Locale.ENGLISH));
 
     PhoneConsoleTest() {
-        handset = new Handset(new Msisdn("5550100"), printer, AudioOutput.SILENT, () -> Bench.NOON);
+        handset = new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, printer, AudioOutput.SILENT, () -> Bench.NOON);
         ears = handset.ears();
         station.tell(ears);
         handset.attach(station);
@@ -84,6 +85,15 @@ class PhoneConsoleTest {
                         "connected number=5550200",
                         "released cause=16 text=\"normal call clearing\""),
                 after("hangup"));
+    }
+
+    @Test
+    void refusedKeysAreAnError() {
+        ears.keysRefused(Cause.SERVICE_NOT_AVAILABLE);
+        assertEquals(
+                List.of("error text=\"press: the network refuses the keys , cause 63,"
+                        + " service or option not available, unspecified\""),
+                lines());
     }
 
     @Test

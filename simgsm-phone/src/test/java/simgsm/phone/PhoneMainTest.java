@@ -39,6 +39,7 @@ class PhoneMainTest {
                 "--theme=pink | --theme",
                 "--window=left | --window",
                 "--codec=mp3 | --codec",
+                "--dtmf=loud | --dtmf",
                 "--seed=x | --seed",
                 "--volume=11 | --volume",
             })
@@ -63,6 +64,7 @@ class PhoneMainTest {
                 "--seed",
                 "--imei",
                 "--codec",
+                "--dtmf",
                 "--end-with-input")) {
             assertTrue(help.contains(option), option);
         }

@@ -31,6 +31,9 @@ public final class Handset {
     /** References of messages that failed while they were being handed in. */
     private final Set<Integer> failedEarly = new HashSet<>();
 
+    private final KeyMode keyMode;
+    private final KeySender line;
+    private final SignalledKeys signalledKeys;
     private StationSide station;
     private CallSnapshot call = CallSnapshot.NONE;
     private long callFrames;
@@ -40,13 +43,20 @@ public final class Handset {
     /**
      * A handset that waits for its station.
      *
+     * @param keyMode how keys are sent in a call
      * @param wallClock for the time that messages came
      */
-    public Handset(Msisdn own, HandsetListener listener, AudioOutput output, InstantSource wallClock) {
+    public Handset(Msisdn own, KeyMode keyMode, HandsetListener listener, AudioOutput output, InstantSource wallClock) {
         this.own = own;
+        this.keyMode = keyMode;
         this.listener = listener;
         this.wallClock = wallClock;
-        this.sounds = new Sounds(output, listener::sent, this::toneHeard);
+        this.line = new KeySender(listener::sent);
+        this.signalledKeys = new SignalledKeys(() -> station, line::toneLeft);
+        if (keyMode == KeyMode.SIGNALLED) {
+            line.goBy(signalledKeys);
+        }
+        this.sounds = new Sounds(output, line, this::toneHeard);
     }
 
     /** Gives the handset its station, once, before anything else. */
@@ -58,6 +68,11 @@ public final class Handset {
     /** What the station tells the handset. */
     public StationListener ears() {
         return new StationEars(this, listener);
+    }
+
+    /** What the station's news of signalled keys are for. */
+    SignalledKeys signalledKeys() {
+        return signalledKeys;
     }
 
     /** What the handset says in a call. */
@@ -342,6 +357,14 @@ public final class Handset {
         changed();
     }
 
+    /** The network takes no keys. @return those that have not left */
+    String keysRefused(Cause cause) {
+        screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(cause.code()));
+        String rest = line.drop();
+        changed();
+        return rest;
+    }
+
     void messageSent(int id, int parts) {
         mailbox.sent(id, parts);
         changed();
@@ -387,6 +410,7 @@ public final class Handset {
                 mailbox.in(Box.INBOX),
                 mailbox.in(Box.OUTBOX),
                 mailbox.in(Box.BROADCASTS),
+                keyMode,
                 sounds.sounding(),
                 sounds.trace(),
                 sounds.isAudible());

@@ -24,6 +24,9 @@ public interface HandsetListener {
     /** The last tone of these keys has left. @param keys as they were pressed, without blanks */
     default void sent(String keys) {}
 
+    /** The network does not take keys as messages. @param keys those that have not left */
+    default void keysRefused(String keys, Cause cause) {}
+
     /** A key was heard from the far end; decided while its tone sounds. */
     default void toneHeard(DtmfKey key) {}
 

@@ -13,6 +13,7 @@ import simgsm.station.StationSnapshot;
  * @param own the phone's own number
  * @param typed the number being typed
  * @param inbox oldest first, as the other boxes
+ * @param keyMode how keys are sent in a call
  * @param sounding the key whose tone sounds now
  * @param audible whether a sound device plays
  */
@@ -25,6 +26,7 @@ public record HandsetSnapshot(
         List<StoredMessage> inbox,
         List<StoredMessage> outbox,
         List<StoredMessage> broadcasts,
+        KeyMode keyMode,
         Optional<DtmfKey> sounding,
         ToneTrace trace,
         boolean audible) {

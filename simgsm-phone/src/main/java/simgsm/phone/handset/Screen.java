@@ -31,7 +31,9 @@ public sealed interface Screen {
         public enum Kind {
             SENDING,
             REFUSED,
-            NOT_A_NUMBER
+            NOT_A_NUMBER,
+            /** The network refused keys; the detail is the cause. */
+            KEYS_REFUSED
         }
     }
 }

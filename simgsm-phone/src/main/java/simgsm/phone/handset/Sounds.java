@@ -28,6 +28,8 @@ final class Sounds {
     private final DtmfReceiver ear;
     private final SupervisoryTonePlayer supervisory = new SupervisoryTonePlayer();
     private final short[] localFrame = new short[SAMPLES_PER_FRAME];
+    /** What is heard here of what is said, or the other way round. */
+    private final short[] otherFrame = new short[SAMPLES_PER_FRAME];
 
     private boolean connected;
     private Runnable timeWanted = () -> {};
@@ -36,12 +38,12 @@ final class Sounds {
     private long nextLocalFrameNanos;
 
     /**
-     * @param sent told the keys of each press when the last of its tones has left
+     * @param line takes keys to the far end
      * @param heard told each key of the far end as it is decided
      */
-    Sounds(AudioOutput output, Consumer<String> sent, Consumer<DtmfKey> heard) {
+    Sounds(AudioOutput output, KeySender line, Consumer<DtmfKey> heard) {
         earpiece = new Earpiece(output);
-        line = new KeySender(sent);
+        this.line = line;
         ear = new DtmfReceiver(digit -> heard.accept(digit.key()));
     }
 
@@ -106,8 +108,8 @@ final class Sounds {
     /** Fills the next 20 ms for the far end. @return whether what a view shows has changed */
     boolean say(short[] frame) {
         DtmfKey before = line.sounding();
-        line.read(frame);
-        earpiece.said(frame);
+        line.read(frame, otherFrame);
+        earpiece.said(otherFrame);
         return earpiece.pollChanged() || before != line.sounding();
     }
 
@@ -163,7 +165,7 @@ final class Sounds {
 
     private boolean localFrame() {
         DtmfKey before = local.sounding();
-        local.read(localFrame);
+        local.read(otherFrame, localFrame);
         supervisory.addTo(localFrame);
         earpiece.said(localFrame);
         boolean quiet = local.isIdle() && supervisory.isIdle();

@@ -5,6 +5,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfKey;
 import simgsm.station.StationListener;
 import simgsm.station.StationSnapshot;
 
@@ -64,6 +65,28 @@ final class StationEars implements StationListener {
     @Override
     public void speechReceived(short[] samples) {
         handset.hear(samples);
+    }
+
+    @Override
+    public void keySounds(DtmfKey key) {
+        handset.signalledKeys().sounds(key);
+    }
+
+    @Override
+    public void keyLetGo(DtmfKey key) {
+        handset.signalledKeys().letGo();
+    }
+
+    @Override
+    public void keyLeft(DtmfKey key) {
+        handset.signalledKeys().left(key);
+        handset.checkSettled();
+    }
+
+    @Override
+    public void keysRefused(Cause cause) {
+        listener.keysRefused(handset.keysRefused(cause), cause);
+        handset.checkSettled();
     }
 
     @Override

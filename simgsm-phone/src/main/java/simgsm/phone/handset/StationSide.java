@@ -1,6 +1,7 @@
 package simgsm.phone.handset;
 
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
 
@@ -14,6 +15,14 @@ public interface StationSide {
 
     /** @return false if there is no call */
     boolean hangUp();
+
+    /** Queues a key to be signalled. @param millis how long it sounds */
+    void signalKey(DtmfKey key, int millis);
+
+    /** Signals a key until {@link #letGoKey}. */
+    void holdKey(DtmfKey key);
+
+    void letGoKey();
 
     /** @return the message reference of the first part */
     int sendMessage(Msisdn to, String text);
@@ -40,6 +49,21 @@ public interface StationSide {
             @Override
             public boolean hangUp() {
                 return station.hangUp();
+            }
+
+            @Override
+            public void signalKey(DtmfKey key, int millis) {
+                station.signalKey(key, millis);
+            }
+
+            @Override
+            public void holdKey(DtmfKey key) {
+                station.holdKey(key);
+            }
+
+            @Override
+            public void letGoKey() {
+                station.letGoKey();
             }
 
             @Override

@@ -8,6 +8,8 @@
  *                 Sounds  HomeKeys Mailbox
  *                 |    \
  *          KeySender  Earpiece
+ *             |
+ *          InBandKeys, or SignalledKeys towards the station
  * </pre>
  *
  * <p>Read first: {@link simgsm.phone.handset.Handset}, then {@link simgsm.phone.handset.HandsetSnapshot} and

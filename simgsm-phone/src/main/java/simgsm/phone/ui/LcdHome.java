@@ -6,6 +6,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.KeyMode;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Drawing;
@@ -34,7 +35,7 @@ final class LcdHome {
     void paint(LcdPen pen, HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
         if (call.phase() != CallPhase.NONE) {
-            call(pen, phone.station(), call);
+            call(pen, phone);
         } else if (!phone.typed().isEmpty()) {
             typed(pen, phone.typed());
         } else if (call.ended().isPresent()) {
@@ -91,18 +92,17 @@ final class LcdHome {
         return words.equals(key) ? cause.title() + " (" + cause.code() + ")" : words;
     }
 
-    private void call(LcdPen pen, StationSnapshot station, CallSnapshot call) {
+    private void call(LcdPen pen, HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
         String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
         symbolOf(call.phase()).paint(pen.graphics(), 19 * pen.unit(), 48 * pen.unit(), 6 * pen.unit(), Ink.LCD_INK);
         pen.left(phase, pen.sans(13, true), 32, 53, 150);
         if (call.phase() == CallPhase.CONNECTED) {
+            String time = time(call.seconds());
             double edge = LcdPen.WIDTH - LcdPen.MARGIN;
-            pen.right(time(call.seconds()), pen.mono(14, true), edge, 53);
-            codec(
-                    pen,
-                    station,
-                    32 + pen.width(pen.sans(13, true), phase),
-                    edge - pen.width(pen.mono(14, true), time(call.seconds())));
+            pen.right(time, pen.mono(14, true), edge, 53);
+            double from = 32 + pen.width(pen.sans(13, true), phase);
+            codec(pen, phone.station(), from, edge - pen.width(pen.mono(14, true), time));
         }
         String number = call.number().isEmpty() ? texts.of("lcd.unknown") : call.number();
         pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
@@ -110,7 +110,14 @@ final class LcdHome {
             keyed(pen, call.keyed());
             tone(pen, call.heard(), 146);
         }
-        hint(pen, texts.of("lcd.hint.call." + call.phase().name().toLowerCase(Locale.ROOT)));
+        hint(pen, texts.of(hintKey(phone)));
+    }
+
+    private static String hintKey(HandsetSnapshot phone) {
+        CallPhase phase = phone.call().phase();
+        return phase == CallPhase.CONNECTED && phone.keyMode() == KeyMode.SIGNALLED
+                ? "lcd.hint.call.signalled"
+                : "lcd.hint.call." + phase.name().toLowerCase(Locale.ROOT);
     }
 
     /** How the speech is coded, in the middle of what room there is. */

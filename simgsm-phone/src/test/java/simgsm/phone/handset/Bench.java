@@ -30,7 +30,11 @@ public final class Bench {
     private final short[] frame = new short[160];
 
     public Bench() {
-        handset = new Handset(new Msisdn("5550100"), new Lines(), AudioOutput.SILENT, () -> NOON);
+        this(KeyMode.IN_BAND);
+    }
+
+    public Bench(KeyMode keyMode) {
+        handset = new Handset(new Msisdn("5550100"), keyMode, new Lines(), AudioOutput.SILENT, () -> NOON);
         ears = handset.ears();
         station.tell(ears);
         handset.attach(station);
@@ -38,7 +42,11 @@ public final class Bench {
 
     /** A bench whose handset is in a call with 5550200. */
     public static Bench connected() {
-        Bench bench = new Bench();
+        return connected(KeyMode.IN_BAND);
+    }
+
+    public static Bench connected(KeyMode keyMode) {
+        Bench bench = new Bench(keyMode);
         bench.handset.dial(new Msisdn("5550200"));
         bench.ears.alerting();
         bench.ears.connected(Optional.of(new Msisdn("5550200")));
@@ -142,6 +150,11 @@ public final class Bench {
         @Override
         public void sent(String keys) {
             events.add("sent " + keys);
+        }
+
+        @Override
+        public void keysRefused(String keys, Cause cause) {
+            events.add("refused " + keys + " " + cause.code());
         }
 
         @Override

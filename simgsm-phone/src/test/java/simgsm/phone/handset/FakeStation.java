@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.CallState;
 import simgsm.station.StationListener;
@@ -72,6 +73,21 @@ public final class FakeStation implements StationSide {
         }
         release(Cause.NORMAL_CALL_CLEARING);
         return true;
+    }
+
+    @Override
+    public void signalKey(DtmfKey key, int millis) {
+        asked.add("signal " + key.symbol() + " " + millis);
+    }
+
+    @Override
+    public void holdKey(DtmfKey key) {
+        asked.add("hold " + key.symbol());
+    }
+
+    @Override
+    public void letGoKey() {
+        asked.add("let go");
     }
 
     @Override

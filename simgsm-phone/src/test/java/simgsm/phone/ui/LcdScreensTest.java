@@ -16,8 +16,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.phone.handset.Bench;
+import simgsm.phone.handset.KeyMode;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.Appearance;
@@ -45,6 +47,8 @@ class LcdScreensTest {
         screens.put("ringing", with(bench -> bench.station.ring("5550101")));
         screens.put("connected", Bench.connected());
         screens.put("connected, full rate comes", fullRate());
+        screens.put("connected, keys signalled", Bench.connected(KeyMode.SIGNALLED));
+        screens.put("keys refused", refused());
         screens.put("menu", with(bench -> bench.tap(PhoneKey.MENU)));
         screens.put("menu, second", with(bench -> bench.tap(PhoneKey.MENU, PhoneKey.DOWN)));
         screens.put("empty inbox", with(bench -> bench.tap(PhoneKey.DOWN)));
@@ -73,6 +77,12 @@ class LcdScreensTest {
         Bench bench = Bench.connected();
         bench.station.heardCodec = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
         bench.ears.stateChanged(bench.station.snapshot());
+        return bench;
+    }
+
+    private static Bench refused() {
+        Bench bench = Bench.connected(KeyMode.SIGNALLED);
+        bench.ears.keysRefused(Cause.SERVICE_NOT_AVAILABLE);
         return bench;
     }
 
@@ -129,8 +139,10 @@ class LcdScreensTest {
                     .getAccessibleName();
             seen.put(spoken, name);
         });
-        // The list says what its selected message says; a message scrolled is the same message; a codec is not spoken.
-        assertEquals(screens().size() - 3, seen.size());
+        // The list says what its selected message says; a message scrolled is the same message; codec and key mode are
+        // not
+        // spoken.
+        assertEquals(screens().size() - 4, seen.size());
     }
 
     @ParameterizedTest

@@ -1,0 +1,47 @@
+package simgsm.phone;
+
+import java.util.Random;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.phone.handset.KeyMode;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
+
+/** What a command line makes of a phone. */
+record PhoneSettings(StationIdentity identity, StationOptions options, KeyMode keyMode) {
+    private static final String DEFAULT_NUMBER = "5550100";
+    private static final String UNIT_NAME = "SimGSM phone";
+
+    static PhoneSettings of(Arguments arguments) throws UsageException {
+        return new PhoneSettings(identity(arguments), new StationOptions(codec(arguments)), keyMode(arguments));
+    }
+
+    private static StationIdentity identity(Arguments arguments) throws UsageException {
+        Msisdn number = arguments.value("number", Msisdn::parse).orElse(new Msisdn(DEFAULT_NUMBER));
+        Random random = new Random();
+        if (arguments.has("seed")) {
+            // With the number, or two phones of one seed would be one piece of equipment.
+            random = new Random(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE) * 31
+                    + number.digits().hashCode());
+        }
+        Imei imei = arguments.value("imei", Imei::new).orElse(Imei.random(random));
+        try {
+            return StationIdentity.ofOpenNumber(number, imei, UNIT_NAME);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--number: " + e.getMessage());
+        }
+    }
+
+    private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
+        return arguments.choice("codec", "alaw", "gsm").equals("gsm")
+                ? SpeechCodec.Kind.GSM_FULL_RATE
+                : SpeechCodec.Kind.A_LAW;
+    }
+
+    private static KeyMode keyMode(Arguments arguments) throws UsageException {
+        return arguments.choice("dtmf", "inband", "signalled").equals("inband") ? KeyMode.IN_BAND : KeyMode.SIGNALLED;
+    }
+}
