@@ -42,6 +42,23 @@ class TelephoneSceneTest {
     }
 
     @Test
+    void fiftyOrdersOfEachKindAreExactFiftyTimes() {
+        TelephoneScene scene = called();
+        StringBuilder expected = new StringBuilder("1");
+        for (int i = 0; i < 50; i++) {
+            scene.robot.place(0, 0, 0);
+            scene.press("**#**20**");
+            scene.seconds(4);
+            assertEquals(0.2, scene.robot.xMeters(), 0.001, "order " + i);
+            scene.press("**#*#90**");
+            scene.seconds(4.5);
+            assertEquals(Math.toRadians(-90), scene.robot.headingRadians(), Math.toRadians(0.1), "order " + i);
+            expected.append("6363");
+        }
+        assertEquals(expected.toString(), scene.tonesHeard.toString());
+    }
+
+    @Test
     void fromTheLastKeyToTheWheelsItIsLessThanNinetyMilliseconds() {
         for (int shiftMillis = 0; shiftMillis < 20; shiftMillis++) {
             TelephoneScene scene = called();
