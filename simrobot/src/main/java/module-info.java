@@ -7,4 +7,5 @@ module simrobot {
     exports simrobot.robot;
     exports simrobot.simulation;
     exports simrobot.control;
+    exports simrobot.p2os;
 }

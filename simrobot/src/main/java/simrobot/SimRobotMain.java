@@ -63,6 +63,8 @@ public final class SimRobotMain {
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
                 .value("speed", "N", "simulated seconds per second (1)")
+                .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
+                .value("bind", "ADDRESS", "address that P2OS ports listen on; default loopback only")
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 
@@ -75,21 +77,26 @@ public final class SimRobotMain {
         }
         // Reads the rest of the command line, so before anything is said about a display.
         SimRobot simRobot = build(arguments, settings, world);
+        PioneerPorts ports = PioneerPorts.open(arguments, simRobot);
         return arguments.has("headless")
-                ? headless(arguments, simRobot)
+                ? headless(arguments, simRobot, ports)
                 : windowed(
                         ProgramWindow.of(arguments, Optional.empty()),
                         arguments.language(),
                         simRobot,
+                        ports,
                         WorldFile.find(arguments.path("world")));
     }
 
-    private static int windowed(ProgramWindow window, Locale language, SimRobot built, Path worldFile)
+    private static int windowed(
+            ProgramWindow window, Locale language, SimRobot built, PioneerPorts opened, Path worldFile)
             throws InterruptedException {
-        try (SimRobot simRobot = built) {
+        try (SimRobot simRobot = built;
+                PioneerPorts ports = opened) {
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
             WindowModel model = new WindowModel(simRobot, worldFile);
             simRobot.start();
+            ports.start();
             window.show(
                     () -> SimRobotWindow.content("SimRobot " + model.firstNumber(), language, model::snapshot, model));
         }
@@ -130,15 +137,17 @@ public final class SimRobotMain {
                 : new Random().nextLong();
     }
 
-    private static int headless(Arguments arguments, SimRobot built)
+    private static int headless(Arguments arguments, SimRobot built, PioneerPorts opened)
             throws UsageException, IOException, InterruptedException {
         Console console = new Console(Program.standardOutput());
         try (EventPrinter printer = new EventPrinter(console);
-                SimRobot simRobot = built) {
+                SimRobot simRobot = built;
+                PioneerPorts ports = opened) {
             simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), printer)));
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
-            console.ready(Event.of("ready").with("robots", names(simRobot)));
+            console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
+            ports.start();
             Program.runConsole(console, arguments, new RobotConsole(simRobot, printer));
         }
         return console.exitStatus();

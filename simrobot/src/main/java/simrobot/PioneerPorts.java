@@ -1,0 +1,75 @@
+package simrobot;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.UsageException;
+import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.p2os.P2osServer;
+
+/** The robots' P2OS ports, if the command line asks for them. */
+final class PioneerPorts implements AutoCloseable {
+    private static final int MAX_PORT = 0xffff;
+
+    private final Optional<P2osServer> server;
+    private final List<Integer> ports = new ArrayList<>();
+
+    private PioneerPorts(Optional<P2osServer> server) {
+        this.server = server;
+    }
+
+    /** Opens a port for each robot; before the simulation starts. */
+    static PioneerPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
+        InetAddress address = arguments.value("bind", PioneerPorts::address).orElse(InetAddress.getLoopbackAddress());
+        if (!arguments.has("p2os")) {
+            return new PioneerPorts(Optional.empty());
+        }
+        int first = (int) arguments.integer("p2os", 0, 0, MAX_PORT);
+        int robots = simRobot.robots().size();
+        if (first + robots - 1 > MAX_PORT) {
+            throw new UsageException("--p2os: " + robots + " ports upward from " + first + " end above " + MAX_PORT);
+        }
+        P2osServer server = new P2osServer(simRobot.simulation(), address, first);
+        PioneerPorts opened = new PioneerPorts(Optional.of(server));
+        try {
+            for (TelephoneRobot robot : simRobot.robots()) {
+                opened.ports.add(server.add(robot.robot()));
+            }
+        } catch (IOException e) {
+            opened.close();
+            throw e;
+        }
+        return opened;
+    }
+
+    private static InetAddress address(String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("expected an address of this machine, found " + text);
+        }
+    }
+
+    /** Adds the ports to what a program says at first. */
+    Event with(Event ready) {
+        return ports.isEmpty()
+                ? ready
+                : ready.with("p2os", ports.stream().map(String::valueOf).collect(Collectors.joining(",")));
+    }
+
+    void start() {
+        server.ifPresent(P2osServer::start);
+    }
+
+    @Override
+    public void close() {
+        server.ifPresent(P2osServer::close);
+    }
+}

@@ -1,0 +1,146 @@
+package simrobot.p2os;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import simrobot.robot.SimulatedRobot;
+import vericommand.Pose;
+
+/**
+ * A robot's port. It stays open when a client leaves. A second client waits for a moment, in case the first is just
+ * leaving; then it is sent away, unless the first has fallen silent: then it takes its place.
+ */
+final class Door {
+    private static final Logger LOG = System.getLogger(Door.class.getName());
+
+    /** How long a second client waits. */
+    private static final long WAIT_NANOS = 400_000_000;
+
+    private final P2osServer server;
+    private final SimulatedRobot robot;
+    private final Pose start;
+    private final ServerSocketChannel listening;
+    private final SelectionKey key;
+    private Client client;
+    private SocketChannel waiting;
+    private long waitingSinceNanos;
+
+    Door(P2osServer server, SimulatedRobot robot, InetSocketAddress address) throws IOException {
+        this.server = server;
+        this.robot = robot;
+        start = robot.pose();
+        listening = ServerSocketChannel.open();
+        try {
+            listening.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+            listening.bind(address);
+            listening.configureBlocking(false);
+            key = listening.register(server.selector(), SelectionKey.OP_ACCEPT, this);
+        } catch (IOException e) {
+            listening.close();
+            throw new IOException("P2OS port " + address.getPort() + ": " + e.getMessage(), e);
+        }
+    }
+
+    SimulatedRobot robot() {
+        return robot;
+    }
+
+    int port() {
+        return listening.socket().getLocalPort();
+    }
+
+    /** Someone knocks. */
+    void accept() {
+        try {
+            for (SocketChannel come = listening.accept(); come != null; come = listening.accept()) {
+                receive(come);
+            }
+        } catch (IOException e) {
+            // out of file descriptors, say: nobody is heard until the next look round
+            LOG.log(Level.WARNING, "P2OS port " + port() + ": " + e.getMessage());
+            key.interestOps(0);
+        }
+    }
+
+    private void receive(SocketChannel come) {
+        if (client != null) {
+            client.notice();
+        }
+        if (client == null) {
+            seat(come);
+        } else if (waiting == null) {
+            waiting = come;
+            waitingSinceNanos = System.nanoTime();
+        } else {
+            dismiss(come);
+        }
+    }
+
+    /** Now and then: who waits comes in or is sent away. */
+    void lookRound() {
+        if (key.isValid()) {
+            key.interestOps(SelectionKey.OP_ACCEPT);
+        }
+        long now = System.nanoTime();
+        if (waiting != null && client != null && client.isSilent(now)) {
+            LOG.log(Level.INFO, robot.name() + ": a silent P2OS client makes room");
+            client.drop();
+        }
+        if (waiting != null && client != null && now - waitingSinceNanos > WAIT_NANOS) {
+            dismiss(waiting);
+            waiting = null;
+        }
+    }
+
+    private void seat(SocketChannel come) {
+        try {
+            Client seated = new Client(server, this, come);
+            client = seated;
+            LOG.log(Level.INFO, robot.name() + ": a P2OS client has come");
+            seated.begin(robot, start);
+        } catch (IOException e) {
+            dismiss(come);
+        }
+    }
+
+    private void dismiss(SocketChannel unwanted) {
+        try {
+            unwanted.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing failed", e);
+        }
+    }
+
+    /** The client has gone. */
+    void left(Client gone) {
+        if (client == gone) {
+            client = null;
+            LOG.log(Level.INFO, robot.name() + ": the P2OS client has gone");
+            if (waiting != null) {
+                SocketChannel next = waiting;
+                waiting = null;
+                seat(next);
+            }
+        }
+    }
+
+    void close() {
+        if (waiting != null) {
+            dismiss(waiting);
+            waiting = null;
+        }
+        if (client != null) {
+            client.drop();
+        }
+        try {
+            listening.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing failed", e);
+        }
+    }
+}

@@ -1,0 +1,234 @@
+package simrobot.p2os;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import simrobot.robot.SimulatedRobot;
+import vericommand.Pose;
+
+/**
+ * A client on a robot, from the handshake to its leaving. Belongs to the simulation's thread; time comes in with the
+ * bytes and with {@link #tick}.
+ *
+ * <p>Two times run here. Information packets follow simulated time, one each 100 ms of it, so that at any speed a step
+ * from one to the next is a robot's step; only, a client hears from a slow or paused simulation every 200 ms of real
+ * time, and from a fast one not more often than every 10 ms. The watchdog guards the line, so it goes by real time.
+ */
+public final class P2osSession {
+    static final int SIP_MILLIS = 100;
+
+    private static final long SIP_NANOS = SIP_MILLIS * 1_000_000L;
+    private static final long LEAST_GAP_NANOS = 10_000_000;
+    private static final long MOST_GAP_NANOS = 200_000_000;
+
+    /** A client that says nothing for so long may have lost its robot: the robot stops. */
+    public static final long WATCHDOG_NANOS = 2_000_000_000;
+
+    private enum Stage {
+        HANDSHAKE,
+        /** The client knows who we are and may open. */
+        INTRODUCED,
+        OPEN,
+        ENDED
+    }
+
+    private final SimulatedRobot robot;
+    private final Pose start;
+    private final Wire wire;
+    private final PacketReader reader = new PacketReader(this::heard);
+    private final Motion motion;
+    private final Report report;
+    private final Bumpers bumpers;
+    private Stage stage = Stage.HANDSHAKE;
+    private Told encoders = Told.NEVER;
+    private Told simulator = Told.NEVER;
+    private boolean silent;
+    private long simulatedNanos;
+    private long nanos;
+    private volatile long heardNanos;
+    private long sipSimulatedNanos;
+    private long sipNanos;
+
+    /**
+     * @param start where the robot is put when the client resets the simulator
+     * @param nanos real time now
+     */
+    public P2osSession(SimulatedRobot robot, Pose start, Wire wire, long nanos) {
+        this.robot = robot;
+        this.start = start;
+        this.wire = wire;
+        motion = new Motion(robot);
+        bumpers = new Bumpers(robot);
+        report = new Report(robot, bumpers);
+        heardNanos = nanos;
+    }
+
+    /** Takes any bytes whatever. */
+    public void received(byte[] bytes, long nowSimulatedNanos, long nowNanos) {
+        setTime(nowSimulatedNanos, nowNanos);
+        if (stage != Stage.ENDED) {
+            reader.read(bytes, nowNanos);
+        }
+    }
+
+    /** Time has passed; to be told after every step, and now and then while the simulation stands. */
+    public void tick(long nowSimulatedNanos, long nowNanos) {
+        setTime(nowSimulatedNanos, nowNanos);
+        if (stage == Stage.ENDED) {
+            return;
+        }
+        if (!robot.isPowered()) {
+            leave();
+            return;
+        }
+        if (stage == Stage.OPEN) {
+            if (!silent && nanos - heardNanos > WATCHDOG_NANOS) {
+                silent = true;
+                motion.setSuspended(true);
+            }
+            tellWhenDue();
+        }
+    }
+
+    /** The client is gone. */
+    public void lost() {
+        if (stage == Stage.OPEN) {
+            motion.end();
+        }
+        stage = Stage.ENDED;
+    }
+
+    /** When the client last said something, or came; real time. Any thread may ask. */
+    public long heardNanos() {
+        return heardNanos;
+    }
+
+    private void setTime(long nowSimulatedNanos, long nowNanos) {
+        simulatedNanos = nowSimulatedNanos;
+        nanos = nowNanos;
+        bumpers.watch(simulatedNanos);
+    }
+
+    private void heard(byte[] data) {
+        if (stage == Stage.ENDED) {
+            return;
+        }
+        heardNanos = nanos;
+        if (silent) {
+            silent = false;
+            motion.setSuspended(false);
+        }
+        Command command = CommandCodec.decode(data);
+        if (command instanceof Command.Pulse) {
+            pulse();
+        } else if (command instanceof Command.Open) {
+            open();
+        } else if (command instanceof Command.Close) {
+            close();
+        } else if (stage == Stage.OPEN) {
+            perform(command);
+        }
+    }
+
+    // ---- coming and going ----------------------------------------------------------------------------------------
+
+    private void pulse() {
+        if (stage != Stage.OPEN) {
+            stage = Stage.HANDSHAKE;
+            wire.send(CommandCodec.packet(CommandNumber.PULSE));
+        }
+    }
+
+    private void open() {
+        if (stage == Stage.HANDSHAKE) {
+            wire.send(CommandCodec.packet(CommandNumber.OPEN));
+        } else if (stage == Stage.INTRODUCED) {
+            stage = Stage.OPEN;
+            motion.begin();
+            tell();
+        }
+    }
+
+    private void close() {
+        if (stage == Stage.OPEN) {
+            leave();
+        } else {
+            stage = Stage.INTRODUCED;
+            wire.send(report.introduction());
+        }
+    }
+
+    private void leave() {
+        lost();
+        wire.close();
+    }
+
+    // ---- commands ------------------------------------------------------------------------------------------------
+
+    private void perform(Command command) {
+        if (command instanceof Command.Enable enable) {
+            robot.setMotors(enable.motors());
+        } else if (command instanceof Command.SetOrigin) {
+            robot.odometry().reset();
+        } else if (command instanceof Command.Configuration) {
+            wire.send(ConfigurationPacket.of(report.name()));
+        } else if (command instanceof Command.Encoders wanted) {
+            encoders = Told.ofMode(wanted.mode());
+        } else if (command instanceof Command.SimStatus wanted) {
+            simulator = Told.ofMode(wanted.mode());
+        } else if (command instanceof Command.Sonar sonar) {
+            report.setSonar(sonar.on());
+        } else if (command instanceof Command.Polling polling) {
+            report.setPolled(polling.sonars());
+        } else if (command instanceof Command.BumpStall sides) {
+            bumpers.setStalls(sides);
+        } else if (command instanceof Command.Battery battery) {
+            report.setBattery(battery.decivolts());
+        } else if (command instanceof Command.SimPose pose) {
+            place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
+        } else if (command instanceof Command.SimReset) {
+            place(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
+            robot.odometry().reset();
+        } else {
+            motion.perform(command);
+        }
+    }
+
+    /** An order by telephone is not interrupted by the robot's being carried away. */
+    private void place(double x, double y, double heading) {
+        if (!robot.isUnderOrder()) {
+            robot.brakeAtOnce();
+            robot.place(x, y, heading);
+        }
+    }
+
+    // ---- information packets -------------------------------------------------------------------------------------
+
+    private void tellWhenDue() {
+        long gap = nanos - sipNanos;
+        boolean due = simulatedNanos - sipSimulatedNanos >= SIP_NANOS && gap >= LEAST_GAP_NANOS;
+        if (due || gap >= MOST_GAP_NANOS) {
+            tell();
+        }
+    }
+
+    private void tell() {
+        boolean late = simulatedNanos - sipSimulatedNanos >= 2 * SIP_NANOS;
+        sipSimulatedNanos =
+                late || simulatedNanos - sipSimulatedNanos < SIP_NANOS ? simulatedNanos : sipSimulatedNanos + SIP_NANOS;
+        sipNanos = nanos;
+        wire.send(report.standard(simulatedNanos));
+        if (encoders != Told.NEVER) {
+            encoders = encoders.afterTelling();
+            wire.send(report.encoders());
+        }
+        if (simulator != Told.NEVER) {
+            simulator = simulator.afterTelling();
+            wire.send(report.simulator());
+        }
+    }
+
+    /** All sonars, sonar 0 first. */
+    static List<Integer> allSonars() {
+        return IntStream.range(0, StandardSip.SONARS).boxed().toList();
+    }
+}

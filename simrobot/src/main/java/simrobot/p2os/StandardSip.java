@@ -1,0 +1,71 @@
+package simrobot.p2os;
+
+/**
+ * The server information packet, 0x32 for a robot that stands and 0x33 for one that moves.
+ *
+ * <pre>
+ *   id 1 | x 2 | y 2 | heading 2 | left 2 | right 2 | battery 1 | left stall, rear bumpers 1 | right stall, front bumpers 1
+ *   | heading target 2 | flags 2 | compass 1 | n 1 | n times: sonar 1, range 2 | gripper 1 | analogue port 1 | analogue 1
+ *   | digital in 1 | digital out 1 | battery 2 | charger 1 | turn 2 | faults 2 | lateral 2 | temperature 1 | charge 1
+ * </pre>
+ *
+ * @param x with y in distance units, 15 bits
+ * @param heading with target in angle units, signed
+ * @param left with right the wheels' speeds, mm/s
+ * @param frontBumpers five bits, the leftmost bumper lowest
+ * @param rearBumpers five bits, clockwise on, so the rightmost lowest
+ * @param sonars which discs have heard something
+ * @param rangesMillimeters what they heard, in the order of sonars
+ * @param turnDecidegreesPerSecond anticlockwise
+ */
+record StandardSip(
+        boolean moving,
+        int x,
+        int y,
+        int heading,
+        int left,
+        int right,
+        int batteryDecivolts,
+        boolean stalled,
+        int frontBumpers,
+        int rearBumpers,
+        int target,
+        boolean motors,
+        boolean sonarOn,
+        int[] sonars,
+        int[] rangesMillimeters,
+        int turnDecidegreesPerSecond) {
+    static final int STOPPED_ID = 0x32;
+    static final int MOVING_ID = 0x33;
+    static final int SONARS = 16;
+
+    private static final int MOTORS_FLAG = 1;
+
+    /** All four sonar arrays. */
+    private static final int SONAR_FLAGS = 0b11110;
+
+    /** Inputs that nothing pulls down. */
+    private static final int OPEN_INPUTS = 0xFF;
+
+    private static final int NO_THERMOMETER = -127;
+    private static final int FULL_PERCENT = 100;
+
+    byte[] packet() {
+        Octets octets = new Octets()
+                .int1(moving ? MOVING_ID : STOPPED_ID)
+                .int2s(x, y, heading, left, right)
+                .int1(batteryDecivolts)
+                .int1(rearBumpers << 1 | (stalled ? 1 : 0))
+                .int1(frontBumpers << 1 | (stalled ? 1 : 0))
+                .int2(target)
+                .int2((motors ? MOTORS_FLAG : 0) | (sonarOn ? SONAR_FLAGS : 0))
+                .int1(0)
+                .int1(sonars.length);
+        for (int i = 0; i < sonars.length; i++) {
+            octets.int1(sonars[i]).int2(rangesMillimeters[i]);
+        }
+        octets.int1(0).int1(0).int1(0).int1(OPEN_INPUTS).int1(0);
+        octets.int2(batteryDecivolts).int1(0).int2s(turnDecidegreesPerSecond, 0, 0);
+        return Packet.of(octets.int1(NO_THERMOMETER).int1(FULL_PERCENT).toBytes());
+    }
+}
