@@ -77,7 +77,9 @@ final class CallLeg implements PagedTransaction {
 
     void page() {
         happen(CallEvent.PAGE);
-        link.pageForCalls();
+        if (state == NetworkCallState.MM_CONNECTION_PENDING) {
+            link.paging.request(this);
+        }
     }
 
     void proceed() {

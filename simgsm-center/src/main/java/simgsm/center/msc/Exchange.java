@@ -154,7 +154,10 @@ public final class Exchange {
         }
     }
 
-    /** Lets the links come to rest; only those on which something happened are looked at. */
+    /**
+     * Lets held calls go on and releases the channels that nothing needs any more; only links on which something happened
+     * are looked at.
+     */
     private void settle() {
         while (!settlement.isEmpty()) {
             calls.legsChanged();
@@ -162,7 +165,7 @@ public final class Exchange {
             settlement.clear();
             for (Link link : touched) {
                 if (!link.isClosed) {
-                    link.settle();
+                    link.radio.releaseIfUnused();
                 }
             }
         }

@@ -162,25 +162,6 @@ public final class Link {
         return null;
     }
 
-    /**
-     * Looks for the mobile on behalf of calls that have not reached it; but while an older call of it is still being
-     * cleared they wait, since the mobile would answer them with "busy". The timers of the clearing bound the wait.
-     */
-    void pageForCalls() {
-        if (callLegs.stream().anyMatch(leg -> leg.state().isClearing())) {
-            return;
-        }
-        List.copyOf(callLegs).stream()
-                .filter(leg -> leg.state() == NetworkCallState.MM_CONNECTION_PENDING && !paging.awaits(leg))
-                .forEach(paging::request);
-    }
-
-    /** Something has happened here: does what had to wait for it, and ends what nothing needs any more. */
-    void settle() {
-        pageForCalls();
-        radio.releaseIfUnused();
-    }
-
     /** Whether a further call would find the subscriber engaged. */
     boolean isInCall() {
         return callLegs.stream().anyMatch(leg -> !leg.state().isClearing());

@@ -37,10 +37,6 @@ final class Paging {
         }
     }
 
-    boolean awaits(PagedTransaction transaction) {
-        return waiting.contains(transaction);
-    }
-
     void cancel(PagedTransaction transaction) {
         waiting.remove(transaction);
         if (waiting.isEmpty()) {

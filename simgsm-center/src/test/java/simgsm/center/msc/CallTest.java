@@ -177,51 +177,6 @@ class CallTest {
     }
 
     @Test
-    void whoHangsUpAndDialsAgainAtOnceGetsThrough() {
-        ActiveCall call = network.activeCall("5550100", "5550200");
-        call.caller().hangUp(TestMobile.OUR_CALL);
-        call.caller().leaveReleasedChannel();
-        call.caller().dial("5550200");
-        call.caller().next(CallControl.CallProceeding.class);
-        call.called().next(CallControl.Disconnect.class);
-        assertTrue(call.called().received.isEmpty());
-
-        call.called().tell(new CallControl.Release(ActiveCall.CALLED_TRANSACTION, Optional.empty()));
-        call.called().next(CallControl.ReleaseComplete.class);
-
-        call.called().next(CallControl.Setup.class);
-    }
-
-    @Test
-    void aMobileThatDoesNotFinishClearingIsBusy() {
-        ActiveCall call = network.activeCall("5550100", "5550200");
-        call.caller().hangUp(TestMobile.OUR_CALL);
-        call.caller().leaveReleasedChannel();
-        call.caller().dial("5550200");
-        call.caller().next(CallControl.CallProceeding.class);
-
-        network.pass(HeldCalls.PATIENCE);
-
-        assertCauseOf(call.caller(), Cause.USER_BUSY);
-    }
-
-    @Test
-    void whoIsHeldMayHangUp() {
-        ActiveCall call = network.activeCall("5550100", "5550200");
-        call.caller().hangUp(TestMobile.OUR_CALL);
-        call.caller().leaveReleasedChannel();
-        call.caller().dial("5550200");
-        call.caller().next(CallControl.CallProceeding.class);
-        call.caller().hangUp(TestMobile.OUR_CALL);
-        call.called().next(CallControl.Disconnect.class);
-        call.called().tell(new CallControl.Release(ActiveCall.CALLED_TRANSACTION, Optional.empty()));
-        call.called().next(CallControl.ReleaseComplete.class);
-        call.called().next(RadioResource.ChannelRelease.class);
-
-        assertTrue(call.called().received.isEmpty());
-    }
-
-    @Test
     void aSubscriberWhoIsBeingRungIsBusyToo() {
         TestMobile first = network.attach("5550100");
         TestMobile second = network.attach("5550101");

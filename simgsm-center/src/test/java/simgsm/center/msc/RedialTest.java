@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static simgsm.center.msc.ActiveCall.CALLED_TRANSACTION;
 import static simgsm.center.msc.TestMobile.OUR_CALL;
 
+import java.time.Duration;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.CallControl;
@@ -39,25 +40,19 @@ class RedialTest {
     }
 
     @Test
-    void theTimersOfTheClearingBoundTheWait() {
-        TestMobile called = hungUpAndDialledAgain().called();
-        network.passSeconds(30);
-        called.next(CallControl.Release.class);
-        network.passSeconds(30);
-        called.next(CallControl.Release.class);
-        network.passSeconds(29);
-        assertTrue(called.hasNothing());
-        network.passSeconds(1);
-        called.next(CallControl.Setup.class);
+    void aMobileThatDoesNotFinishClearingInTimeIsBusy() {
+        ActiveCall call = hungUpAndDialledAgain();
+        network.pass(HeldCalls.PATIENCE.minusNanos(1));
+        assertTrue(call.caller().hasNothing());
+        network.pass(Duration.ofNanos(1));
+        assertEquals(
+                Cause.USER_BUSY,
+                call.caller().next(CallControl.Disconnect.class).cause());
     }
 
     @Test
-    void whoIsWaitedForIsBusyForAThirdAndFreeAgainWhenTheWaitingCallerGivesUp() {
+    void whoIsHeldMayHangUp() {
         ActiveCall call = hungUpAndDialledAgain();
-        TestMobile third = network.attach("5550101");
-        third.dial("5550200");
-        third.next(CallControl.CallProceeding.class);
-        assertRefusedAsBusy(third);
         call.caller().hangUp(OUR_CALL);
         call.called().tell(new CallControl.Release(CALLED_TRANSACTION, Optional.empty()));
         call.called().next(CallControl.ReleaseComplete.class);
@@ -66,10 +61,28 @@ class RedialTest {
         assertTrue(network.exchange.calls().isEmpty());
     }
 
-    private static void assertRefusedAsBusy(TestMobile third) {
+    @Test
+    void aHeldCallWhoseMobileGoesAwayIsRefusedAsOutOfOrder() {
+        ActiveCall call = hungUpAndDialledAgain();
+        call.called().vanish();
+        assertEquals(
+                Cause.DESTINATION_OUT_OF_ORDER,
+                call.caller().next(CallControl.Disconnect.class).cause());
+    }
+
+    @Test
+    void ofTwoHeldCallsTheOlderGetsThroughAndTheOtherIsRefusedAsBusy() {
+        ActiveCall call = hungUpAndDialledAgain();
+        TestMobile third = network.attach("5550101");
+        third.dial("5550200");
+        third.next(CallControl.CallProceeding.class);
+        assertTrue(third.hasNothing());
+        call.called().tell(new CallControl.Release(CALLED_TRANSACTION, Optional.empty()));
+        call.called().next(CallControl.ReleaseComplete.class);
+        assertEquals(
+                TestNetwork.number("5550100"),
+                call.called().next(CallControl.Setup.class).calling());
         assertEquals(Cause.USER_BUSY, third.next(CallControl.Disconnect.class).cause());
-        third.tell(new CallControl.Release(OUR_CALL, Optional.empty()));
-        third.next(CallControl.ReleaseComplete.class);
     }
 
     @Test
