@@ -4,6 +4,7 @@ module simgsm.center {
 
     exports simgsm.center.msc;
     exports simgsm.center.net;
+    exports simgsm.center.smpp;
     exports simgsm.center.smsc;
     exports simgsm.center.subscriber;
     exports simgsm.center.timer;

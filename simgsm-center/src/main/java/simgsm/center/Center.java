@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicReference;
@@ -14,6 +15,7 @@ import simgsm.center.msc.ExchangeListener;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
+import simgsm.center.smpp.SmppUsers;
 import simgsm.center.smsc.MemoryStore;
 import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
@@ -30,10 +32,17 @@ final class Center implements AutoCloseable {
     private final InetAddress address;
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
 
-    private Center(DataDirectory data, CenterLoop loop, InetAddress address) {
+    private final OptionalInt smppPort;
+    private final SmppUsers smppUsers;
+
+    private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
         this.data = data;
         this.loop = loop;
-        this.address = address;
+        address = settings.address();
+        smppUsers = SmppUserFile.read(data.path());
+        smppPort = settings.smppPort().isPresent()
+                ? OptionalInt.of(loop.openSmpp(address, settings.smppPort().getAsInt()))
+                : OptionalInt.empty();
     }
 
     /**
@@ -51,9 +60,18 @@ final class Center implements AutoCloseable {
         }
         DataDirectory directory = DataDirectory.take(data);
         try {
-            return new Center(directory, CenterLoop.open(address, port), address);
+            return open(directory, CenterLoop.open(address, port), settings);
         } catch (IOException e) {
             directory.close();
+            throw e;
+        }
+    }
+
+    private static Center open(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
+        try {
+            return new Center(data, loop, settings);
+        } catch (IOException e) {
+            loop.close();
             throw e;
         }
     }
@@ -68,11 +86,18 @@ final class Center implements AutoCloseable {
         return loop.port();
     }
 
+    /** Where applications find it by SMPP, if they may. */
+    OptionalInt smppPort() {
+        return smppPort;
+    }
+
     void start(long seed, ExchangeListener listener) {
         MemoryStore store =
                 new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
         ExchangeSettings settings = new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now());
-        loop.start(new Exchange(settings, store, listener), Center::giveUp);
+        Exchange exchange = new Exchange(settings, store, listener);
+        exchange.smpp().admit(smppUsers);
+        loop.start(exchange, Center::giveUp);
     }
 
     /** A centre that serves nobody must not look alive. Not on the loop's own thread, whose end the exit waits for. */

@@ -30,6 +30,12 @@ public final class CenterMain {
                         "port",
                         "N",
                         "TCP port for phones and modems, 0 for any free one; default " + CenterSettings.DEFAULT_PORT)
+                .value(
+                        "smpp",
+                        "PORT",
+                        "serve applications by SMPP 3.4 on this TCP port, 0 for any free one; who may bind stands in"
+                                + "\nsmpp-users.properties in the data directory, id=password a line; without that file"
+                                + "\nany application of this machine")
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time");
     }
@@ -56,7 +62,11 @@ public final class CenterMain {
         Console console = new Console(Program.standardOutput());
         try (EventPrinter printer = new EventPrinter(console)) {
             center.start(settings.seed(), printer);
-            console.ready(Event.of("ready").with("port", center.port()));
+            Event ready = Event.of("ready").with("port", center.port());
+            console.ready(
+                    center.smppPort().isPresent()
+                            ? ready.with("smpp", center.smppPort().getAsInt())
+                            : ready);
             Program.runConsole(console, arguments, new CenterCommands(center, printer));
         }
         return console.exitStatus();

@@ -14,20 +14,27 @@ import simgsm.console.UsageException;
  * What the command line says, read whole before anything is begun.
  *
  * @param port empty for the usual one
+ * @param smppPort empty for no SMPP
  * @param data empty for the usual place
  */
-record CenterSettings(InetAddress address, OptionalInt port, Optional<Path> data, long seed, Locale language) {
+record CenterSettings(
+        InetAddress address, OptionalInt port, OptionalInt smppPort, Optional<Path> data, long seed, Locale language) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
     static CenterSettings read(Arguments arguments) throws UsageException {
-        int port = (int) arguments.integer("port", DEFAULT_PORT, 0, MAX_PORT);
         return new CenterSettings(
                 arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
-                arguments.has("port") ? OptionalInt.of(port) : OptionalInt.empty(),
+                port(arguments, "port"),
+                port(arguments, "smpp"),
                 arguments.path("data"),
                 arguments.integer("seed", new Random().nextLong(), Long.MIN_VALUE, Long.MAX_VALUE),
                 arguments.language());
+    }
+
+    private static OptionalInt port(Arguments arguments, String option) throws UsageException {
+        int port = (int) arguments.integer(option, 0, 0, MAX_PORT);
+        return arguments.has(option) ? OptionalInt.of(port) : OptionalInt.empty();
     }
 
     private static InetAddress address(String text) {

@@ -9,8 +9,10 @@
  *   net    ui
  *    |    /
  *   msc
- *    |  \
- *   smsc subscriber
+ *    |  \  \
+ *    |  smpp subscriber
+ *    |  /
+ *   smsc
  *    |
  *   timer
  * </pre>

@@ -34,7 +34,12 @@ class CenterConsoleTest {
     @BeforeEach
     void open() throws IOException {
         CenterSettings settings = new CenterSettings(
-                InetAddress.getLoopbackAddress(), OptionalInt.empty(), Optional.empty(), 1, Locale.ENGLISH);
+                InetAddress.getLoopbackAddress(),
+                OptionalInt.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
+                1,
+                Locale.ENGLISH);
         center = Center.open(settings, temporary, 0);
     }
 

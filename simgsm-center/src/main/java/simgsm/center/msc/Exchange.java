@@ -15,6 +15,7 @@ import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RslCodec;
+import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessage;
@@ -40,6 +41,7 @@ public final class Exchange {
     private final Mobility mobility;
     private final CallSwitch calls;
     private final ShortMessageCenter shortMessages;
+    private final SmppServer smpp;
     private final Broadcaster broadcaster;
     private final SignallingDispatcher signalling;
     private final ExchangeParts parts;
@@ -50,12 +52,13 @@ public final class Exchange {
         ladder = new Ladder(settings.startedAt(), timers);
         RandomGenerator random = new SplittableRandom(settings.seed());
         register = new SubscriberRegister(random);
+        smpp = new SmppServer(timers);
         MessageDelivery delivery = new MessageDelivery(register);
         shortMessages = new ShortMessageCenter(
                 settings.startedAt(),
                 timers,
                 store,
-                delivery,
+                new DeliveryWays(delivery, smpp.routes(), register),
                 (message, state) -> messageChanged(message, state, listener));
         mobility = new Mobility(
                 register,
@@ -63,6 +66,7 @@ public final class Exchange {
                 settings.networkName(),
                 new AttachmentEvents(listener, number -> shortMessages.available(number)));
         delivery.locations(mobility);
+        smpp.serve(shortMessages);
         calls = new CallSwitch(mobility, timers, call -> callChanged(call, listener));
         broadcaster = new Broadcaster(mobility, random);
         signalling = new SignallingDispatcher(mobility, calls, ladder);
@@ -83,6 +87,7 @@ public final class Exchange {
         if (state == MessageState.ACCEPTED) {
             snapshots.messageAccepted(message);
         }
+        smpp.changed(message, state);
         listener.happened(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
     }
 
@@ -116,6 +121,18 @@ public final class Exchange {
             LOG.log(link.subscriber == null ? Level.DEBUG : Level.INFO, "{0}: gone, {1}", link, reason);
             link.forget();
         }
+        settle();
+    }
+
+    /** What applications say and hear; only within {@link #perform}. */
+    public SmppServer smpp() {
+        return smpp;
+    }
+
+    /** Has something done at this moment. */
+    public void perform(long nowNanos, Runnable action) {
+        timers.advance(nowNanos);
+        action.run();
         settle();
     }
 

@@ -4,17 +4,16 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayDeque;
 import java.util.OptionalLong;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import simgsm.air.IpaFrame;
 import simgsm.center.msc.Exchange;
@@ -26,59 +25,73 @@ import simgsm.center.msc.Exchange;
 public final class CenterLoop implements AutoCloseable {
     /** Further terminals are turned away at the door. */
     public static final int MAX_CONNECTIONS = 20_000;
+    /** So are further applications. */
+    public static final int MAX_APPLICATIONS = 5_000;
 
     private static final System.Logger LOG = System.getLogger(CenterLoop.class.getName());
     private static final int READ_BUFFER_OCTETS = 64 * 1024;
-    private static final int BACKLOG = 1_024;
     private static final long NANOS_PER_MILLI = 1_000_000;
-    /** A pause before accepting again when the process may open no more files. */
-    private static final long ACCEPT_PAUSE_NANOS = 500 * NANOS_PER_MILLI;
 
     private final Selector selector;
-    private final ServerSocketChannel server;
-    private final SelectionKey serverKey;
+    private final Door terminals;
+    private Door applications;
     private final Queue<Consumer<Exchange>> mailbox = new ConcurrentLinkedQueue<>();
     private final ArrayDeque<Broken> brokenConnections = new ArrayDeque<>();
     private final ByteBuffer readBuffer = ByteBuffer.allocateDirect(READ_BUFFER_OCTETS);
     private final long startNanos = System.nanoTime();
-    private final Connection.Host host = new Host();
+    private final Host host = new Host();
+    private final ArrayDeque<SmppConnection> unsent = new ArrayDeque<>();
+    private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Thread thread = new Thread(this::run, "centre");
     private Exchange exchange;
     private Runnable onFailure = () -> {};
     private final View view = new View();
-    private int connections;
-    private long acceptAgainNanos = Long.MAX_VALUE;
     private volatile boolean isClosing;
 
-    private record Broken(Connection connection, String reason) {}
+    private record Broken(Peer peer, String reason) {}
 
-    private final class Host implements Connection.Host {
+    private final class Host implements Connection.Host, SmppConnection.Server {
         @Override
         public void frameArrived(Connection connection, IpaFrame frame) {
             exchange.frameReceived(nowNanos(), connection.link, frame);
         }
 
         @Override
-        public void broken(Connection connection, String reason) {
-            brokenConnections.add(new Broken(connection, reason));
+        public void lost(Connection connection, String reason) {
+            exchange.linkClosed(nowNanos(), connection.link, reason);
         }
 
         @Override
-        public void closed(Connection connection) {
-            connections--;
+        public void received(SmppConnection connection, ByteBuffer octets) {
+            exchange.perform(nowNanos(), () -> exchange.smpp().received(connection.session, octets));
+        }
+
+        @Override
+        public void lost(SmppConnection connection, String reason) {
+            exchange.perform(nowNanos(), () -> exchange.smpp().closed(connection.session, reason));
+        }
+
+        @Override
+        public void hasUnsent(SmppConnection connection) {
+            unsent.add(connection);
+        }
+
+        @Override
+        public void broken(Peer peer, String reason) {
+            brokenConnections.add(new Broken(peer, reason));
+        }
+
+        @Override
+        public void closed(Peer peer) {
+            (peer instanceof SmppConnection ? applications : terminals).left();
         }
     }
 
-    private CenterLoop(InetSocketAddress address) throws IOException {
+    private CenterLoop(InetAddress address, int port) throws IOException {
         selector = Selector.open();
-        server = ServerSocketChannel.open();
         try {
-            server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
-            server.bind(address, BACKLOG);
-            server.configureBlocking(false);
-            serverKey = server.register(selector, SelectionKey.OP_ACCEPT);
+            terminals = Door.open(selector, address, port, MAX_CONNECTIONS, this::terminal);
         } catch (IOException e) {
-            server.close();
             selector.close();
             throw e;
         }
@@ -91,16 +104,39 @@ public final class CenterLoop implements AutoCloseable {
      * @throws IOException naming address and port
      */
     public static CenterLoop open(InetAddress address, int port) throws IOException {
-        try {
-            return new CenterLoop(new InetSocketAddress(address, port));
-        } catch (IOException e) {
-            throw new IOException(
-                    "cannot listen on " + address.getHostAddress() + " port " + port + ": " + e.getMessage(), e);
-        }
+        return new CenterLoop(address, port);
+    }
+
+    /**
+     * Opens a second port, for SMPP. To be called before {@link #start}.
+     *
+     * @return the port
+     */
+    public int openSmpp(InetAddress address, int port) throws IOException {
+        applications = Door.open(selector, address, port, MAX_APPLICATIONS, this::application);
+        return applications.port();
+    }
+
+    private Peer terminal(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
+        Connection connection = new Connection(channel, key, host);
+        connection.link = exchange.linkOpened(nowNanos(), connection, text(address));
+        return connection;
+    }
+
+    private Peer application(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
+        SmppConnection connection = new SmppConnection(channel, key, host);
+        boolean isLocal = address.getAddress().isLoopbackAddress();
+        exchange.perform(
+                nowNanos(), () -> connection.session = exchange.smpp().opened(connection, text(address), isLocal));
+        return connection;
+    }
+
+    private static String text(InetSocketAddress address) {
+        return address.getAddress().getHostAddress() + ":" + address.getPort();
     }
 
     public int port() {
-        return server.socket().getLocalPort();
+        return terminals.port();
     }
 
     /**
@@ -125,7 +161,7 @@ public final class CenterLoop implements AutoCloseable {
     /** Has a task done by the thread that owns the exchange. Any thread may call this, that one too. */
     public void post(Consumer<Exchange> task) {
         mailbox.add(task);
-        if (Thread.currentThread() != thread) {
+        if (Thread.currentThread() != thread && isWoken.compareAndSet(false, true)) {
             selector.wakeup();
         }
     }
@@ -153,13 +189,20 @@ public final class CenterLoop implements AutoCloseable {
     private void round() throws IOException {
         selector.select(this::ready, millisToWait());
         advance();
+        isWoken.set(false);
         for (Consumer<Exchange> task = mailbox.poll(); task != null; task = mailbox.poll()) {
             Consumer<Exchange> next = task;
             view.changed();
             guarded("a posted task", () -> next.accept(exchange));
         }
-        closeBroken();
-        acceptAgain();
+        do {
+            flush();
+            closeBroken();
+        } while (!unsent.isEmpty());
+        terminals.acceptAgain(nowNanos());
+        if (applications != null) {
+            applications.acceptAgain(nowNanos());
+        }
         guarded("the view", () -> view.lookIfDue(nowNanos(), exchange));
     }
 
@@ -178,81 +221,52 @@ public final class CenterLoop implements AutoCloseable {
         }
         long now = nowNanos();
         OptionalLong deadline = exchange.nextDeadlineNanos();
-        long next = Math.min(deadline.orElse(Long.MAX_VALUE), Math.min(acceptAgainNanos, view.dueNanos()));
+        long next = Math.min(deadline.orElse(Long.MAX_VALUE), Math.min(acceptAgainNanos(), view.dueNanos()));
         return next == Long.MAX_VALUE ? 0 : Math.max(1, (next - now + NANOS_PER_MILLI - 1) / NANOS_PER_MILLI);
+    }
+
+    private long acceptAgainNanos() {
+        long later = applications == null ? Long.MAX_VALUE : applications.acceptAgainNanos();
+        return Math.min(terminals.acceptAgainNanos(), later);
+    }
+
+    /** What a turn has brought to an application goes out together. */
+    private void flush() {
+        for (SmppConnection each = unsent.poll(); each != null; each = unsent.poll()) {
+            each.flush();
+        }
     }
 
     private void ready(SelectionKey key) {
         view.changed();
-        if (key == serverKey) {
-            accept();
-        } else if (key.attachment() instanceof Connection connection && connection.isOpen()) {
+        if (key.attachment() instanceof Door door) {
+            door.accept(nowNanos());
+        } else if (key.attachment() instanceof Peer peer && peer.isOpen()) {
             try {
-                serve(connection, key);
+                serve(peer, key);
             } catch (RuntimeException e) {
-                LOG.log(Level.ERROR, connection.link + ": given up after an error of our own", e);
-                host.broken(connection, "internal error");
+                LOG.log(Level.ERROR, "a connection is given up after an error of our own", e);
+                host.broken(peer, "internal error");
             }
         }
         closeBroken();
     }
 
-    private void serve(Connection connection, SelectionKey key) {
+    private void serve(Peer peer, SelectionKey key) {
         if (key.isReadable()) {
-            connection.readable(readBuffer);
+            peer.readable(readBuffer);
         }
         if (key.isValid() && key.isWritable()) {
-            connection.writable();
-        }
-    }
-
-    private void accept() {
-        try {
-            for (SocketChannel channel = server.accept(); channel != null; channel = server.accept()) {
-                if (connections >= MAX_CONNECTIONS) {
-                    LOG.log(Level.WARNING, "{0}: turned away, {1} connections are open", channel, connections);
-                    channel.close();
-                } else {
-                    welcome(channel);
-                }
-            }
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "cannot accept: {0}; trying again soon", e.getMessage());
-            serverKey.interestOps(0);
-            acceptAgainNanos = nowNanos() + ACCEPT_PAUSE_NANOS;
-        }
-    }
-
-    private void acceptAgain() {
-        if (nowNanos() >= acceptAgainNanos) {
-            acceptAgainNanos = Long.MAX_VALUE;
-            serverKey.interestOps(SelectionKey.OP_ACCEPT);
-        }
-    }
-
-    private void welcome(SocketChannel channel) throws IOException {
-        try {
-            channel.configureBlocking(false);
-            channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-            InetSocketAddress peer = (InetSocketAddress) channel.getRemoteAddress();
-            SelectionKey key = channel.register(selector, SelectionKey.OP_READ);
-            Connection connection = new Connection(channel, key, host);
-            key.attach(connection);
-            connections++;
-            connection.link = exchange.linkOpened(
-                    nowNanos(), connection, peer.getAddress().getHostAddress() + ":" + peer.getPort());
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "a peer left before it was welcomed: {0}", e.getMessage());
-            channel.close();
+            peer.writable();
         }
     }
 
     private void closeBroken() {
         for (Broken broken = brokenConnections.poll(); broken != null; broken = brokenConnections.poll()) {
-            if (broken.connection.isOpen()) {
+            if (broken.peer.isOpen()) {
                 Broken gone = broken;
-                gone.connection.shut();
-                guarded("a closed link", () -> exchange.linkClosed(nowNanos(), gone.connection.link, gone.reason));
+                gone.peer.shut();
+                guarded("a closed link", () -> gone.peer.lost(gone.reason));
             }
         }
     }
@@ -271,12 +285,15 @@ public final class CenterLoop implements AutoCloseable {
             return;
         }
         for (SelectionKey key : selector.keys()) {
-            if (key.attachment() instanceof Connection connection) {
-                connection.shut();
+            if (key.attachment() instanceof Peer peer) {
+                peer.shut();
             }
         }
         try {
-            server.close();
+            terminals.close();
+            if (applications != null) {
+                applications.close();
+            }
             selector.close();
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing: {0}", e.getMessage());

@@ -13,16 +13,12 @@ import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
 
 /** One terminal's TCP connection: octets in, frames to the loop; frames in, octets out. */
-final class Connection implements LinkPort {
+final class Connection implements Peer, LinkPort {
     /** What a connection asks of its loop. */
-    interface Host {
+    interface Host extends Peer.Host {
         void frameArrived(Connection connection, IpaFrame frame);
 
-        /** The connection cannot go on; the loop closes it once the exchange is at rest. */
-        void broken(Connection connection, String reason);
-
-        /** The socket is closed, by whomever. */
-        void closed(Connection connection);
+        void lost(Connection connection, String reason);
     }
 
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
@@ -44,12 +40,13 @@ final class Connection implements LinkPort {
         this.host = host;
     }
 
-    boolean isOpen() {
+    @Override
+    public boolean isOpen() {
         return isOpen;
     }
 
-    /** Reads once, so that a busy peer does not keep the others waiting. */
-    void readable(ByteBuffer buffer) {
+    @Override
+    public void readable(ByteBuffer buffer) {
         try {
             buffer.clear();
             if (channel.read(buffer) < 0) {
@@ -68,7 +65,8 @@ final class Connection implements LinkPort {
         }
     }
 
-    void writable() {
+    @Override
+    public void writable() {
         try {
             outgoing.flush(channel);
             listenForRoom();
@@ -104,8 +102,13 @@ final class Connection implements LinkPort {
         shut();
     }
 
-    /** Closes the socket; once is enough. */
-    void shut() {
+    @Override
+    public void lost(String reason) {
+        host.lost(this, reason);
+    }
+
+    @Override
+    public void shut() {
         if (!isOpen) {
             return;
         }

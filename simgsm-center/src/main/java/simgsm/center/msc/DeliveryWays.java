@@ -1,0 +1,51 @@
+package simgsm.center.msc;
+
+import simgsm.air.Msisdn;
+import simgsm.center.smpp.EsmeRoutes;
+import simgsm.center.smsc.DeliveryPort;
+import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.Envelope;
+import simgsm.center.smsc.Recipient;
+import simgsm.center.subscriber.SubscriberRegister;
+
+/**
+ * Chooses between the ways to mobiles and to applications. A mobile that is attached gets what is sent to its number; one
+ * that is away is waited for, unless an application serves just its number.
+ */
+final class DeliveryWays implements DeliveryPort {
+    private final MessageDelivery mobiles;
+    private final EsmeRoutes applications;
+    private final SubscriberRegister register;
+
+    DeliveryWays(MessageDelivery mobiles, EsmeRoutes applications, SubscriberRegister register) {
+        this.mobiles = mobiles;
+        this.applications = applications;
+        this.register = register;
+    }
+
+    @Override
+    public boolean isReachable(Recipient receiver) {
+        return wayTo(receiver).isReachable(receiver);
+    }
+
+    @Override
+    public int window(Recipient receiver) {
+        return wayTo(receiver).window(receiver);
+    }
+
+    @Override
+    public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
+        wayTo(envelope.receiver()).deliver(envelope, moreWaiting, receipt);
+    }
+
+    private DeliveryPort wayTo(Recipient receiver) {
+        if (!(receiver instanceof Recipient.Number number)) {
+            return applications;
+        }
+        Msisdn called = number.number();
+        if (register.ofNumber(called).isEmpty()) {
+            return applications;
+        }
+        return !mobiles.isReachable(receiver) && applications.serveExactly(called) ? applications : mobiles;
+    }
+}

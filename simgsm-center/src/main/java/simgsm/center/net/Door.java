@@ -1,0 +1,118 @@
+package simgsm.center.net;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+
+/** One port that the loop listens on, and how many may come in by it. */
+final class Door {
+    private static final System.Logger LOG = System.getLogger(Door.class.getName());
+    private static final int BACKLOG = 1_024;
+    /** A pause before accepting again when the process may open no more files. */
+    private static final long ACCEPT_PAUSE_NANOS = 500_000_000;
+
+    /** Makes something of an accepted connection. */
+    interface Welcome {
+        Peer peer(SocketChannel channel, SelectionKey key, InetSocketAddress address);
+    }
+
+    private final ServerSocketChannel server;
+    private final SelectionKey key;
+    private final int most;
+    private final Welcome welcome;
+    private int open;
+    private long acceptAgainNanos = Long.MAX_VALUE;
+
+    private Door(ServerSocketChannel server, SelectionKey key, int most, Welcome welcome) {
+        this.server = server;
+        this.key = key;
+        this.most = most;
+        this.welcome = welcome;
+    }
+
+    /**
+     * Opens a port.
+     *
+     * @param port 0 for any free one
+     * @throws IOException naming address and port
+     */
+    static Door open(Selector selector, InetAddress address, int port, int most, Welcome welcome) throws IOException {
+        ServerSocketChannel server = ServerSocketChannel.open();
+        try {
+            server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+            server.bind(new InetSocketAddress(address, port), BACKLOG);
+            server.configureBlocking(false);
+            SelectionKey key = server.register(selector, SelectionKey.OP_ACCEPT);
+            Door door = new Door(server, key, most, welcome);
+            key.attach(door);
+            return door;
+        } catch (IOException e) {
+            server.close();
+            throw new IOException(
+                    "cannot listen on " + address.getHostAddress() + " port " + port + ": " + e.getMessage(), e);
+        }
+    }
+
+    int port() {
+        return server.socket().getLocalPort();
+    }
+
+    /** Lets in whoever waits. */
+    void accept(long nowNanos) {
+        try {
+            for (SocketChannel channel = server.accept(); channel != null; channel = server.accept()) {
+                if (open >= most) {
+                    LOG.log(Level.WARNING, "{0}: turned away, {1} connections are open", channel, open);
+                    channel.close();
+                } else {
+                    let(channel);
+                }
+            }
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "cannot accept: {0}; trying again soon", e.getMessage());
+            key.interestOps(0);
+            acceptAgainNanos = nowNanos + ACCEPT_PAUSE_NANOS;
+        }
+    }
+
+    private void let(SocketChannel channel) throws IOException {
+        try {
+            channel.configureBlocking(false);
+            channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+            InetSocketAddress address = (InetSocketAddress) channel.getRemoteAddress();
+            SelectionKey peerKey = channel.register(key.selector(), SelectionKey.OP_READ);
+            open++;
+            peerKey.attach(welcome.peer(channel, peerKey, address));
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "a peer left before it was welcomed: {0}", e.getMessage());
+            channel.close();
+        }
+    }
+
+    /** One of those who came in has gone. */
+    void left() {
+        open--;
+    }
+
+    /** When to call {@link #acceptAgain}. */
+    long acceptAgainNanos() {
+        return acceptAgainNanos;
+    }
+
+    void acceptAgain(long nowNanos) {
+        if (nowNanos >= acceptAgainNanos) {
+            acceptAgainNanos = Long.MAX_VALUE;
+            key.interestOps(SelectionKey.OP_ACCEPT);
+        }
+    }
+
+    void close() throws IOException {
+        server.close();
+    }
+}

@@ -1,0 +1,218 @@
+package simgsm.center.smpp;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.OctetString;
+import simgsm.air.OctetWriter;
+import simgsm.air.Septets;
+import simgsm.sms.Alphabet;
+import simgsm.sms.DataCodingScheme;
+import simgsm.sms.GsmAlphabet;
+import simgsm.sms.UserData;
+
+/**
+ * User parts from what SMPP calls a short message, and back. SMPP has one septet in each octet where a mobile has them
+ * packed, and knows more codings.
+ */
+final class MessageContent {
+    private static final int DEFAULT_ALPHABET = 0;
+    private static final int ASCII = 1;
+    private static final int OCTETS = 2;
+    private static final int LATIN_1 = 3;
+    private static final int MORE_OCTETS = 4;
+    private static final int UCS2 = 8;
+    /** From here on the octet is a data coding scheme of mobiles (5.2.19). */
+    private static final int FIRST_OF_MOBILES = 0x10;
+
+    private static final int ESCAPE = 0x1b;
+    private static final int MAX_PARTS = 255;
+
+    /** @param dataCoding as SMPP has it */
+    record Translated(int dataCoding, boolean hasHeader, OctetString octets) {}
+
+    private MessageContent() {}
+
+    /**
+     * The parts that a mobile gets; more than one only where the message has no header of its own.
+     *
+     * @param reference joins the parts, 0 to 255
+     */
+    static List<UserData> parts(SmppMessage message, int reference) throws SmppViolation {
+        byte[] octets = message.content().toArray();
+        int dataCoding = message.dataCoding();
+        if (dataCoding == ASCII || dataCoding == LATIN_1) {
+            return partsOfText(message, octets, reference);
+        }
+        DataCodingScheme scheme = scheme(dataCoding);
+        byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
+        byte[] text = message.hasHeader() ? Arrays.copyOfRange(octets, header.length, octets.length) : octets;
+        return parts(header, text, scheme, reference);
+    }
+
+    private static List<UserData> partsOfText(SmppMessage message, byte[] octets, int reference) throws SmppViolation {
+        byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
+        int from = message.hasHeader() ? header.length : 0;
+        String text = new String(octets, from, octets.length - from, StandardCharsets.ISO_8859_1);
+        boolean isPlain = GsmAlphabet.encodes(text);
+        byte[] coded = isPlain ? GsmAlphabet.encode(text) : text.getBytes(StandardCharsets.UTF_16BE);
+        return parts(header, coded, isPlain ? DataCodingScheme.GSM_7BIT : DataCodingScheme.UCS2, reference);
+    }
+
+    private static DataCodingScheme scheme(int dataCoding) throws SmppViolation {
+        return switch (dataCoding) {
+            case DEFAULT_ALPHABET -> DataCodingScheme.GSM_7BIT;
+            case OCTETS, MORE_OCTETS -> DataCodingScheme.OCTETS;
+            case UCS2 -> DataCodingScheme.UCS2;
+            default -> {
+                if (dataCoding < FIRST_OF_MOBILES) {
+                    throw new SmppViolation(
+                            SmppStatus.SUBMIT_FAILED, "data_coding " + dataCoding + " is not 0 to 4, 8 or 16 to 255");
+                }
+                yield new DataCodingScheme(dataCoding);
+            }
+        };
+    }
+
+    private static byte[] header(byte[] octets) throws SmppViolation {
+        int length = octets.length == 0 ? 0 : (octets[0] & 0xff) + 1;
+        if (length == 0 || length > octets.length) {
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "a header longer than the message");
+        }
+        return Arrays.copyOf(octets, length);
+    }
+
+    /** A header for a part that says what it is by sar_ parameters (5.3.2.22 to 24); else none. */
+    private static byte[] sarHeader(SmppMessage message) {
+        if (message.parameters().size() < 3) {
+            return new byte[0];
+        }
+        int reference = number(message.parameter(Tlv.SAR_REFERENCE));
+        int total = number(message.parameter(Tlv.SAR_TOTAL));
+        int part = number(message.parameter(Tlv.SAR_PART));
+        boolean makesSense = reference >= 0 && part >= 1 && part <= total && total <= MAX_PARTS;
+        return makesSense
+                ? new byte[] {6, 8, 4, (byte) (reference >> 8), (byte) reference, (byte) total, (byte) part}
+                : new byte[0];
+    }
+
+    private static int number(Optional<OctetString> value) {
+        if (value.isEmpty() || value.get().length() > 2) {
+            return -1;
+        }
+        int number = 0;
+        for (byte octet : value.get().toArray()) {
+            number = number << 8 | octet & 0xff;
+        }
+        return number;
+    }
+
+    private static List<UserData> parts(byte[] header, byte[] text, DataCodingScheme scheme, int reference)
+            throws SmppViolation {
+        Alphabet alphabet = scheme.alphabet();
+        check(alphabet, text);
+        if (units(header, text, alphabet) <= alphabet.unitsInOnePart() * octetsInUnit(alphabet)) {
+            return List.of(part(header, text, scheme));
+        }
+        if (header.length > 0) {
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "the text does not fit behind its header");
+        }
+        List<byte[]> pieces = pieces(text, alphabet);
+        if (pieces.size() > MAX_PARTS) {
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "the text needs " + pieces.size() + " parts");
+        }
+        List<UserData> parts = new ArrayList<>(pieces.size());
+        for (byte[] piece : pieces) {
+            byte[] place = {5, 0, 3, (byte) reference, (byte) pieces.size(), (byte) (parts.size() + 1)};
+            parts.add(part(place, piece, scheme));
+        }
+        return parts;
+    }
+
+    private static void check(Alphabet alphabet, byte[] text) throws SmppViolation {
+        if (alphabet == Alphabet.UCS2 && text.length % 2 != 0) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_MESSAGE_LENGTH, "UCS-2 of " + text.length + " octets, an odd number");
+        }
+        if (alphabet == Alphabet.GSM_7BIT) {
+            for (byte octet : text) {
+                if (octet < 0) {
+                    throw new SmppViolation(
+                            SmppStatus.SUBMIT_FAILED, "octets above 0x7f in text of 7 bits; data_coding 3 is Latin-1");
+                }
+            }
+        }
+    }
+
+    /** Septets, or octets. */
+    private static int units(byte[] header, byte[] text, Alphabet alphabet) {
+        return alphabet == Alphabet.GSM_7BIT ? headerSeptets(header.length) + text.length : header.length + text.length;
+    }
+
+    private static int octetsInUnit(Alphabet alphabet) {
+        return alphabet == Alphabet.UCS2 ? 2 : 1;
+    }
+
+    private static int headerSeptets(int octets) {
+        return (octets * 8 + 6) / 7;
+    }
+
+    private static UserData part(byte[] header, byte[] text, DataCodingScheme scheme) {
+        OctetWriter out = new OctetWriter().bytes(header);
+        if (scheme.alphabet() != Alphabet.GSM_7BIT) {
+            OctetString octets = OctetString.of(out.bytes(text).toArray());
+            return new UserData(header.length > 0, scheme, octets.length(), octets);
+        }
+        int headerSeptets = headerSeptets(header.length);
+        out.bytes(Septets.pack(text, headerSeptets * 7 - header.length * 8));
+        return new UserData(header.length > 0, scheme, headerSeptets + text.length, OctetString.of(out.toArray()));
+    }
+
+    /** Never between an escape and its code, or inside a surrogate pair. */
+    private static List<byte[]> pieces(byte[] text, Alphabet alphabet) {
+        int most = alphabet.unitsInEachOfMany() * octetsInUnit(alphabet);
+        List<byte[]> pieces = new ArrayList<>();
+        for (int from = 0; from < text.length; ) {
+            int to = Math.min(text.length, from + most);
+            if (to < text.length && alphabet == Alphabet.GSM_7BIT && text[to - 1] == ESCAPE) {
+                to--;
+            } else if (to < text.length && alphabet == Alphabet.UCS2 && (text[to - 2] & 0xfc) == 0xd8) {
+                to -= 2;
+            }
+            pieces.add(Arrays.copyOfRange(text, from, to));
+            from = to;
+        }
+        return pieces;
+    }
+
+    /**
+     * A user part for an application.
+     *
+     * @param submittedAs the coding of the application that sent it; -1 for a mobile
+     */
+    static Translated translate(UserData part, int submittedAs) {
+        DataCodingScheme scheme = part.coding();
+        byte[] octets = part.octets().toArray();
+        int header = part.hasHeader() ? (octets[0] & 0xff) + 1 : 0;
+        if (submittedAs == LATIN_1 || submittedAs == ASCII) {
+            byte[] text = part.text().getBytes(StandardCharsets.ISO_8859_1);
+            return new Translated(submittedAs, header > 0, joined(octets, header, text, 0));
+        }
+        boolean isPlain = scheme.octet() < FIRST_OF_MOBILES;
+        if (scheme.alphabet() == Alphabet.GSM_7BIT) {
+            byte[] septets = Septets.unpack(octets, part.length(), 0);
+            int dataCoding = isPlain ? DEFAULT_ALPHABET : scheme.octet();
+            return new Translated(dataCoding, header > 0, joined(octets, header, septets, headerSeptets(header)));
+        }
+        int dataCoding = !isPlain ? scheme.octet() : scheme.alphabet() == Alphabet.UCS2 ? UCS2 : MORE_OCTETS;
+        return new Translated(submittedAs == OCTETS ? OCTETS : dataCoding, header > 0, part.octets());
+    }
+
+    private static OctetString joined(byte[] header, int headerLength, byte[] text, int from) {
+        byte[] all = Arrays.copyOf(header, headerLength + Math.max(0, text.length - from));
+        System.arraycopy(text, Math.min(from, text.length), all, headerLength, all.length - headerLength);
+        return OctetString.of(all);
+    }
+}

@@ -1,0 +1,56 @@
+package simgsm.center.smpp;
+
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.sms.SmsAddress;
+
+/**
+ * A source or destination (5.2.5 to 5.2.9).
+ *
+ * @param ton type of number
+ * @param npi numbering plan
+ * @param value as sent, at most 20 characters
+ */
+public record SmppAddress(int ton, int npi, String value) {
+    static final SmppAddress NONE = new SmppAddress(0, 0, "");
+
+    private static final int LETTERS = 5;
+    private static final int MAX_TON = 7;
+    private static final int MAX_NPI = 15;
+
+    static SmppAddress of(SmsAddress address) {
+        return new SmppAddress(address.type(), address.plan(), address.value());
+    }
+
+    /** The telephone number; empty if it is none. */
+    Optional<Msisdn> number() {
+        String digits = value.startsWith("+") ? value.substring(1) : value;
+        if (ton == LETTERS || digits.isEmpty() || digits.length() > Msisdn.MAX_DIGITS || !isDigits(digits)) {
+            return Optional.empty();
+        }
+        return Optional.of(new Msisdn(digits));
+    }
+
+    /** The same for mobiles: a number, or up to 11 letters whatever the type says; empty if it is neither. */
+    Optional<SmsAddress> forMobiles() {
+        if (ton < 0 || ton > MAX_TON || npi > MAX_NPI || value.isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<Msisdn> number = number();
+        try {
+            return Optional.of(
+                    number.isPresent() ? new SmsAddress(ton, npi, number.get().digits()) : SmsAddress.ofLetters(value));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static boolean isDigits(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) < '0' || text.charAt(i) > '9') {
+                return false;
+            }
+        }
+        return true;
+    }
+}

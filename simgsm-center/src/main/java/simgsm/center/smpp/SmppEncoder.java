@@ -1,0 +1,120 @@
+package simgsm.center.smpp;
+
+import java.nio.charset.StandardCharsets;
+import simgsm.air.OctetWriter;
+
+/** PDUs to octets. */
+final class SmppEncoder {
+    private SmppEncoder() {}
+
+    static byte[] encode(SmppPdu pdu) {
+        OctetWriter out = new OctetWriter();
+        if (pdu instanceof SmppPdu.Message message) {
+            request(out, message.command(), message.sequence());
+            write(out, message);
+        } else if (pdu instanceof SmppPdu.MessageResponse response) {
+            response(out, response.command(), response.status(), response.sequence());
+            if (response.status() == SmppStatus.OK) {
+                text(out, response.messageId());
+            }
+        } else if (pdu instanceof SmppPdu.BindResponse response) {
+            response(out, response.command(), response.status(), response.sequence());
+            if (response.status() == SmppStatus.OK) {
+                text(out, response.systemId());
+                write(out, Tlv.ofOctet(Tlv.INTERFACE_VERSION, SmppServer.INTERFACE_VERSION));
+            }
+        } else if (pdu instanceof SmppPdu.QueryResponse response) {
+            response(out, Command.QUERY_SM, response.status(), response.sequence());
+            text(out, response.messageId());
+            text(out, response.finalDate());
+            out.octet(response.state()).octet(response.error());
+        } else if (pdu instanceof SmppPdu.Plain plain) {
+            request(out, plain.command(), plain.sequence());
+        } else if (pdu instanceof SmppPdu.PlainResponse response) {
+            response(out, response.command(), response.status(), response.sequence());
+        } else if (pdu instanceof SmppPdu.GenericNack nack) {
+            header(out, Command.RESPONSE, nack.status(), nack.sequence());
+        } else {
+            writeOfApplications(out, pdu);
+        }
+        return withLength(out.toArray());
+    }
+
+    /** What only the other side sends. */
+    private static void writeOfApplications(OctetWriter out, SmppPdu pdu) {
+        if (pdu instanceof SmppPdu.Bind bind) {
+            request(out, bind.command(), bind.sequence());
+            text(out, bind.systemId());
+            text(out, bind.password());
+            text(out, bind.systemType());
+            out.octet(bind.interfaceVersion()).octet(0).octet(0);
+            text(out, bind.addressRange());
+        } else if (pdu instanceof SmppPdu.Query query) {
+            request(out, Command.QUERY_SM, query.sequence());
+            text(out, query.messageId());
+            write(out, query.source());
+        } else if (pdu instanceof SmppPdu.Cancel cancel) {
+            request(out, Command.CANCEL_SM, cancel.sequence());
+            text(out, "");
+            text(out, cancel.messageId());
+            write(out, cancel.source());
+            write(out, cancel.destination());
+        }
+    }
+
+    private static void request(OctetWriter out, Command command, int sequence) {
+        header(out, command.code(), SmppStatus.OK, sequence);
+    }
+
+    private static void response(OctetWriter out, Command command, int status, int sequence) {
+        header(out, command.code() | Command.RESPONSE, status, sequence);
+    }
+
+    private static void header(OctetWriter out, int id, int status, int sequence) {
+        out.fourOctets(0).fourOctets(id).fourOctets(status).fourOctets(sequence);
+    }
+
+    private static byte[] withLength(byte[] octets) {
+        for (int i = 0; i < 4; i++) {
+            octets[i] = (byte) (octets.length >> 8 * (3 - i));
+        }
+        return octets;
+    }
+
+    private static void write(OctetWriter out, SmppPdu.Message pdu) {
+        SmppMessage message = pdu.message();
+        text(out, message.serviceType());
+        write(out, message.source());
+        write(out, message.destination());
+        out.octet(message.esmClass());
+        if (pdu.command() == Command.DATA_SM) {
+            out.octet(message.registeredDelivery()).octet(message.dataCoding());
+        } else {
+            out.octet(message.protocolId()).octet(message.priority());
+            text(out, message.schedule());
+            text(out, message.validity());
+            out.octet(message.registeredDelivery()).octet(message.replaceIfPresent());
+            out.octet(message.dataCoding()).octet(message.defaultMessageId());
+            out.octet(message.shortMessage().length()).string(message.shortMessage());
+        }
+        for (Tlv parameter : message.parameters()) {
+            write(out, parameter);
+        }
+    }
+
+    private static void write(OctetWriter out, SmppAddress address) {
+        out.octet(address.ton()).octet(address.npi());
+        text(out, address.value());
+    }
+
+    private static void write(OctetWriter out, Tlv parameter) {
+        out.twoOctets(parameter.tag()).twoOctets(parameter.value().length()).string(parameter.value());
+    }
+
+    private static void text(OctetWriter out, String text) {
+        if (!text.isEmpty()) {
+            out.bytes(text.getBytes(StandardCharsets.ISO_8859_1));
+        }
+        out.octet(0);
+    }
+}

@@ -1,0 +1,71 @@
+package simgsm.center.smpp;
+
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.OctetString;
+
+/**
+ * What submit_sm, deliver_sm and data_sm carry (4.4.1, 4.6.1, 4.7.1).
+ *
+ * @param esmClass mode, kind of message, {@link #HAS_HEADER}, {@link #REPLY_PATH} (5.2.12)
+ * @param schedule empty for at once; else 16 characters (7.1.1)
+ * @param validity empty for the centre's choice; else 16 characters
+ * @param registeredDelivery the lowest two bits: which receipts are wanted (5.2.17)
+ * @param shortMessage at most 254 octets; more goes into the message_payload parameter
+ */
+public record SmppMessage(
+        String serviceType,
+        SmppAddress source,
+        SmppAddress destination,
+        int esmClass,
+        int protocolId,
+        int priority,
+        String schedule,
+        String validity,
+        int registeredDelivery,
+        int replaceIfPresent,
+        int dataCoding,
+        int defaultMessageId,
+        OctetString shortMessage,
+        List<Tlv> parameters) {
+    static final int RECEIPT = 0x04;
+    static final int HAS_HEADER = 0x40;
+    static final int REPLY_PATH = 0x80;
+    static final int MAX_SHORT_MESSAGE = 254;
+
+    /** A plain message with these parts. */
+    static SmppMessage of(
+            SmppAddress source,
+            SmppAddress destination,
+            int esmClass,
+            int protocolId,
+            int dataCoding,
+            OctetString text,
+            List<Tlv> parameters) {
+        return new SmppMessage(
+                "", source, destination, esmClass, protocolId, 0, "", "", 0, 0, dataCoding, 0, text, parameters);
+    }
+
+    Optional<OctetString> parameter(int tag) {
+        for (Tlv parameter : parameters) {
+            if (parameter.tag() == tag) {
+                return Optional.of(parameter.value());
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The text, wherever it stands. */
+    OctetString content() throws SmppViolation {
+        Optional<OctetString> payload = parameter(Tlv.MESSAGE_PAYLOAD);
+        if (payload.isPresent() && shortMessage.length() > 0) {
+            throw new SmppViolation(
+                    SmppStatus.OPTIONAL_PARAMETER_NOT_ALLOWED, "both short_message and message_payload hold text");
+        }
+        return payload.orElse(shortMessage);
+    }
+
+    boolean hasHeader() {
+        return (esmClass & HAS_HEADER) != 0;
+    }
+}

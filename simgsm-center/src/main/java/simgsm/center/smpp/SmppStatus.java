@@ -1,0 +1,49 @@
+package simgsm.center.smpp;
+
+/** Values of command_status (5.1.3) that are sent or understood here. */
+public final class SmppStatus {
+    public static final int OK = 0x00;
+    /** The short message's length does not fit its content. */
+    public static final int INVALID_MESSAGE_LENGTH = 0x01;
+
+    public static final int INVALID_COMMAND_LENGTH = 0x02;
+    public static final int INVALID_COMMAND_ID = 0x03;
+    /** This command is not for the present state of the session. */
+    public static final int INVALID_BIND_STATUS = 0x04;
+
+    public static final int ALREADY_BOUND = 0x05;
+    public static final int SYSTEM_ERROR = 0x08;
+    public static final int INVALID_SOURCE = 0x0a;
+    public static final int INVALID_DESTINATION = 0x0b;
+    public static final int INVALID_MESSAGE_ID = 0x0c;
+    public static final int BIND_FAILED = 0x0d;
+    public static final int INVALID_PASSWORD = 0x0e;
+    public static final int INVALID_SYSTEM_ID = 0x0f;
+    public static final int CANCEL_FAILED = 0x11;
+    public static final int QUEUE_FULL = 0x14;
+    public static final int INVALID_SERVICE_TYPE = 0x15;
+    public static final int INVALID_ESM_CLASS = 0x43;
+    public static final int SUBMIT_FAILED = 0x45;
+    public static final int INVALID_SYSTEM_TYPE = 0x53;
+    public static final int THROTTLED = 0x58;
+    public static final int INVALID_SCHEDULE = 0x61;
+    public static final int INVALID_VALIDITY = 0x62;
+    /** An application has no room just now, or another trouble that passes. */
+    public static final int TEMPORARY_APPLICATION_ERROR = 0x64;
+
+    public static final int QUERY_FAILED = 0x67;
+    public static final int INVALID_OPTIONAL_PART = 0xc0;
+    public static final int OPTIONAL_PARAMETER_NOT_ALLOWED = 0xc1;
+    public static final int INVALID_PARAMETER_LENGTH = 0xc2;
+    public static final int INVALID_PARAMETER_VALUE = 0xc4;
+
+    private SmppStatus() {}
+
+    /** Whether an application that answered so may take the same message later. */
+    static boolean mayPass(int status) {
+        return status == THROTTLED
+                || status == QUEUE_FULL
+                || status == SYSTEM_ERROR
+                || status == TEMPORARY_APPLICATION_ERROR;
+    }
+}

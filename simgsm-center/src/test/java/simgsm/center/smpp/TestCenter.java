@@ -1,0 +1,112 @@
+package simgsm.center.smpp;
+
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.center.timer.Timers;
+
+/** The core without sockets: applications as lists of PDUs, a clock moved by hand, a store that answers when told. */
+final class TestCenter {
+    static final Instant START = Instant.parse("2026-11-21T12:00:45Z");
+
+    final Timers timers = new Timers();
+    final SmppServer server = new SmppServer(timers);
+    final Queue<Long> tickets = new ArrayDeque<>();
+    final ShortMessageCenter center = new ShortMessageCenter(
+            START, timers, (ticket, entry) -> tickets.add(ticket), server.routes(), server::changed);
+
+    TestCenter() {
+        server.serve(center);
+    }
+
+    /** The store has made everything durable. */
+    void commit() {
+        while (!tickets.isEmpty()) {
+            center.committed(tickets.remove(), true);
+        }
+    }
+
+    void passSeconds(long seconds) {
+        timers.advance(timers.nowNanos() + seconds * 1_000_000_000L);
+    }
+
+    Application open(boolean isLocal) {
+        return new Application(isLocal);
+    }
+
+    Application bound(Command command, String systemId, String range) {
+        Application application = open(true);
+        application.say(new SmppPdu.Bind(command, 1, systemId, "", "", 0x34, range));
+        SmppPdu first = application.heard.remove(0);
+        if (!(first instanceof SmppPdu.BindResponse response) || response.status() != SmppStatus.OK) {
+            throw new AssertionError("not bound: " + first);
+        }
+        return application;
+    }
+
+    final class Application implements SmppPort {
+        final List<SmppPdu> heard = new ArrayList<>();
+        private final EsmeSession session;
+        boolean isEnding;
+        String closed = "";
+
+        private Application(boolean isLocal) {
+            session = server.opened(this, "test", isLocal);
+        }
+
+        void say(SmppPdu pdu) {
+            say(SmppCodec.encode(pdu));
+        }
+
+        void say(byte[] octets) {
+            server.received(session, java.nio.ByteBuffer.wrap(octets));
+        }
+
+        void submit(int sequence, SmppMessage message) {
+            say(new SmppPdu.Message(Command.SUBMIT_SM, sequence, message));
+        }
+
+        /** The latest PDU, which must be of this kind. */
+        <T extends SmppPdu> T last(Class<T> kind) {
+            return kind.cast(heard.get(heard.size() - 1));
+        }
+
+        <T extends SmppPdu> List<T> all(Class<T> kind) {
+            return heard.stream().filter(kind::isInstance).map(kind::cast).toList();
+        }
+
+        void answer(SmppPdu.Message delivery, int status) {
+            say(new SmppPdu.MessageResponse(Command.DELIVER_SM, status, delivery.sequence(), ""));
+        }
+
+        void leave() {
+            server.closed(session, "test");
+        }
+
+        EsmeSession session() {
+            return session;
+        }
+
+        @Override
+        public void send(byte[] pdu) {
+            try {
+                heard.add(SmppCodec.decode(pdu));
+            } catch (SmppViolation violation) {
+                throw new AssertionError(violation);
+            }
+        }
+
+        @Override
+        public void closeWhenSent() {
+            isEnding = true;
+        }
+
+        @Override
+        public void close(String reason) {
+            closed = reason;
+        }
+    }
+}
