@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
@@ -19,6 +20,8 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.speech.CallRecorder;
+import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simgsm.ui.ProgramWindow;
@@ -58,6 +61,12 @@ public final class SimRobotMain {
                 .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")
+                .value(
+                        "record-audio",
+                        "FILE.wav",
+                        "record all calls in one file, left what the robot sends and right what it hears,"
+                                + "\nwith 0.5 s of silence between calls; of several robots each in FILE-NAME.wav;"
+                                + "\na file that is there is overwritten")
                 .value("operators", "N,N,...", "the only numbers that may command; else every subscriber may")
                 .value("on-hangup", "stop|finish", "what becomes of a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
@@ -103,24 +112,30 @@ public final class SimRobotMain {
         return ExitStatus.OK;
     }
 
-    private static SimRobot build(Arguments arguments, Settings settings, World world) throws UsageException {
+    private static SimRobot build(Arguments arguments, Settings settings, World world)
+            throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         long seed = seed(arguments);
-        StationOptions options = new StationOptions(codec(arguments));
+        SpeechCodec.Kind codec = codec(arguments);
+        Optional<Path> recording = arguments.path("record-audio");
+        List<RobotName> names = Lineup.of(arguments, world);
         Simulation simulation = new Simulation(world, seed);
         SimRobot simRobot = new SimRobot(simulation, new InetSocketAddress(center.host(), center.port()), settings);
         simRobot.simulation().setSpeed(speed);
-        for (RobotName name : Lineup.of(arguments, world)) {
+        for (RobotName name : names) {
             SimulatedRobot robot = simulation.addRobot(name.name());
             robot.setMotors(motors);
             robot.setPower(power);
             // With the number, or the robots of one seed would be one piece of equipment.
             Imei imei =
                     Imei.random(new Random(seed * 31 + name.number().digits().hashCode()));
-            simRobot.add(robot, name.number(), imei, options);
+            CallTap recorder = recording.isPresent()
+                    ? CallRecorder.open(Recordings.pathOf(recording.get(), name.name(), names.size()))
+                    : CallTap.NONE;
+            simRobot.add(robot, name.number(), imei, new StationOptions(codec, recorder));
         }
         return simRobot;
     }

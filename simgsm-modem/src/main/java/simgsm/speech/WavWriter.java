@@ -13,12 +13,14 @@ import java.nio.file.StandardOpenOption;
 /** Writes 8 kHz, 16-bit WAV files: a whole recording at once, or block by block while it lasts. */
 public final class WavWriter implements Closeable {
     private static final int HEADER_OCTETS = 44;
+    /** What the header's 32 bits can tell. */
+    private static final long MOST_DATA_OCTETS = 0xFFFF_FFFFL - HEADER_OCTETS;
 
     private final FileChannel file;
     private final int channels;
     private long octets;
 
-    /** Starts a recording whose length is not known yet; the header is put right on closing. */
+    /** Starts a recording whose length is not known yet; the header is put right by {@link #commit} and on closing. */
     public WavWriter(Path path, int channels) throws IOException {
         if (channels < 1 || channels > 2) {
             throw new IllegalArgumentException(channels + " channels (expected 1 or 2)");
@@ -39,17 +41,27 @@ public final class WavWriter implements Closeable {
 
     /** @param samples one per channel in turn */
     public void write(short[] samples) throws IOException {
+        if (octets + 2L * samples.length > MOST_DATA_OCTETS) {
+            throw new IOException("a WAV file holds no more than 4 GiB");
+        }
         ByteBuffer buffer = ByteBuffer.allocate(2 * samples.length).order(ByteOrder.LITTLE_ENDIAN);
         buffer.asShortBuffer().put(samples);
         writeFully(buffer);
         octets += 2L * samples.length;
     }
 
+    /** Puts the header right for what has been written so far: from now on the file is a whole one. */
+    public void commit() throws IOException {
+        ByteBuffer header = header(channels, octets);
+        while (header.hasRemaining()) {
+            file.write(header, header.position());
+        }
+    }
+
     @Override
     public void close() throws IOException {
         try (file) {
-            file.position(0);
-            writeFully(header(channels, octets));
+            commit();
         }
     }
 
@@ -60,7 +72,7 @@ public final class WavWriter implements Closeable {
     }
 
     private static ByteBuffer header(int channels, long dataOctets) {
-        int data = (int) Math.min(dataOctets, 0xFFFF_FFFFL - HEADER_OCTETS);
+        int data = (int) Math.min(dataOctets, MOST_DATA_OCTETS);
         ByteBuffer header = ByteBuffer.allocate(HEADER_OCTETS).order(ByteOrder.LITTLE_ENDIAN);
         header.put("RIFF".getBytes(StandardCharsets.US_ASCII)).putInt(data + HEADER_OCTETS - 8);
         header.put("WAVEfmt ".getBytes(StandardCharsets.US_ASCII)).putInt(16);

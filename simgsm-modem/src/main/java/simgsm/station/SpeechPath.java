@@ -6,6 +6,7 @@ import java.util.Optional;
 import simgsm.air.IpaFrame;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RtpPacket;
+import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
 
 /** The speech of an active call: a frame up every 20 ms by the station's own time, and what comes down in RTP's order. */
@@ -24,6 +25,7 @@ final class SpeechPath {
 
     private final StationParts parts;
     private final SpeechSource source;
+    private final CallTap tap;
     private final SpeechCodec.Kind codec;
     /** New for each call, as the decoders are, because a codec may remember. */
     private SpeechCodec coder;
@@ -45,6 +47,7 @@ final class SpeechPath {
 
     SpeechPath(StationParts parts, StationOptions options, SpeechSource source, int synchronizationSource) {
         this.parts = parts;
+        this.tap = options.tap();
         this.codec = options.codec();
         this.source = source;
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
@@ -71,11 +74,15 @@ final class SpeechPath {
         decoders = Map.of(
                 RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
                 RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
+        tap.callBegan();
         nextFrameNanos = parts.timers().nowNanos();
         parts.timers().startAt(StationTimer.SPEECH, nextFrameNanos);
     }
 
     void stop() {
+        if (active) {
+            tap.callEnded();
+        }
         active = false;
         heardCodec = null;
         parts.timers().stop(StationTimer.SPEECH);
@@ -102,6 +109,7 @@ final class SpeechPath {
         if (!active) {
             return;
         }
+        tap.sent(frame);
         framesSinceHeard++;
         RtpPacket packet =
                 new RtpPacket(codec.payloadType(), sequence, timestamp, synchronizationSource, coder.encode(frame));
@@ -153,6 +161,7 @@ final class SpeechPath {
     }
 
     private void tell(short[] samples) {
+        tap.received(samples);
         parts.notifications().add(listener -> listener.speechReceived(samples));
     }
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -20,6 +21,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
 
 class SpeechTest {
@@ -148,7 +150,7 @@ class SpeechTest {
 
     @Test
     void aStationThatSpeaksFullRateSends33OctetsAFrame() throws Exception {
-        call(new StationOptions(SpeechCodec.Kind.GSM_FULL_RATE));
+        call(new StationOptions(SpeechCodec.Kind.GSM_FULL_RATE, CallTap.NONE));
         DtmfGenerator key = new DtmfGenerator();
         key.enqueue(DtmfKey.FIVE, 100, 100);
         StringBuilder heard = new StringBuilder();
@@ -207,8 +209,42 @@ class SpeechTest {
     }
 
     @Test
+    void whoListensInHearsBothDirectionsOfTheCall() {
+        List<String> tapped = new ArrayList<>();
+        call(new StationOptions(SpeechCodec.Kind.A_LAW, new CallTap() {
+            @Override
+            public void callBegan() {
+                tapped.add("began");
+            }
+
+            @Override
+            public void sent(short[] frame) {
+                tapped.add("sent " + frame[0]);
+            }
+
+            @Override
+            public void received(short[] frame) {
+                tapped.add("received " + frame.length);
+            }
+
+            @Override
+            public void callEnded() {
+                tapped.add("ended");
+            }
+        }));
+        scene.speech[0] = 77;
+        scene.pass(0);
+        speak(10, LOUD);
+        speak(12, LOUD);
+        scene.station.hangUp();
+        speak(13, LOUD);
+        scene.pass(Scene.SECOND);
+        assertEquals(List.of("began", "sent 77", "received 160", "received 160", "received 160", "ended"), tapped);
+    }
+
+    @Test
     void muLawIsNotSpoken() {
-        assertThrows(IllegalArgumentException.class, () -> new StationOptions(SpeechCodec.Kind.MU_LAW));
+        assertThrows(IllegalArgumentException.class, () -> new StationOptions(SpeechCodec.Kind.MU_LAW, CallTap.NONE));
     }
 
     @Test

@@ -1,5 +1,6 @@
 package simgsm.phone;
 
+import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.InstantSource;
 import java.util.concurrent.CompletableFuture;
@@ -11,8 +12,11 @@ import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.StationSide;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.CallRecorder;
+import simgsm.speech.CallTap;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
+import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 
 /** A phone at work: handset, station and the thread that owns both. */
@@ -22,15 +26,24 @@ final class Phone implements HandsetAccess, AutoCloseable {
 
     private final StationThread thread = new StationThread("station");
     private final AudioOutput output;
+    private final CallTap recorder;
     private final Handset handset;
     private final MobileStation station;
 
-    Phone(PhoneSettings settings, HandsetListener listener, AudioOutput output) {
+    /** @throws IOException if its calls are to be recorded where nothing can be written */
+    Phone(PhoneSettings settings, HandsetListener listener, AudioOutput output) throws IOException {
         this.output = output;
+        recorder = settings.recording().isPresent()
+                ? CallRecorder.open(settings.recording().get())
+                : CallTap.NONE;
         handset =
                 new Handset(settings.identity().number(), settings.keyMode(), listener, output, InstantSource.system());
         station = new MobileStation(
-                settings.identity(), Sim.WITHOUT_KEY, settings.options(), handset.mouth(), handset.ears());
+                settings.identity(),
+                Sim.WITHOUT_KEY,
+                new StationOptions(settings.codec(), recorder),
+                handset.mouth(),
+                handset.ears());
         handset.attach(StationSide.of(station));
     }
 
@@ -84,6 +97,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     @Override
     public void close() {
         thread.close();
+        recorder.close();
         output.close();
     }
 }

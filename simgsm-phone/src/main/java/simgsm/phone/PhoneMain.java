@@ -41,6 +41,11 @@ public final class PhoneMain {
                         "inband|signalled",
                         "keys in a call as the phone's own sound, or as START DTMF and STOP DTMF"
                                 + "\nfrom which the network makes the sound (inband)")
+                .value(
+                        "record-audio",
+                        "FILE.wav",
+                        "record all calls in one file, left what is sent and right what is received,"
+                                + "\nwith 0.5 s of silence between calls; a file that is there is overwritten")
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
@@ -62,7 +67,7 @@ public final class PhoneMain {
     }
 
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
-            throws UsageException, UnavailableException, InterruptedException {
+            throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         Locale language = arguments.language();
         Phone phone = new Phone(settings, new HandsetListener() {}, sound(arguments));

@@ -1,5 +1,7 @@
 package simgsm.phone;
 
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Random;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
@@ -8,15 +10,19 @@ import simgsm.console.UsageException;
 import simgsm.phone.handset.KeyMode;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationIdentity;
-import simgsm.station.StationOptions;
 
-/** What a command line makes of a phone. */
-record PhoneSettings(StationIdentity identity, StationOptions options, KeyMode keyMode) {
+/**
+ * What a command line makes of a phone.
+ *
+ * @param recording where its calls are recorded, if they are
+ */
+record PhoneSettings(StationIdentity identity, SpeechCodec.Kind codec, KeyMode keyMode, Optional<Path> recording) {
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
 
     static PhoneSettings of(Arguments arguments) throws UsageException {
-        return new PhoneSettings(identity(arguments), new StationOptions(codec(arguments)), keyMode(arguments));
+        return new PhoneSettings(
+                identity(arguments), codec(arguments), keyMode(arguments), arguments.path("record-audio"));
     }
 
     private static StationIdentity identity(Arguments arguments) throws UsageException {

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.speech.CallTap;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
@@ -27,6 +28,7 @@ public final class SimRobot implements AutoCloseable {
     private final InetSocketAddress center;
     private final Settings settings;
     private final List<TelephoneRobot> robots = new ArrayList<>();
+    private final List<CallTap> taps = new ArrayList<>();
 
     /** Nothing runs yet: add robots, then {@link #start}. */
     public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings) {
@@ -44,6 +46,7 @@ public final class SimRobot implements AutoCloseable {
         link.serve(control);
         TelephoneRobot added = new TelephoneRobot(number, control, link);
         robots.add(added);
+        taps.add(options.tap());
         return added;
     }
 
@@ -79,6 +82,7 @@ public final class SimRobot implements AutoCloseable {
     @Override
     public void close() {
         stationThread.close();
+        taps.forEach(CallTap::close);
         simulationThread.close();
     }
 }

@@ -1,0 +1,104 @@
+package simgsm.speech;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.file.Path;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Records a station's calls in one WAV file: left what was sent, right what was received, 0.5 s of silence between calls.
+ * A thread of its own writes; the file is a whole one after every 200 ms of speech, whatever becomes of the program.
+ */
+public final class CallRecorder implements CallTap {
+    private static final System.Logger LOG = System.getLogger(CallRecorder.class.getName());
+
+    private static final int CHANNELS = 2;
+    private static final int GAP_SAMPLES = SpeechCodec.SAMPLES_PER_SECOND / 2 * CHANNELS;
+    /** 13 s of speech may wait for a slow disk. */
+    private static final int QUEUE_BLOCKS = 64;
+
+    private static final long CLOSE_SECONDS = 2;
+    private static final short[] END = {};
+
+    private final Path path;
+    private final WavWriter file;
+    private final CallTracks tracks = new CallTracks(this::queue);
+    private final BlockingQueue<short[]> queue = new ArrayBlockingQueue<>(QUEUE_BLOCKS);
+    private final Thread writer;
+    private boolean hasRecorded;
+    private boolean saidLoss;
+
+    private CallRecorder(Path path, WavWriter file) {
+        this.path = path;
+        this.file = file;
+        writer = new Thread(this::write, "recorder");
+        writer.setDaemon(true);
+        writer.start();
+    }
+
+    /**
+     * Begins a recording; what the file held before is gone.
+     *
+     * @throws IOException if the file cannot be written
+     */
+    public static CallRecorder open(Path path) throws IOException {
+        return new CallRecorder(path, new WavWriter(path, CHANNELS));
+    }
+
+    @Override
+    public void callBegan() {
+        if (hasRecorded) {
+            queue(new short[GAP_SAMPLES]);
+        }
+        hasRecorded = true;
+    }
+
+    @Override
+    public void sent(short[] frame) {
+        tracks.sent(frame);
+    }
+
+    @Override
+    public void received(short[] frame) {
+        tracks.received(frame);
+    }
+
+    @Override
+    public void callEnded() {
+        tracks.end();
+    }
+
+    private void queue(short[] block) {
+        if (writer.isAlive() && !queue.offer(block) && !saidLoss) {
+            saidLoss = true;
+            LOG.log(Level.WARNING, "{0}: the disk does not keep up, speech is missing", path);
+        }
+    }
+
+    private void write() {
+        try (file) {
+            for (short[] block = queue.take(); block != END; block = queue.take()) {
+                file.write(block);
+                file.commit();
+            }
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "{0}: recording ends: {1}", path, e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Writes what is still to be written, for at most two seconds; any thread may call it, more than once. */
+    @Override
+    public void close() {
+        try {
+            if (writer.isAlive() && queue.offer(END, CLOSE_SECONDS, TimeUnit.SECONDS)) {
+                writer.join(TimeUnit.SECONDS.toMillis(CLOSE_SECONDS));
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
