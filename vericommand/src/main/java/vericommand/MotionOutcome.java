@@ -19,7 +19,7 @@ public record MotionOutcome(Kind kind, double amountDone) {
         INFINITE_LOOP,
         /** {@link Robot#brake()} ended it, the robot stands. */
         BRAKED,
-        /** Motors or power went off; the robot's status says which. */
+        /** Motors or power went off, the robot's status says which; or, if it is Stopped, the world changed under it. */
         ABORTED
     }
 

@@ -1,5 +1,7 @@
 package vericommand;
 
+import java.util.Locale;
+
 /**
  * Where a robot is, for the texts that tell it.
  *
@@ -11,5 +13,27 @@ public record Pose(double xMeters, double yMeters, double headingDegrees) {
             throw new IllegalArgumentException(
                     "a pose has finite numbers, not " + xMeters + " " + yMeters + " " + headingDegrees);
         }
+    }
+
+    /** Metres with so many decimals, a dot before them whatever the language. */
+    public String xText(int decimals) {
+        return decimal(xMeters, decimals);
+    }
+
+    public String yText(int decimals) {
+        return decimal(yMeters, decimals);
+    }
+
+    /** Degrees in [0, 360), also where rounding would make them 360. */
+    public String headingText(int decimals) {
+        double scale = Math.pow(10, decimals);
+        double rounded = Math.round(headingDegrees * scale) / scale % 360;
+        return decimal(rounded < 0 ? rounded + 360 : rounded, decimals);
+    }
+
+    /** Adding 0 turns a rounded minus zero into zero. */
+    private static String decimal(double value, int decimals) {
+        double scale = Math.pow(10, decimals);
+        return String.format(Locale.ROOT, "%." + decimals + "f", Math.round(value * scale) / scale + 0.0);
     }
 }

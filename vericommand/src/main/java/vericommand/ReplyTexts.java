@@ -32,19 +32,21 @@ final class ReplyTexts {
         };
     }
 
-    /** A motion touched something, went on for ever or was cut short by motors or power. */
-    Reply failed(ReplyTone tone, Progress progress, RobotStatus status) {
-        return switch (tone) {
-            case COLLISION -> new Reply(tone, text("reply.collision", progress.amounts(this), progress.place(this)));
-            case INFINITE_LOOP -> new Reply(tone, text("reply.loop", progress.amounts(this), progress.place(this)));
-            case NOT_POSSIBLE ->
-                new Reply(
-                        tone,
-                        notPossible(status)
-                                + " "
-                                + text("reply.aborted", progress.amounts(this), progress.place(this)));
-            default -> denied();
+    /** A motion touched something, or went on for ever. */
+    Reply failed(ReplyTone tone, Progress progress) {
+        String key = tone == ReplyTone.COLLISION ? "reply.collision" : "reply.loop";
+        return new Reply(tone, text(key, progress.amounts(this), progress.place(this)));
+    }
+
+    /** A motion was cut short: by the power or the motors, or by a world that changed under a robot still fit to move. */
+    Reply aborted(Progress progress, RobotStatus status) {
+        Reply why = switch (status) {
+            case DISCONNECTED -> denied();
+            case NO_MOTORS -> new Reply(ReplyTone.NOT_POSSIBLE, notPossible(status));
+            default -> new Reply(ReplyTone.NOT_POSSIBLE, text("reply.impossible", text("reason.WORLD")));
         };
+        String howFar = text("reply.aborted", progress.amounts(this), progress.place(this));
+        return new Reply(why.tone(), why.text() + " " + howFar);
     }
 
     /** The next instruction of a trip was refused after some were done. */
@@ -98,26 +100,10 @@ final class ReplyTexts {
     }
 
     private String where(RobotStatus status, Pose pose) {
-        return text(
-                "reply.where",
-                text("status." + status),
-                decimal(pose.xMeters(), 3),
-                decimal(pose.yMeters(), 3),
-                heading(pose.headingDegrees()));
+        return text("reply.where", text("status." + status), pose.xText(3), pose.yText(3), pose.headingText(1));
     }
 
     String text(String key, String... arguments) {
         return Messages.text(locale, key, arguments);
-    }
-
-    private static String heading(double degrees) {
-        double whole = Math.round(degrees * 10) / 10.0 % 360;
-        return decimal(whole < 0 ? whole + 360 : whole, 1);
-    }
-
-    /** Adding 0 turns a rounded minus zero into zero. */
-    private static String decimal(double value, int places) {
-        double scale = Math.pow(10, places);
-        return String.format(Locale.ROOT, "%." + places + "f", Math.round(value * scale) / scale + 0.0);
     }
 }

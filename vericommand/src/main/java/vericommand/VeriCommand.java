@@ -182,23 +182,17 @@ public final class VeriCommand {
         switch (outcome.kind()) {
             case DONE -> motionDone(progress);
             case BRAKED -> end(texts.stopped(progress));
-            case COLLISION -> end(texts.failed(ReplyTone.COLLISION, progress, robot.status()));
-            case INFINITE_LOOP -> end(texts.failed(ReplyTone.INFINITE_LOOP, progress, robot.status()));
-            case ABORTED ->
-                end(texts.failed(
-                        robot.status() == RobotStatus.DISCONNECTED
-                                ? ReplyTone.CONNECTION_DENIED
-                                : ReplyTone.NOT_POSSIBLE,
-                        progress,
-                        robot.status()));
+            case COLLISION -> end(texts.failed(ReplyTone.COLLISION, progress));
+            case INFINITE_LOOP -> end(texts.failed(ReplyTone.INFINITE_LOOP, progress));
+            case ABORTED -> end(texts.aborted(progress, robot.status()));
         }
     }
 
     private void motionDone(Progress progress) {
-        if (running.endsHere()) {
+        running.presentIsDone();
+        if (running.endsHere() && !running.isComplete()) {
             end(texts.stopped(progress));
         } else {
-            running.presentIsDone();
             proceed();
         }
     }
@@ -206,7 +200,7 @@ public final class VeriCommand {
     private void end(Reply reply) {
         Execution ended = running;
         running = null;
-        answer(ended.source(), reply, !(ended.isStopOrdered() && reply.tone() == ReplyTone.NOT_POSSIBLE));
+        answer(ended.source(), reply, !ended.isStopOrdered() || ended.isComplete());
         answerStops();
         tellUnderWay();
         listener.changed();
@@ -235,7 +229,7 @@ public final class VeriCommand {
         answer(source, reply, true);
     }
 
-    /** @param byTone whether a call hears the answer; the order that {@code ###} stopped has no tone */
+    /** @param byTone whether a call hears the answer; an order that {@code ###} kept from its goal has no tone */
     private void answer(Source source, Reply reply, boolean byTone) {
         if (source.isGone()) {
             return;

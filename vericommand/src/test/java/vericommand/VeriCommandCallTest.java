@@ -169,7 +169,10 @@ class VeriCommandCallTest {
         bench.told();
         bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Kind.ABORTED, 250);
         assertEquals(
-                List.of("outcome 2 Connection denied: the robot is off.", "tone 2", "clear"),
+                List.of(
+                        "outcome 2 Connection denied: the robot is off. Ended after 250 of 600 cm, instruction 1 of 1.",
+                        "tone 2",
+                        "clear"),
                 bench.told("outcome", "tone", "clear"));
     }
 
@@ -238,12 +241,49 @@ class VeriCommandCallTest {
     }
 
     @Test
-    void aCollisionWhileBrakingIsStillTold() {
+    void anOrderThatReachesItsGoalThoughStopWasOrderedIsDone() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.press("** #**20 #*#90 **");
+        bench.robot.reachGoal();
+        bench.press("** ### **");
+        bench.robot.reachGoal();
+        assertEquals(
+                List.of(
+                        "outcome 3 Done: #**20 #*#90. Stopped at 1.200 0.500 m, heading 90.0.",
+                        "outcome 3 Done: ###. Stopped at 1.200 0.500 m, heading 90.0."),
+                bench.told("outcome"));
+    }
+
+    /** "3 when the robot stands; the order that it stopped gets no tone": it stands, whatever made it stand. */
+    @ParameterizedTest
+    @CsvSource({"COLLISION, TOUCHED", "INFINITE_LOOP, MOTION_ENDED", "ABORTED, MOTORS_OFF"})
+    void whateverHappensWhileBrakingTheStoppedOrderHasNoToneAndStopIsAnsweredByThree(
+            MotionOutcome.Kind kind, StatusEvent event) {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**500 **");
         bench.press("** ### **");
+        bench.robot.end(event, kind, 40);
+        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+    }
+
+    @Test
+    void aCollisionWhileBrakingIsStillToldByMessage() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.sms("** #**500 **");
+        bench.press("** ### **");
         bench.robot.collide(40);
-        assertEquals(List.of("tone 6", "tone 4", "tone 3"), bench.told("tone"));
+        assertEquals(
+                List.of("sms 5550101 4 Collision after 40 of 500 cm, instruction 1 of 1.", "tone 3"),
+                bench.told("sms", "tone"));
+    }
+
+    @Test
+    void powerOffWhileBrakingDeniesTheStopOnceAndClears() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.press("** #**500 **");
+        bench.press("** ### **");
+        bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Kind.ABORTED, 40);
+        assertEquals(List.of("tone 6", "tone 2", "clear"), bench.told("tone", "clear"));
     }
 
     @Test

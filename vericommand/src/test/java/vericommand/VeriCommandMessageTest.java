@@ -95,6 +95,24 @@ class VeriCommandMessageTest {
                 bench.told("sms"));
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "en|POWER_OFF|2 Connection denied: the robot is off. Ended after 12 of 20 cm, instruction 2 of 2.",
+                "en|MOTORS_OFF|8 Not possible: no motors. Ended after 12 of 20 cm, instruction 2 of 2.",
+                "en|MOTION_ENDED|8 Not possible: the world has changed. Ended after 12 of 20 cm, instruction 2 of 2.",
+                "es|POWER_OFF|2 Acceso denegado: el robot no tiene corriente. Termina tras 12 de 20 cm, paso 2 de 2.",
+                "es|MOTION_ENDED|8 No es posible: el mundo ha cambiado. Termina tras 12 de 20 cm, paso 2 de 2."
+            })
+    void anOrderCutShortSaysWhyAndHowFarItGot(String language, StatusEvent event, String reply) {
+        Bench bench = Bench.with(new Settings(new Locale(language), Set.of(), Settings.OnHangup.STOP));
+        bench.sms("** #*#90 #**20 **");
+        bench.robot.reachGoal();
+        bench.robot.end(event, MotionOutcome.Kind.ABORTED, 12.2);
+        assertEquals(List.of(TO + reply), bench.told("sms"));
+    }
+
     @Test
     void aStopInACallStopsAMessagesOrderAndEachIsAnsweredOnItsOwnWay() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
@@ -164,10 +182,7 @@ class VeriCommandMessageTest {
                 Order longest = new Order("**", java.util.Collections.nCopies(32, motion));
                 assertTrue(texts.done(longest, status, far).message().length() <= 160);
                 assertTrue(texts.report(longest, status, far).message().length() <= 160);
-                assertTrue(texts.failed(ReplyTone.NOT_POSSIBLE, progress, status)
-                                .message()
-                                .length()
-                        <= 160);
+                assertTrue(texts.aborted(progress, status).message().length() <= 160);
             }
             for (Expected expected : Expected.values()) {
                 for (Fault.Limit limit : Fault.Limit.values()) {

@@ -1,7 +1,6 @@
 package simrobot.control;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import simgsm.console.Event;
@@ -84,27 +83,13 @@ public final class ConsoleEvents implements ControlListener {
 
     @Override
     public void pose(Pose pose) {
-        out.accept(event("pose")
-                .with("x", decimal(pose.xMeters(), 4))
-                .with("y", decimal(pose.yMeters(), 4))
-                .with("heading", heading(pose.headingDegrees())));
+        out.accept(
+                event("pose").with("x", pose.xText(4)).with("y", pose.yText(4)).with("heading", pose.headingText(2)));
     }
 
     void sonar(int[] rangesMillimeters) {
         String ranges =
                 Arrays.stream(rangesMillimeters).mapToObj(Integer::toString).collect(Collectors.joining(","));
         out.accept(event("sonar").with("ranges", ranges));
-    }
-
-    /** In [0, 360) also where rounding would make it 360. */
-    private static String heading(double degrees) {
-        double rounded = Math.round(degrees * 100) / 100.0 % 360;
-        return decimal(rounded < 0 ? rounded + 360 : rounded, 2);
-    }
-
-    /** Adding 0 turns a rounded minus zero into zero. */
-    private static String decimal(double value, int places) {
-        double scale = Math.pow(10, places);
-        return String.format(Locale.ROOT, "%." + places + "f", Math.round(value * scale) / scale + 0.0);
     }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simrobot.world.World;
 import vericommand.ReplyTone;
 import vericommand.Settings;
 
@@ -177,6 +178,18 @@ class RobotControlTest {
         bench.log.clear();
         bench.control.callBegan("5550100");
         assertEquals(List.of("modem: under way true"), bench.lines("modem:"));
+    }
+
+    @Test
+    void aWorldThatChangesUnderAMovingRobotEndsItsOrderAndSaysSo() {
+        bench.control.message("5550101", "** #**70 **");
+        bench.seconds(1);
+        bench.simulation.load(World.bare());
+        assertEquals(
+                List.of(
+                        "outcome robot=robot tone=8"
+                                + " text=\"Not possible: the world has changed. Ended after 15 of 70 cm, instruction 1 of 1.\""),
+                bench.lines("outcome"));
     }
 
     @Test
