@@ -26,7 +26,6 @@ import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simgsm.ui.ProgramWindow;
 import simrobot.control.ConsoleEvents;
-import simrobot.control.EventPrinter;
 import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
 import simrobot.control.RobotName;
@@ -154,18 +153,17 @@ public final class SimRobotMain {
 
     private static int headless(Arguments arguments, SimRobot built, PioneerPorts opened)
             throws UsageException, IOException, InterruptedException {
-        Console console = new Console(Program.standardOutput());
-        try (EventPrinter printer = new EventPrinter(console);
+        try (Console console = Console.onStandardOutput();
                 SimRobot simRobot = built;
                 PioneerPorts ports = opened) {
-            simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), printer)));
+            simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
-            Program.runConsole(console, arguments, new RobotConsole(simRobot, printer));
+            Program.runConsole(console, arguments, new RobotConsole(simRobot, console::emit));
+            return console.exitStatus();
         }
-        return console.exitStatus();
     }
 
     private static String names(SimRobot simRobot) {

@@ -11,11 +11,11 @@ import simgsm.console.Event;
 /** The centre's console commands. */
 final class CenterCommands implements Console.Commands {
     private final Center center;
-    private final EventPrinter printer;
+    private final Console console;
 
-    CenterCommands(Center center, EventPrinter printer) {
+    CenterCommands(Center center, Console console) {
         this.center = center;
-        this.printer = printer;
+        this.console = console;
     }
 
     @Override
@@ -48,8 +48,8 @@ final class CenterCommands implements Console.Commands {
     private void list(Command command, Function<Exchange, List<Event>> question) throws CommandException {
         command.words(0, "nothing after it");
         List<Event> rows = center.ask(question);
-        rows.forEach(printer::print);
-        printer.print(ConsoleEvents.end(command.name(), rows.size()));
+        rows.forEach(console::emit);
+        console.emit(ConsoleEvents.end(command.name(), rows.size()));
     }
 
     private void broadcast(Command command) throws CommandException {

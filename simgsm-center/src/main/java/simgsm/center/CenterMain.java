@@ -59,16 +59,15 @@ public final class CenterMain {
     }
 
     private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
-        Console console = new Console(Program.standardOutput());
-        try (EventPrinter printer = new EventPrinter(console)) {
-            center.start(settings.seed(), printer);
+        try (Console console = Console.onStandardOutput()) {
+            center.start(settings.seed(), event -> console.emit(ConsoleEvents.of(event)));
             Event ready = Event.of("ready").with("port", center.port());
             console.ready(
                     center.smppPort().isPresent()
                             ? ready.with("smpp", center.smppPort().getAsInt())
                             : ready);
-            Program.runConsole(console, arguments, new CenterCommands(center, printer));
+            Program.runConsole(console, arguments, new CenterCommands(center, console));
+            return console.exitStatus();
         }
-        return console.exitStatus();
     }
 }

@@ -49,10 +49,10 @@ class CenterConsoleTest {
     }
 
     private List<String> linesAfter(String commands) throws Exception {
-        try (EventPrinter printer = new EventPrinter(console)) {
-            center.start(1, printer);
+        try (Console closing = console) {
+            center.start(1, event -> closing.emit(ConsoleEvents.of(event)));
             console.ready(Event.of("ready").with("port", "1234"));
-            console.run(new BufferedReader(new StringReader(commands)), new CenterCommands(center, printer));
+            console.run(new BufferedReader(new StringReader(commands)), new CenterCommands(center, closing));
         }
         return printed.toString(StandardCharsets.UTF_8).lines().toList();
     }

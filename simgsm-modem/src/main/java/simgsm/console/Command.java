@@ -43,6 +43,11 @@ public record Command(String name, String rest) {
         return words;
     }
 
+    /** Whether it begins with {@code @NAME}, which says for whom the rest is meant. */
+    public boolean isAddressed() {
+        return name.startsWith("@");
+    }
+
     /** The rest without its first word, as a command of its own; for prefixes such as {@code @NAME}. */
     public Command tail() {
         return parse(rest);

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
@@ -14,23 +15,51 @@ import java.util.Map;
  * <p>{@code wait EVENT [key=value...] [SECONDS]} and {@code quit} are the console's own; everything else goes to the
  * program's {@link Commands}.
  */
-public final class Console {
+public final class Console implements AutoCloseable {
     /** What a program does with a command. Errors it throws are printed and the program goes on. */
     public interface Commands {
         void perform(Command command) throws CommandException;
+
+        /** Whether a command may begin with {@code @NAME}; wait and quit take it then and mean the same. */
+        default boolean areAddressed() {
+            return false;
+        }
     }
 
     private static final double DEFAULT_WAIT_SECONDS = 10;
     private static final double MAX_WAIT_SECONDS = 1e6;
 
-    private final PrintStream out;
+    private final Consumer<Event> printer;
+    private final Runnable ending;
     private final EventLog log = new EventLog();
     private List<Event> beforeReady = new ArrayList<>();
     private volatile boolean failed;
 
-    /** @param out where events go, UTF-8; see {@link Program#standardOutput} */
+    /** A console that prints within {@link #emit}, on whichever thread calls it. */
     public Console(PrintStream out) {
-        this.out = out;
+        this(
+                event -> {
+                    out.print(event + "\n");
+                    out.flush();
+                },
+                out::flush);
+    }
+
+    private Console(Consumer<Event> printer, Runnable ending) {
+        this.printer = printer;
+        this.ending = ending;
+    }
+
+    /** A console on standard output that prints on a thread of its own: whoever emits is never held up. */
+    public static Console onStandardOutput() {
+        PrintQueue queue = new PrintQueue(Program.standardOutput());
+        return new Console(queue::print, queue::close);
+    }
+
+    /** Prints what is left. */
+    @Override
+    public void close() {
+        ending.run();
     }
 
     /** Prints {@code ready}, the first line of all, and then what was emitted before it. */
@@ -47,9 +76,8 @@ public final class Console {
             beforeReady.add(event);
             return;
         }
-        out.print(event + "\n");
-        out.flush();
         log.add(event);
+        printer.accept(event);
     }
 
     /** Prints {@code error text=}. */
@@ -65,22 +93,24 @@ public final class Console {
     public boolean run(BufferedReader input, Commands commands) throws IOException, InterruptedException {
         for (String line = input.readLine(); line != null; line = input.readLine()) {
             Command command = Command.parse(line);
-            if (command.name().equals("quit") && command.rest().isEmpty()) {
+            Command meant = commands.areAddressed() && command.isAddressed() ? command.tail() : command;
+            if (meant.name().equals("quit") && meant.rest().isEmpty()) {
                 return true;
             }
             if (!command.name().isEmpty()) {
-                perform(command, commands);
+                perform(command, meant, commands);
             }
         }
         return false;
     }
 
-    private void perform(Command command, Commands commands) throws InterruptedException {
+    /** @param meant the command without {@code @NAME} */
+    private void perform(Command command, Command meant, Commands commands) throws InterruptedException {
         try {
-            if (command.name().equals("wait")) {
-                await(command);
-            } else if (command.name().equals("quit")) {
-                throw new CommandException("quit takes nothing, found " + command.rest());
+            if (meant.name().equals("wait")) {
+                await(meant);
+            } else if (meant.name().equals("quit")) {
+                throw new CommandException("quit takes nothing, found " + meant.rest());
             } else {
                 commands.perform(command);
             }
@@ -102,6 +132,7 @@ public final class Console {
         if (!log.await(name, fields(words), (long) (seconds * 1e9))) {
             failed = true;
             error("wait: no " + command.rest() + " within " + plain(seconds) + " s");
+            log.skip();
         }
     }
 

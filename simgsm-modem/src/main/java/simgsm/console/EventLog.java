@@ -19,6 +19,11 @@ final class EventLog {
         notifyAll();
     }
 
+    /** Sets the cursor to the end. */
+    synchronized void skip() {
+        unread.clear();
+    }
+
     /**
      * Looks from the cursor on for an event and sets the cursor behind it; when the time is over, to the end.
      *

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
 import java.io.PrintStream;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
@@ -122,6 +124,56 @@ class ConsoleTest {
                         "error text=\"wait: no echo text=a 0 within 0 s\""),
                 lines());
         assertEquals(ExitStatus.FAILED, console.exitStatus());
+    }
+
+    @Test
+    void theErrorOfAWaitThatTimesOutLiesBeforeTheCursor() throws Exception {
+        console.ready(Event.of("ready"));
+        run("wait nothing 0", "wait error 0");
+        assertEquals(
+                2, lines().stream().filter(line -> line.startsWith("error ")).count());
+    }
+
+    @Test
+    void whereCommandsAreAddressedWaitAndQuitAreToo() throws Exception {
+        console.ready(Event.of("ready"));
+        Console.Commands addressed = new Console.Commands() {
+            @Override
+            public void perform(Command command) throws CommandException {
+                throw new CommandException("unexpected " + command);
+            }
+
+            @Override
+            public boolean areAddressed() {
+                return true;
+            }
+        };
+        String text = "@robot wait ready 0\n@robot quit\nnever\n";
+        assertTrue(console.run(new BufferedReader(new StringReader(text)), addressed));
+        assertEquals(List.of("ready"), lines());
+        assertFalse(run("@robot wait ready 0"), "elsewhere @robot is no command");
+        assertTrue(lines().get(1).startsWith("error "), lines().toString());
+    }
+
+    @Test
+    void aQueuePrintsInOrderAndAllThatIsLeftAtItsEnd() {
+        PrintQueue queue = new PrintQueue(new PrintStream(printed, false, StandardCharsets.UTF_8));
+        for (int i = 0; i < 1000; i++) {
+            queue.print(Event.of("row").with("n", i));
+        }
+        queue.close();
+        assertEquals(1000, lines().size());
+        assertEquals("row n=999", lines().get(999));
+    }
+
+    @Test
+    void whoPrintsIntoAQueueIsNeverHeldUpByAReaderWhoHasStopped() throws Exception {
+        PipedOutputStream stuck = new PipedOutputStream(new PipedInputStream(16));
+        PrintQueue queue = new PrintQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8));
+        for (int i = 0; i < 100_000; i++) {
+            queue.print(Event.of("row").with("n", i));
+        }
+        assertEquals(0, printed.size(), "the loop has ended although nobody reads");
     }
 
     @Test

@@ -85,19 +85,15 @@ public final class PhoneMain {
 
     private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
             throws IOException, InterruptedException, UsageException {
-        Console console = new Console(Program.standardOutput());
-        Phone phone = new Phone(settings, new EventPrinter(console, texts), AudioOutput.SILENT);
-        PhoneCommands commands = new PhoneCommands(console, phone);
-        Thread lastWill = new Thread(phone::close, "detach");
-        Runtime.getRuntime().addShutdownHook(lastWill);
-        console.ready(Event.of("ready"));
-        phone.start(address(center));
-        try {
+        try (Console console = Console.onStandardOutput();
+                Phone phone = new Phone(settings, new EventPrinter(console, texts), AudioOutput.SILENT)) {
+            PhoneCommands commands = new PhoneCommands(console, phone);
+            Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
+            console.ready(Event.of("ready"));
+            phone.start(address(center));
             Program.runConsole(console, arguments, commands);
             commands.finish();
-        } finally {
-            phone.close();
+            return console.exitStatus();
         }
-        return console.exitStatus();
     }
 }

@@ -25,8 +25,13 @@ public final class RobotConsole implements Console.Commands {
     }
 
     @Override
+    public boolean areAddressed() {
+        return true;
+    }
+
+    @Override
     public void perform(Command command) throws CommandException {
-        if (command.name().startsWith("@")) {
+        if (command.isAddressed()) {
             perform(robot(command.name().substring(1)), command.tail());
         } else {
             perform(simRobot.robots().get(0), command);
