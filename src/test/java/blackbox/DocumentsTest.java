@@ -1,0 +1,71 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** What the documents point at is there, and what they quote is true. */
+class DocumentsTest {
+    private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)\\)");
+
+    private static List<Path> documents() throws IOException {
+        List<Path> documents = new ArrayList<>(
+                List.of(Dist.root().resolve("README.md"), Dist.root().resolve("CONTRIBUTING.md")));
+        try (Stream<Path> files = Files.walk(Dist.root().resolve("docs"))) {
+            files.filter(file -> file.toString().endsWith(".md")).forEach(documents::add);
+        }
+        return documents;
+    }
+
+    @Test
+    void everyRelativeLinkLeadsSomewhere() throws IOException {
+        List<String> dead = new ArrayList<>();
+        int links = 0;
+        for (Path document : documents()) {
+            Matcher link = LINK.matcher(Files.readString(document));
+            while (link.find()) {
+                links++;
+                if (!Files.exists(document.resolveSibling(link.group(1)))) {
+                    dead.add(document.getFileName() + " -> " + link.group(1));
+                }
+            }
+        }
+        assertEquals(List.of(), dead);
+        assertTrue(links >= 5, "links found: " + links);
+    }
+
+    @Test
+    void everyJarAndWorldThatTheReadmeNamesIsThere() throws IOException {
+        String readme = Files.readString(Dist.root().resolve("README.md"));
+        Matcher named = Pattern.compile("(target/dist/[a-z-]+\\.jar|worlds/[a-z]+\\.map)")
+                .matcher(readme);
+        int found = 0;
+        while (named.find()) {
+            found++;
+            assertTrue(Files.exists(Dist.root().resolve(named.group(1))), named.group(1));
+        }
+        assertTrue(found >= 6, "named: " + found);
+    }
+
+    @Test
+    void everyDiagramHasBeenDrawn() throws IOException {
+        try (Stream<Path> files = Files.list(Dist.root().resolve("docs").resolve("uml"))) {
+            List<Path> sources =
+                    files.filter(file -> file.toString().endsWith(".puml")).toList();
+            assertTrue(sources.size() >= 4, sources.toString());
+            for (Path source : sources) {
+                String name = source.getFileName().toString().replace(".puml", ".svg");
+                assertTrue(Files.size(source.resolveSibling(name)) > 1000, name);
+            }
+        }
+    }
+}
