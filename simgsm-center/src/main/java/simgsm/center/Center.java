@@ -17,7 +17,7 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smpp.SmppUsers;
 import simgsm.center.smsc.MemoryStore;
-import simgsm.console.ExitStatus;
+import simgsm.console.Collapse;
 import simgsm.console.HostPort;
 
 /** A running centre: its data directory, its port, its thread. */
@@ -97,12 +97,7 @@ final class Center implements AutoCloseable {
         ExchangeSettings settings = new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now());
         Exchange exchange = new Exchange(settings, store, listener);
         exchange.smpp().admit(smppUsers);
-        loop.start(exchange, Center::giveUp);
-    }
-
-    /** A centre that serves nobody must not look alive. Not on the loop's own thread, whose end the exit waits for. */
-    private static void giveUp() {
-        new Thread(() -> System.exit(ExitStatus.FAILED), "give up").start();
+        loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
     }
 
     /** Has the exchange asked something by its own thread, and waits for the answer or its exception. */

@@ -58,8 +58,12 @@ final class CenterCommands implements Console.Commands {
             throw new CommandException("broadcast: expected CHANNEL TEXT, found "
                     + (command.rest().isEmpty() ? "nothing after it" : command.rest()));
         }
+        String text = channel.text();
+        if (text.isEmpty()) {
+            throw new CommandException("broadcast: expected CHANNEL TEXT, found an empty text");
+        }
         try {
-            center.broadcast(Integer.parseInt(channel.name()), channel.text());
+            center.broadcast(Integer.parseInt(channel.name()), text);
         } catch (IllegalArgumentException e) {
             throw new CommandException("broadcast: " + e.getMessage());
         }

@@ -12,10 +12,12 @@ import simgsm.ui.ProgramWindow;
 
 /** Starts M3 from the command line. */
 public final class CenterMain {
+    static final String NAME = "simgsm-center";
+
     private CenterMain() {}
 
     public static void main(String[] args) {
-        new Program("simgsm-center", options()).runAndExit(args, CenterMain::run);
+        new Program(NAME, options()).runAndExit(args, CenterMain::run);
     }
 
     private static Options options() {

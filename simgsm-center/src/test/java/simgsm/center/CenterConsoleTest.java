@@ -78,10 +78,12 @@ class CenterConsoleTest {
                         "error text=\"calls: expected nothing after it, found please\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found hello all\"",
+                        "error text=\"broadcast: expected CHANNEL TEXT, found an empty text\"",
                         "error text=\"broadcast: broadcast channel 65536 is not 0 to 65535\"",
                         "end of=calls count=0"),
-                linesAfter("dance\ncalls please\nbroadcast\nbroadcast hello all\nbroadcast 65536 hello\n"
-                        + "broadcast 50 \"hello \\u00e1 all\"\ncalls\n"));
+                linesAfter(
+                        "dance\ncalls please\nbroadcast\nbroadcast hello all\nbroadcast 50 \"\"\nbroadcast 65536 hello\n"
+                                + "broadcast 50 \"hello \\u00e1 all\"\ncalls\n"));
     }
 
     @Test

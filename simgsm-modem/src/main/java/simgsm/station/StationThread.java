@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 
 /**
  * The one thread that gives one or many stations their time and their sockets. It connects each to its centre, at once and
@@ -29,14 +30,20 @@ public final class StationThread implements AutoCloseable {
 
     private final Selector selector;
     private final Thread thread;
+    private final Consumer<Throwable> failed;
     private final Queue<Runnable> acts = new ConcurrentLinkedQueue<>();
     private final List<StationLink> links = new ArrayList<>();
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_LENGTH);
     private volatile long droppedSpeechFrames;
     private volatile boolean closing;
 
-    /** Not started yet. It is a daemon thread: whoever starts it closes it. */
-    public StationThread(String name) {
+    /**
+     * Not started yet. It is a daemon thread: whoever starts it closes it.
+     *
+     * @param failed told, by this thread, when it ends without having been closed: the stations are dead for good
+     */
+    public StationThread(String name, Consumer<Throwable> failed) {
+        this.failed = failed;
         try {
             selector = Selector.open();
         } catch (IOException e) {
@@ -90,34 +97,45 @@ public final class StationThread implements AutoCloseable {
     private void run() {
         try {
             while (!closing) {
-                turn();
+                turn(System.nanoTime() + LONGEST_WAIT_NANOS);
             }
             sayFarewell();
-        } catch (IOException e) {
-            LOGGER.log(Level.ERROR, "the stations'' loop ends: {0}", e.getMessage());
+        } catch (Throwable fault) {
+            fail(fault);
         } finally {
             links.forEach(StationLink::close);
             closeSelector();
         }
     }
 
+    private void fail(Throwable fault) {
+        if (closing) {
+            LOGGER.log(Level.ERROR, "the stations'' loop ends in the middle of its farewell: {0}", fault.toString());
+        } else {
+            LOGGER.log(Level.DEBUG, "the stations'' loop ends", fault);
+            failed.accept(fault);
+        }
+    }
+
+    /** Whoever has nothing to say farewell to is not waited for. */
     private void sayFarewell() throws IOException {
         long end = System.nanoTime() + CLOSING_NANOS;
         execute(() -> links.forEach(link -> link.station().powerOff()));
-        do {
-            turn();
-        } while (!links.stream().allMatch(StationThread::isDone) && System.nanoTime() < end);
+        perform(System.nanoTime());
+        while (!links.stream().allMatch(StationThread::isDone) && System.nanoTime() < end) {
+            turn(end);
+        }
     }
 
     private static boolean isDone(StationLink link) {
         return link.isFlushed() && link.station().isDetached();
     }
 
-    /** Acts, time, sockets; then waits for the next of these. */
-    private void turn() throws IOException {
+    /** Acts, time, sockets; then waits for the next of these, but not beyond the end given. */
+    private void turn(long endNanos) throws IOException {
         long now = System.nanoTime();
         perform(now);
-        long next = now + LONGEST_WAIT_NANOS;
+        long next = endNanos;
         long dropped = 0;
         for (StationLink link : links) {
             guarded(() -> link.timePassed(selector, now));
@@ -148,7 +166,7 @@ public final class StationThread implements AutoCloseable {
         guarded(() -> link.ready(buffer, System.nanoTime()));
     }
 
-    /** A fault in one station must not take the others down. */
+    /** A fault in one station must not take the others down; after an Error nothing can be relied upon. */
     private static void guarded(Runnable act) {
         try {
             act.run();

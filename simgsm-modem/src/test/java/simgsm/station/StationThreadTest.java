@@ -45,7 +45,8 @@ class StationThreadTest {
     private static final int PATIENCE_SECONDS = 20;
 
     private final BlockingQueue<String> told = new ArrayBlockingQueue<>(100);
-    private final StationThread thread = new StationThread("stations");
+    private final StationThread thread =
+            new StationThread("stations", cause -> told.add("failed " + cause.getMessage()));
 
     @AfterEach
     void close() {
@@ -234,6 +235,31 @@ class StationThreadTest {
         });
         thread.execute(() -> told.add("still there"));
         expect("still there");
+    }
+
+    @Test
+    void anErrorEndsTheThreadAndIsTold() throws Exception {
+        thread.start();
+        thread.execute(() -> {
+            throw new LinkageError("as a test does");
+        });
+        expect("failed as a test does");
+        thread.close();
+    }
+
+    /** Each quit would take a second if it waited for what does not come; the class's time-out would end the test. */
+    @Test
+    void aStationThatIsNotRegisteredQuitsAtOnce() throws Exception {
+        for (int i = 0; i < 40; i++) {
+            try (ServerSocket server = Center.listen(0);
+                    StationThread quick = new StationThread("quick", cause -> told.add("failed"))) {
+                quick.add(station("5550100"), address(server));
+                quick.start();
+                server.accept().close();
+                expect("unregistered 5550100");
+            }
+        }
+        assertTrue(told.stream().noneMatch("failed"::equals));
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
+import simgsm.console.Collapse;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.StationSide;
@@ -24,7 +25,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     /** An act takes microseconds; if it takes this long the thread has ended. */
     private static final long ACT_SECONDS = 5;
 
-    private final StationThread thread = new StationThread("station");
+    private final StationThread thread = new StationThread("station", cause -> Collapse.end(PhoneMain.NAME, cause));
     private final AudioOutput output;
     private final CallTap recorder;
     private final Handset handset;

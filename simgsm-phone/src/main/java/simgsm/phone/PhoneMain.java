@@ -21,12 +21,13 @@ import simgsm.ui.Texts;
 
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
+    static final String NAME = "simgsm-phone";
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
 
     private PhoneMain() {}
 
     public static void main(String[] args) {
-        new Program("simgsm-phone", options()).runAndExit(args, PhoneMain::run);
+        new Program(NAME, options()).runAndExit(args, PhoneMain::run);
     }
 
     static Options options() {

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.console.Collapse;
 import simgsm.speech.CallTap;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
@@ -24,7 +25,7 @@ import vericommand.Settings;
  */
 public final class SimRobot implements AutoCloseable {
     private final SimulationThread simulationThread;
-    private final StationThread stationThread = new StationThread("modems");
+    private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
     private final InetSocketAddress center;
     private final Settings settings;
     private final List<TelephoneRobot> robots = new ArrayList<>();

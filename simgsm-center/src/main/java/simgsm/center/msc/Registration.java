@@ -32,7 +32,8 @@ final class Registration {
     private final Timers timers;
     private State state;
     private Timer guard;
-    private Subscriber subscriber;
+    /** Who claims to come; not of the register before all has gone well, or whoever is rejected would become known. */
+    private Imsi imsi;
 
     Registration(Link link, Mobility mobility, Timers timers) {
         this.link = link;
@@ -41,12 +42,12 @@ final class Registration {
     }
 
     void start(MobileIdentity identity) {
-        if (identity instanceof Imsi imsi) {
-            identified(imsi);
+        if (identity instanceof Imsi said) {
+            identified(said);
         } else if (identity instanceof Tmsi tmsi) {
             Optional<Subscriber> known = mobility.register().ofTmsi(tmsi);
             if (known.isPresent()) {
-                admitted(known.get());
+                identified(known.get().imsi());
             } else {
                 ask(MobileIdentity.Type.IMSI, State.AWAITING_IMSI);
             }
@@ -69,8 +70,8 @@ final class Registration {
     }
 
     private boolean receiveIdentity(MobileIdentity identity) {
-        if (state == State.AWAITING_IMSI && identity instanceof Imsi imsi) {
-            identified(imsi);
+        if (state == State.AWAITING_IMSI && identity instanceof Imsi said) {
+            identified(said);
             return true;
         }
         if (state == State.AWAITING_IMEI && identity instanceof Imei imei) {
@@ -80,25 +81,27 @@ final class Registration {
         return false;
     }
 
-    private void identified(Imsi imsi) {
-        Optional<Subscriber> admitted = mobility.register().admit(imsi);
-        if (admitted.isPresent()) {
-            admitted(admitted.get());
-        } else {
-            reject(imsi.openNumber().isPresent() ? RejectCause.CONGESTION : RejectCause.IMSI_UNKNOWN_IN_HLR);
+    private void identified(Imsi who) {
+        if (who.openNumber().isEmpty()) {
+            reject(RejectCause.IMSI_UNKNOWN_IN_HLR);
+            return;
         }
-    }
-
-    private void admitted(Subscriber who) {
-        subscriber = who;
+        imsi = who;
         ask(MobileIdentity.Type.IMEI, State.AWAITING_IMEI);
     }
 
     private void equipped(Imei imei) {
-        if (!mobility.claim(subscriber, imei, link)) {
+        Optional<Subscriber> subscriber = mobility.register().admit(imsi);
+        if (subscriber.isEmpty()) {
+            reject(RejectCause.CONGESTION);
+        } else if (!mobility.claim(subscriber.get(), imei, link)) {
             reject(RejectCause.ILLEGAL_MS);
-            return;
+        } else {
+            accept(subscriber.get(), imei);
         }
+    }
+
+    private void accept(Subscriber subscriber, Imei imei) {
         await(State.AWAITING_TMSI_COMPLETE);
         link.send(new MobilityManagement.LocationUpdatingAccept(
                 LocationArea.TEST, Optional.of(mobility.register().allocateTmsi(subscriber))));

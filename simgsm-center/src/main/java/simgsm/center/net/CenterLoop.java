@@ -5,7 +5,6 @@ import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
-import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
@@ -44,7 +43,7 @@ public final class CenterLoop implements AutoCloseable {
     private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Thread thread = new Thread(this::run, "centre");
     private Exchange exchange;
-    private Runnable onFailure = () -> {};
+    private Consumer<Throwable> onFailure = cause -> {};
     private final View view = new View();
     private volatile boolean isClosing;
 
@@ -119,16 +118,31 @@ public final class CenterLoop implements AutoCloseable {
 
     private Peer terminal(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
         Connection connection = new Connection(channel, key, host);
-        connection.link = exchange.linkOpened(nowNanos(), connection, text(address));
-        return connection;
+        return welcomed(connection, () -> connection.link = exchange.linkOpened(nowNanos(), connection, text(address)));
     }
 
     private Peer application(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
         SmppConnection connection = new SmppConnection(channel, key, host);
-        boolean isLocal = address.getAddress().isLoopbackAddress();
-        exchange.perform(
-                nowNanos(), () -> connection.session = exchange.smpp().opened(connection, text(address), isLocal));
-        return connection;
+        return welcomed(
+                connection,
+                () -> exchange.perform(
+                        nowNanos(),
+                        () -> connection.session = exchange.smpp()
+                                .opened(
+                                        connection,
+                                        text(address),
+                                        address.getAddress().isLoopbackAddress())));
+    }
+
+    /** An error of our own while a peer is introduced to the exchange costs that peer alone. */
+    private static Peer welcomed(Peer peer, Runnable introduction) {
+        try {
+            introduction.run();
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "a connection is not taken after an error of our own", e);
+            peer.shut();
+        }
+        return peer;
     }
 
     private static String text(InetSocketAddress address) {
@@ -142,9 +156,9 @@ public final class CenterLoop implements AutoCloseable {
     /**
      * Gives the loop its exchange and begins.
      *
-     * @param failed done when the thread has ended without being told to: the centre serves nobody any more
+     * @param failed told when the thread has ended without being told to: the centre serves nobody any more
      */
-    public void start(Exchange owned, Runnable failed) {
+    public void start(Exchange owned, Consumer<Throwable> failed) {
         exchange = owned;
         onFailure = failed;
         thread.start();
@@ -176,13 +190,17 @@ public final class CenterLoop implements AutoCloseable {
             while (!isClosing) {
                 round();
             }
-        } catch (IOException | ClosedSelectorException e) {
-            LOG.log(Level.ERROR, "the selector has failed: {0}", e.getMessage());
+        } catch (Throwable fault) {
+            fail(fault);
         } finally {
             shutAll();
-            if (!isClosing) {
-                onFailure.run();
-            }
+        }
+    }
+
+    private void fail(Throwable fault) {
+        LOG.log(Level.DEBUG, "the loop ends", fault);
+        if (!isClosing) {
+            onFailure.accept(fault);
         }
     }
 
@@ -240,7 +258,7 @@ public final class CenterLoop implements AutoCloseable {
     private void ready(SelectionKey key) {
         view.changed();
         if (key.attachment() instanceof Door door) {
-            door.accept(nowNanos());
+            guarded("accepting", () -> door.accept(nowNanos()));
         } else if (key.attachment() instanceof Peer peer && peer.isOpen()) {
             try {
                 serve(peer, key);

@@ -14,7 +14,7 @@ import simgsm.air.Tmsi;
 
 /**
  * Home and visitor register in one, as befits a network in one box. In an open network any SIM of the test network may
- * come, and its IMSI says its number; a subscriber once seen stays known for as long as the centre runs.
+ * come, and its IMSI says its number; a subscriber once registered stays known for as long as the centre runs.
  */
 public final class SubscriberRegister {
     /** A subscriber costs about 300 octets; the bound keeps a flood of invented SIMs from filling the memory. */

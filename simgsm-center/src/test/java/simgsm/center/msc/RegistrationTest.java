@@ -89,6 +89,40 @@ class RegistrationTest {
         assertTrue(network.events.isEmpty());
     }
 
+    @Test
+    void aNumberIsKnownFromItsFirstRegistrationAndNotFromARequest() {
+        TestMobile mobile = network.connect("5550100");
+        mobile.received.clear();
+        mobile.requestUpdate(mobile.imsi);
+        mobile.next(MobilityManagement.IdentityRequest.class);
+        assertFalse(network.exchange.isKnown(NUMBER));
+        network.passSeconds(12);
+        mobile.leaveReleasedChannel();
+        assertTrue(network.exchange.subscribers().isEmpty());
+        mobile.register();
+        assertTrue(network.exchange.isKnown(NUMBER));
+        mobile.vanish();
+        assertTrue(network.exchange.isKnown(NUMBER), "once registered, always known");
+    }
+
+    @Test
+    void ofTwoEquipmentsThatRegisterANewNumberAtOnceTheFirstToFinishGetsIt() {
+        TestMobile first = network.connect("5550100");
+        TestMobile second = network.connect("5550100");
+        for (TestMobile mobile : List.of(first, second)) {
+            mobile.received.clear();
+            mobile.requestUpdate(mobile.imsi);
+            mobile.next(MobilityManagement.IdentityRequest.class);
+        }
+        second.tell(new MobilityManagement.IdentityResponse(second.imei));
+        first.tell(new MobilityManagement.IdentityResponse(first.imei));
+        second.next(MobilityManagement.LocationUpdatingAccept.class);
+        assertEquals(
+                RejectCause.ILLEGAL_MS,
+                first.next(MobilityManagement.LocationUpdatingReject.class).cause());
+        assertEquals(1, network.exchange.subscribers().size());
+    }
+
     private RejectCause rejectionOf(MobileIdentity identity) {
         TestMobile mobile = network.connect("5550100");
         mobile.received.clear();

@@ -13,6 +13,7 @@ import java.time.Instant;
 import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
@@ -27,6 +28,8 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.msc.Link;
+import simgsm.center.msc.LinkPort;
 import simgsm.center.smsc.MemoryStore;
 
 /** What real sockets do to frames: split them, join them, break off in the middle, and send nonsense. */
@@ -37,7 +40,7 @@ class CenterLoopTest {
 
     private final BlockingQueue<ExchangeEvent> events = new LinkedBlockingQueue<>();
     private CenterLoop loop;
-    private volatile boolean failed;
+    private final CompletableFuture<Throwable> failure = new CompletableFuture<>();
 
     @BeforeEach
     void open() throws IOException {
@@ -46,7 +49,7 @@ class CenterLoopTest {
                 new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
         loop.start(
                 new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, events::add),
-                () -> failed = true);
+                cause -> failure.complete(cause));
     }
 
     @AfterEach
@@ -177,7 +180,7 @@ class CenterLoopTest {
             client.awaitEnd();
         }
         loop.close();
-        assertFalse(failed, "it was told to");
+        assertFalse(failure.isDone(), "it was told to");
     }
 
     @Test
@@ -194,5 +197,56 @@ class CenterLoopTest {
             throw new IllegalStateException("on purpose");
         });
         assertServes();
+    }
+
+    /** A terminal of the exchange whose line works until the first answer to a request of the terminal. */
+    private static final class FaultyLine implements LinkPort {
+        @Override
+        public void send(IpaFrame frame) {
+            if (frame.stream() == IpaFrame.RSL) {
+                throw new IllegalStateException("on purpose");
+            }
+        }
+
+        @Override
+        public void close(String reason) {}
+    }
+
+    @Test
+    void anErrorOfOurOwnWhileATerminalIsWelcomedCostsThatTerminalAlone() throws Exception {
+        CountDownLatch isUndone = new CountDownLatch(1);
+        CountDownLatch isAtTheDoor = new CountDownLatch(1);
+        loop.post(exchange -> {
+            Link link = exchange.linkOpened(loop.nowNanos(), new FaultyLine(), "faulty");
+            assertThrows(
+                    IllegalStateException.class,
+                    () -> exchange.frameReceived(loop.nowNanos(), link, TestClient.serviceRequest()));
+            // What is left undone meets the next who comes.
+            isUndone.countDown();
+            await(isAtTheDoor);
+        });
+        await(isUndone);
+        try (TestClient client = new TestClient(loop.port())) {
+            isAtTheDoor.countDown();
+            client.awaitEnd();
+        }
+        assertServes();
+        assertFalse(failure.isDone());
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void anErrorThatNothingCanBeReliedUponAfterEndsTheLoopAndIsTold() throws Exception {
+        loop.post(exchange -> {
+            throw new LinkageError("on purpose");
+        });
+        assertEquals("on purpose", failure.get(20, TimeUnit.SECONDS).getMessage());
     }
 }

@@ -123,6 +123,17 @@ final class TestClient implements AutoCloseable {
                 Imsi.ofOpenNumber(new Msisdn(number))));
     }
 
+    /** Refused, since nobody has registered. */
+    static IpaFrame serviceRequest() {
+        MobilityManagement.CmServiceRequest request = new MobilityManagement.CmServiceRequest(
+                MobilityManagement.ServiceType.SHORT_MESSAGE,
+                MobilityManagement.NO_KEY,
+                Imsi.ofOpenNumber(new Msisdn("5550100")));
+        return new IpaFrame(
+                IpaFrame.RSL,
+                RslCodec.encode(new RslMessage.EstablishIndication(RslMessage.Sapi.SIGNALLING, layer3(request, 0))));
+    }
+
     static byte[] identity() {
         return tell(new MobilityManagement.IdentityResponse(new Imei("001017500000010")), 1);
     }
