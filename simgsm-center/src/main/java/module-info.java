@@ -2,6 +2,7 @@
 module simgsm.center {
     requires transitive simgsm.modem;
 
+    exports simgsm.center.journal;
     exports simgsm.center.msc;
     exports simgsm.center.net;
     exports simgsm.center.smpp;

@@ -5,18 +5,21 @@ import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import simgsm.center.journal.FileDisk;
+import simgsm.center.journal.Journal;
+import simgsm.center.journal.JournalThread;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeListener;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smpp.SmppUsers;
-import simgsm.center.smsc.MemoryStore;
 import simgsm.console.Collapse;
 import simgsm.console.HostPort;
 
@@ -28,6 +31,8 @@ final class Center implements AutoCloseable {
     private static final long SNAPSHOT_PERIOD_NANOS = 100_000_000;
 
     private final DataDirectory data;
+    private final Journal journal;
+    private final JournalThread store;
     private final CenterLoop loop;
     private final InetAddress address;
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
@@ -37,7 +42,9 @@ final class Center implements AutoCloseable {
 
     private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
         this.data = data;
+        this.journal = readJournal(data.path());
         this.loop = loop;
+        this.store = new JournalThread(journal, this::committed);
         address = settings.address();
         smppUsers = SmppUserFile.read(data.path());
         smppPort = settings.smppPort().isPresent()
@@ -76,6 +83,18 @@ final class Center implements AutoCloseable {
         }
     }
 
+    private static Journal readJournal(Path directory) throws IOException {
+        try {
+            return Journal.open(new FileDisk(directory));
+        } catch (IOException e) {
+            throw new IOException("cannot read the messages in " + directory + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void committed(List<Long> tickets, boolean isDurable) {
+        loop.post(exchange -> tickets.forEach(ticket -> exchange.committed(loop.nowNanos(), ticket, isDurable)));
+    }
+
     /** Where programs on this machine find the centre, as {@code --center} takes it. */
     String reachedAt() {
         InetAddress near = address.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : address;
@@ -92,10 +111,10 @@ final class Center implements AutoCloseable {
     }
 
     void start(long seed, ExchangeListener listener) {
-        MemoryStore store =
-                new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
         ExchangeSettings settings = new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now());
         Exchange exchange = new Exchange(settings, store, listener);
+        exchange.restore(journal.restored());
+        store.start();
         exchange.smpp().admit(smppUsers);
         loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
     }
@@ -134,6 +153,7 @@ final class Center implements AutoCloseable {
     @Override
     public void close() {
         loop.close();
+        store.close();
         data.close();
     }
 }

@@ -18,8 +18,10 @@ import simgsm.air.RslCodec;
 import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
+import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.center.timer.Timers;
@@ -51,7 +53,10 @@ public final class Exchange {
     public Exchange(ExchangeSettings settings, MessageStore store, ExchangeListener listener) {
         ladder = new Ladder(settings.startedAt(), timers);
         RandomGenerator random = new SplittableRandom(settings.seed());
-        register = new SubscriberRegister(random);
+        register = new SubscriberRegister(
+                random,
+                newcomer -> store.commit(
+                        MessageStore.NO_TICKET, new StoreEntry.Known(newcomer.number(), newcomer.imsi())));
         smpp = new SmppServer(timers);
         MessageDelivery delivery = new MessageDelivery(register);
         shortMessages = new ShortMessageCenter(
@@ -73,6 +78,12 @@ public final class Exchange {
         parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder);
         startedAt = settings.startedAt();
+    }
+
+    /** Goes on where an earlier life of this exchange ended. To be called once, before anything else. */
+    public void restore(Restored restored) {
+        restored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
+        shortMessages.restore(restored);
     }
 
     private void callChanged(Call call, ExchangeListener listener) {

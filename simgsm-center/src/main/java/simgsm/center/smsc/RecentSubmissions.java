@@ -1,7 +1,9 @@
 package simgsm.center.smsc;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Msisdn;
@@ -16,6 +18,9 @@ import simgsm.sms.UserData;
 final class RecentSubmissions {
     static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
     static final int MAX_REMEMBERED = 20_000;
+
+    /** The ticket of a submission that was answered in an earlier life. */
+    private static final long STORED = 0;
 
     private record Key(Msisdn from, Msisdn to, int reference, UserData userData) {}
 
@@ -34,6 +39,16 @@ final class RecentSubmissions {
         return found == null || nowNanos - found.submittedNanos > REMEMBERED_NANOS
                 ? Optional.empty()
                 : Optional.of(found.ticket);
+    }
+
+    /** @param messages accepted in an earlier life, oldest first */
+    void restore(List<ShortMessage> messages, Instant now, long nowNanos) {
+        for (ShortMessage message : messages) {
+            if (message.esme().isEmpty()) {
+                long ageNanos = Duration.between(message.acceptedAt(), now).toNanos();
+                remember(message.from(), message.to(), TransferUnits.submitOf(message), STORED, nowNanos - ageNanos);
+            }
+        }
     }
 
     void remember(Msisdn from, Msisdn to, SubmitTpdu submit, long ticket, long nowNanos) {

@@ -28,6 +28,8 @@ public final class ShortMessageCenter {
     public static final int MAX_WAITING = 500_000;
     /** Receipts for one application. */
     public static final int MAX_WAITING_RECEIPTS = 100_000;
+    /** So many submissions may wait for the store; a disk that is slower is congested. */
+    static final int MAX_UNCOMMITTED = 50_000;
 
     private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
 
@@ -41,6 +43,8 @@ public final class ShortMessageCenter {
     private final MessageListener listener;
     private final Map<Recipient, ReceiverQueue> queues = new LinkedHashMap<>();
     private final Map<Long, Submission> submissions = new HashMap<>();
+    /** Reports whose messages' ends are not yet durable: a report that has once been sent never changes. */
+    private final Map<Long, Envelope.Report> reports = new HashMap<>();
     private final RecentSubmissions recent = new RecentSubmissions();
     private int waitingCount;
     private long nextId = 1;
@@ -56,6 +60,16 @@ public final class ShortMessageCenter {
         this.store = store;
         this.port = port;
         this.listener = listener;
+    }
+
+    /** Goes on where an earlier life of this centre ended. To be called once, before anything else. */
+    public void restore(Restored restored) {
+        nextId = restored.lastId() + 1;
+        recent.restore(restored.recent(), now(), timers.nowNanos());
+        restored.waiting().forEach(message -> enqueue(new Envelope.Delivery(message)));
+        for (Restored.Unreported each : restored.unreported()) {
+            report(reportOf(each.message(), each.ended().state(), each.ended().at()));
+        }
     }
 
     /**
@@ -133,16 +147,23 @@ public final class ShortMessageCenter {
 
     private boolean hasRoomFor(Msisdn receiver) {
         ReceiverQueue queue = queues.get(new Recipient.Number(receiver));
-        return waitingCount + submissions.size() < MAX_WAITING
+        return submissions.size() < MAX_UNCOMMITTED
+                && waitingCount + submissions.size() < MAX_WAITING
                 && (queue == null || queue.size() < MAX_WAITING_PER_RECEIVER);
     }
 
     /** The store's answer to an earlier commit. */
     public void committed(long ticket, boolean isDurable) {
         Submission submission = submissions.remove(ticket);
-        if (submission == null) {
-            return;
+        Envelope.Report report = reports.remove(ticket);
+        if (report != null) {
+            report(report);
+        } else if (submission != null) {
+            answer(submission, isDurable);
         }
+    }
+
+    private void answer(Submission submission, boolean isDurable) {
         if (isDurable) {
             submission.answer.accept(Optional.empty());
             listener.changed(submission.message, MessageState.ACCEPTED);
@@ -226,13 +247,24 @@ public final class ShortMessageCenter {
             queues.remove(envelope.receiver());
         }
         if (envelope instanceof Envelope.Delivery) {
-            ShortMessage message = envelope.message();
-            store.commit(nextTicket++, new StoreEntry.Ended(message.id(), state, now()));
-            listener.changed(message, state);
-            if (TransferUnits.wantsReport(message, state)) {
-                report(new Envelope.Report(message, state, now(), now().plus(DEFAULT_VALIDITY)));
-            }
+            deliveryEnded(envelope.message(), state);
+        } else {
+            reported(envelope.message());
         }
+    }
+
+    private void deliveryEnded(ShortMessage message, MessageState state) {
+        boolean reportFollows = TransferUnits.wantsReport(message, state);
+        long ticket = nextTicket++;
+        if (reportFollows) {
+            reports.put(ticket, reportOf(message, state, now()));
+        }
+        store.commit(ticket, new StoreEntry.Ended(message.id(), state, now(), reportFollows));
+        listener.changed(message, state);
+    }
+
+    private static Envelope.Report reportOf(ShortMessage message, MessageState state, Instant at) {
+        return new Envelope.Report(message, state, at, at.plus(DEFAULT_VALIDITY));
     }
 
     /** Reports for somebody who never fetches them must not take the room of messages. */
@@ -242,7 +274,12 @@ public final class ShortMessageCenter {
             enqueue(report);
         } else {
             LOG.log(Level.DEBUG, "{0}: fetches no receipts, one more is lost", report.receiver());
+            reported(report.message());
         }
+    }
+
+    private void reported(ShortMessage message) {
+        store.commit(MessageStore.NO_TICKET, new StoreEntry.Reported(message.id()));
     }
 
     /** Civil time. */

@@ -13,6 +13,7 @@ public final class Subscriber {
     private Imei imei;
     private Tmsi tmsi;
     private boolean attached;
+    private boolean entered;
 
     Subscriber(Msisdn number, Imsi imsi) {
         this.number = number;
@@ -38,6 +39,13 @@ public final class Subscriber {
 
     public boolean isAttached() {
         return attached;
+    }
+
+    /** Returns whether this is the first time. */
+    boolean enter() {
+        boolean isFirst = !entered;
+        entered = true;
+        return isFirst;
     }
 
     void tmsi(Tmsi newTmsi) {

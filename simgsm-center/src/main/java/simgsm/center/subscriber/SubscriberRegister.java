@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
@@ -14,7 +15,7 @@ import simgsm.air.Tmsi;
 
 /**
  * Home and visitor register in one, as befits a network in one box. In an open network any SIM of the test network may
- * come, and its IMSI says its number; a subscriber once registered stays known for as long as the centre runs.
+ * come, and its IMSI says its number; a subscriber once registered stays known.
  */
 public final class SubscriberRegister {
     /** A subscriber costs about 300 octets; the bound keeps a flood of invented SIMs from filling the memory. */
@@ -24,12 +25,22 @@ public final class SubscriberRegister {
     private static final int NO_TMSI = -1;
 
     private final RandomGenerator random;
+    private final Consumer<Subscriber> newcomers;
     private final Map<Msisdn, Subscriber> byNumber = new LinkedHashMap<>();
     private final Map<Tmsi, Subscriber> byTmsi = new HashMap<>();
     private int attachedCount;
 
-    public SubscriberRegister(RandomGenerator random) {
+    /** @param newcomers told of everybody who attaches for the first time ever */
+    public SubscriberRegister(RandomGenerator random, Consumer<Subscriber> newcomers) {
         this.random = random;
+        this.newcomers = newcomers;
+    }
+
+    /** Enters somebody who has attached in an earlier life of the centre. */
+    public void restore(Msisdn number, Imsi imsi) {
+        Subscriber known = new Subscriber(number, imsi);
+        known.enter();
+        byNumber.put(number, known);
     }
 
     public Collection<Subscriber> all() {
@@ -77,6 +88,9 @@ public final class SubscriberRegister {
     public void attach(Subscriber subscriber, Imei equipment) {
         attachedCount += subscriber.isAttached() ? 0 : 1;
         subscriber.attach(equipment);
+        if (subscriber.enter()) {
+            newcomers.accept(subscriber);
+        }
     }
 
     public void detach(Subscriber subscriber) {

@@ -22,6 +22,7 @@ final class TestNetwork {
     private final List<TestMobile> mobiles = new ArrayList<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     final List<ExchangeEvent> events = new ArrayList<>();
+    /** What was stored of messages. */
     final List<StoreEntry> stored = new ArrayList<>();
     private final Deque<Long> uncommitted = new ArrayDeque<>();
     boolean commitsAtOnce = true;
@@ -29,7 +30,9 @@ final class TestNetwork {
     final Exchange exchange = new Exchange(
             new ExchangeSettings("SimGSM", 1, START),
             (ticket, entry) -> {
-                stored.add(entry);
+                if (!(entry instanceof StoreEntry.Known)) {
+                    stored.add(entry);
+                }
                 uncommitted.add(ticket);
             },
             events::add);

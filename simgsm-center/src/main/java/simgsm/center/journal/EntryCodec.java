@@ -1,0 +1,138 @@
+package simgsm.center.journal;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.util.Optional;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.center.smsc.EsmeOrigin;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.StoreEntry;
+import simgsm.sms.SmsAddress;
+
+/** Store entries as octets: a kind, then the fields in their order, as {@link DataOutputStream} writes them. */
+final class EntryCodec {
+    private static final int ACCEPTED = 1;
+    private static final int ENDED = 2;
+    private static final int REPORTED = 3;
+    private static final int KNOWN = 4;
+    private static final int NUMBERED = 5;
+
+    private EntryCodec() {}
+
+    static byte[] encode(StoreEntry entry) {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        try {
+            write(entry, new DataOutputStream(octets));
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+        return octets.toByteArray();
+    }
+
+    private static void write(StoreEntry entry, DataOutputStream to) throws IOException {
+        if (entry instanceof StoreEntry.Accepted accepted) {
+            to.writeByte(ACCEPTED);
+            write(accepted.message(), to);
+        } else if (entry instanceof StoreEntry.Ended ended) {
+            to.writeByte(ENDED);
+            to.writeLong(ended.id());
+            to.writeUTF(ended.state().name());
+            write(ended.at(), to);
+            to.writeBoolean(ended.reportFollows());
+        } else if (entry instanceof StoreEntry.Reported reported) {
+            to.writeByte(REPORTED);
+            to.writeLong(reported.id());
+        } else if (entry instanceof StoreEntry.Known known) {
+            to.writeByte(KNOWN);
+            to.writeUTF(known.number().digits());
+            to.writeUTF(known.imsi().digits());
+        } else if (entry instanceof StoreEntry.Numbered numbered) {
+            to.writeByte(NUMBERED);
+            to.writeLong(numbered.lastId());
+        }
+    }
+
+    private static void write(ShortMessage message, DataOutputStream to) throws IOException {
+        to.writeLong(message.id());
+        to.writeUTF(message.from().digits());
+        to.writeUTF(message.to().digits());
+        to.writeShort(message.submit().length());
+        to.write(message.submit().toArray());
+        write(message.acceptedAt(), to);
+        write(message.expiresAt(), to);
+        to.writeBoolean(message.esme().isPresent());
+        if (message.esme().isPresent()) {
+            write(message.esme().get(), to);
+        }
+    }
+
+    private static void write(EsmeOrigin origin, DataOutputStream to) throws IOException {
+        to.writeUTF(origin.systemId());
+        to.writeByte(origin.source().type());
+        to.writeByte(origin.source().plan());
+        to.writeUTF(origin.source().value());
+        to.writeByte(origin.dataCoding());
+        to.writeUTF(origin.receipts().name());
+    }
+
+    private static void write(Instant instant, DataOutputStream to) throws IOException {
+        to.writeLong(instant.getEpochSecond());
+        to.writeInt(instant.getNano());
+    }
+
+    /** @throws IOException if the octets are not an entry that this version writes */
+    static StoreEntry decode(byte[] octets) throws IOException {
+        DataInputStream from = new DataInputStream(new ByteArrayInputStream(octets));
+        try {
+            return read(from);
+        } catch (IllegalArgumentException | DateTimeException e) {
+            throw new IOException("an entry of nonsense: " + e.getMessage(), e);
+        }
+    }
+
+    private static StoreEntry read(DataInputStream from) throws IOException {
+        int kind = from.readUnsignedByte();
+        return switch (kind) {
+            case ACCEPTED -> new StoreEntry.Accepted(readMessage(from));
+            case ENDED ->
+                new StoreEntry.Ended(
+                        from.readLong(), MessageState.valueOf(from.readUTF()), readInstant(from), from.readBoolean());
+            case REPORTED -> new StoreEntry.Reported(from.readLong());
+            case KNOWN -> new StoreEntry.Known(new Msisdn(from.readUTF()), new Imsi(from.readUTF()));
+            case NUMBERED -> new StoreEntry.Numbered(from.readLong());
+            default -> throw new IOException("an entry of unknown kind " + kind);
+        };
+    }
+
+    private static ShortMessage readMessage(DataInputStream from) throws IOException {
+        return new ShortMessage(
+                from.readLong(),
+                new Msisdn(from.readUTF()),
+                new Msisdn(from.readUTF()),
+                OctetString.of(from.readNBytes(from.readUnsignedShort())),
+                readInstant(from),
+                readInstant(from),
+                from.readBoolean() ? Optional.of(readOrigin(from)) : Optional.empty());
+    }
+
+    private static EsmeOrigin readOrigin(DataInputStream from) throws IOException {
+        return new EsmeOrigin(
+                from.readUTF(),
+                new SmsAddress(from.readUnsignedByte(), from.readUnsignedByte(), from.readUTF()),
+                from.readUnsignedByte(),
+                EsmeOrigin.Receipts.valueOf(from.readUTF()));
+    }
+
+    private static Instant readInstant(DataInputStream from) throws IOException {
+        return Instant.ofEpochSecond(from.readLong(), from.readInt());
+    }
+}

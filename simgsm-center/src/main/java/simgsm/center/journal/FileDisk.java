@@ -1,0 +1,113 @@
+package simgsm.center.journal;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.OpenOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** A directory of the operating system's file system. */
+public final class FileDisk implements Disk {
+    private static final boolean IS_WINDOWS = System.getProperty("os.name", "").startsWith("Windows");
+
+    private final Path directory;
+
+    /** @param directory must be there */
+    public FileDisk(Path directory) {
+        this.directory = directory;
+    }
+
+    @Override
+    public Set<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(directory)) {
+            return files.map(path -> path.getFileName().toString()).collect(Collectors.toSet());
+        }
+    }
+
+    @Override
+    public DiskFile create(String name) throws IOException {
+        return open(
+                name,
+                StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING,
+                StandardOpenOption.READ,
+                StandardOpenOption.WRITE);
+    }
+
+    @Override
+    public DiskFile open(String name) throws IOException {
+        return open(name, StandardOpenOption.READ, StandardOpenOption.WRITE);
+    }
+
+    private DiskFile open(String name, OpenOption... options) throws IOException {
+        return new ChannelFile(FileChannel.open(directory.resolve(name), options));
+    }
+
+    @Override
+    public void rename(String from, String to) throws IOException {
+        Files.move(
+                directory.resolve(from),
+                directory.resolve(to),
+                StandardCopyOption.ATOMIC_MOVE,
+                StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    @Override
+    public void delete(String name) throws IOException {
+        Files.delete(directory.resolve(name));
+    }
+
+    /** Windows knows no opening of directories; its file system makes names durable by itself. */
+    @Override
+    public void sync() throws IOException {
+        if (!IS_WINDOWS) {
+            try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
+                channel.force(true);
+            }
+        }
+    }
+
+    private record ChannelFile(FileChannel channel) implements DiskFile {
+        @Override
+        public long size() throws IOException {
+            return channel.size();
+        }
+
+        @Override
+        public void read(ByteBuffer into, long position) throws IOException {
+            long next = position;
+            for (int count = 0; into.hasRemaining() && count >= 0; next += Math.max(0, count)) {
+                count = channel.read(into, next);
+            }
+        }
+
+        @Override
+        public void write(ByteBuffer octets, long position) throws IOException {
+            long next = position;
+            while (octets.hasRemaining()) {
+                next += channel.write(octets, next);
+            }
+        }
+
+        @Override
+        public void truncate(long size) throws IOException {
+            channel.truncate(size);
+        }
+
+        @Override
+        public void sync() throws IOException {
+            channel.force(false);
+        }
+
+        @Override
+        public void close() throws IOException {
+            channel.close();
+        }
+    }
+}

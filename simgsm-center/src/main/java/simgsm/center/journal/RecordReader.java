@@ -1,0 +1,98 @@
+package simgsm.center.journal;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.function.Consumer;
+
+/** Reads a file's records one after another; what lies between good ones is reported and skipped. */
+final class RecordReader {
+    /** Room for a whole record, and enough that a file is read in few pieces. */
+    private static final int WINDOW = 4 * (RecordFormat.HEADER_LENGTH + RecordFormat.MAX_CONTENTS);
+
+    private static final long NONE = -1;
+
+    private final String name;
+    private final DiskFile file;
+    private final long size;
+    private final Consumer<Damage> damages;
+    private final ByteBuffer window = ByteBuffer.allocate(WINDOW);
+    private long windowStart;
+    private long position;
+    private long lastSequence = NONE;
+    private long damagedFrom = NONE;
+
+    RecordReader(String name, DiskFile file, Consumer<Damage> damages) throws IOException {
+        this.name = name;
+        this.file = file;
+        this.damages = damages;
+        this.size = file.size();
+        window.limit(0);
+    }
+
+    /** The contents of the next good record, or null at the end. */
+    byte[] next() throws IOException {
+        while (position < size) {
+            byte[] contents = contentsHere();
+            if (contents != null) {
+                reportDamage(false);
+                position += RecordFormat.HEADER_LENGTH + contents.length;
+                return contents;
+            }
+            damagedFrom = damagedFrom == NONE ? position : damagedFrom;
+            position++;
+        }
+        reportDamage(true);
+        return null;
+    }
+
+    /** Behind the last good record so far. */
+    long goodEnd() {
+        return damagedFrom == NONE ? position : damagedFrom;
+    }
+
+    private void reportDamage(boolean isTail) {
+        if (damagedFrom != NONE) {
+            damages.accept(new Damage(name, damagedFrom, position, isTail));
+            position = isTail ? damagedFrom : position;
+            damagedFrom = NONE;
+        }
+    }
+
+    private byte[] contentsHere() throws IOException {
+        if (!load(RecordFormat.HEADER_LENGTH) || at(0) != RecordFormat.MARK) {
+            return null;
+        }
+        int length = at(4);
+        boolean isPossible = length > 0 && length <= RecordFormat.MAX_CONTENTS;
+        if (!isPossible || !load(RecordFormat.HEADER_LENGTH + length)) {
+            return null;
+        }
+        int start = (int) (position - windowStart);
+        long sequence = window.getLong(start + 12);
+        byte[] contents = new byte[length];
+        window.get(start + RecordFormat.HEADER_LENGTH, contents);
+        if (at(8) != RecordFormat.checksum(length, sequence, ByteBuffer.wrap(contents)) || sequence <= lastSequence) {
+            return null;
+        }
+        lastSequence = sequence;
+        return contents;
+    }
+
+    private int at(int offset) {
+        return window.getInt((int) (position - windowStart) + offset);
+    }
+
+    /** Whether the file has so many octets from here on; they are in the window then. */
+    private boolean load(int length) throws IOException {
+        if (position + length > size) {
+            return false;
+        }
+        if (position + length > windowStart + window.limit()) {
+            window.clear();
+            windowStart = position;
+            file.read(window, position);
+            window.flip();
+        }
+        return position + length <= windowStart + window.limit();
+    }
+}
