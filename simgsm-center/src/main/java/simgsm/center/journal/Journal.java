@@ -33,11 +33,13 @@ public final class Journal {
     private Segment segment;
     /** The segment may hold more than is certain. */
     private boolean isSuspect;
+
     private boolean isFailing;
     private Compaction compaction;
     private long lastNumber;
     /** In files that are not written to any more; of these, what the compaction under way is to replace. */
     private long closedOctets;
+
     private long replacedOctets;
     private int segments;
     private long compactAboveOctets;

@@ -59,10 +59,7 @@ final class Ledger {
         octets += octetsOf(message);
         recent.addLast(message);
         while (recent.size() > maxRecent
-                || recent.peekFirst()
-                        .acceptedAt()
-                        .plus(RECENT)
-                        .isBefore(message.acceptedAt())) {
+                || recent.peekFirst().acceptedAt().plus(RECENT).isBefore(message.acceptedAt())) {
             recent.removeFirst();
         }
     }
@@ -98,8 +95,7 @@ final class Ledger {
         for (ShortMessage message : recent) {
             if (!kept.containsKey(message.id())) {
                 image.add(new StoreEntry.Accepted(message));
-                image.add(
-                        new StoreEntry.Ended(message.id(), MessageState.DELIVERED, message.acceptedAt(), false));
+                image.add(new StoreEntry.Ended(message.id(), MessageState.DELIVERED, message.acceptedAt(), false));
             }
         }
         for (Kept each : kept.values()) {

@@ -55,8 +55,8 @@ public final class Exchange {
         RandomGenerator random = new SplittableRandom(settings.seed());
         register = new SubscriberRegister(
                 random,
-                newcomer -> store.commit(
-                        MessageStore.NO_TICKET, new StoreEntry.Known(newcomer.number(), newcomer.imsi())));
+                newcomer ->
+                        store.commit(MessageStore.NO_TICKET, new StoreEntry.Known(newcomer.number(), newcomer.imsi())));
         smpp = new SmppServer(timers);
         MessageDelivery delivery = new MessageDelivery(register);
         shortMessages = new ShortMessageCenter(

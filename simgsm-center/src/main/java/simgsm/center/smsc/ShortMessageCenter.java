@@ -45,6 +45,7 @@ public final class ShortMessageCenter {
     private final Map<Long, Submission> submissions = new HashMap<>();
     /** Reports whose messages' ends are not yet durable: a report that has once been sent never changes. */
     private final Map<Long, Envelope.Report> reports = new HashMap<>();
+
     private final RecentSubmissions recent = new RecentSubmissions();
     private int waitingCount;
     private long nextId = 1;

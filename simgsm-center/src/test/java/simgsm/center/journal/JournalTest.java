@@ -65,8 +65,7 @@ class JournalTest {
 
     @Test
     void everyKindOfEntryReadsBackAsItWasWritten() throws IOException {
-        EsmeOrigin origin =
-                new EsmeOrigin("shop", SmsAddress.ofLetters("Shop"), 0xf5, EsmeOrigin.Receipts.ON_FAILURE);
+        EsmeOrigin origin = new EsmeOrigin("shop", SmsAddress.ofLetters("Shop"), 0xf5, EsmeOrigin.Receipts.ON_FAILURE);
         ShortMessage ofApplication = new ShortMessage(
                 2, new Msisdn("1"), new Msisdn("2"), OctetString.ofHex("00"), NOW, NOW, Optional.of(origin));
         for (StoreEntry entry : List.of(
@@ -100,8 +99,7 @@ class JournalTest {
         Restored restored = reopened();
         assertTrue(restored.waiting().isEmpty());
         assertEquals(
-                List.of(new Restored.Unreported(message(1), (StoreEntry.Ended) ended(1, true))),
-                restored.unreported());
+                List.of(new Restored.Unreported(message(1), (StoreEntry.Ended) ended(1, true))), restored.unreported());
         journal.commit(List.of(new StoreEntry.Reported(1)));
         assertTrue(reopened().unreported().isEmpty());
     }
@@ -119,8 +117,7 @@ class JournalTest {
             }
             List<Damage> damages = new ArrayList<>();
             assertEquals(1, recordsOf(FIRST_SEGMENT, damages), "cut at " + length);
-            assertEquals(
-                    length == good ? List.of() : List.of(new Damage(FIRST_SEGMENT, good, length, true)), damages);
+            assertEquals(length == good ? List.of() : List.of(new Damage(FIRST_SEGMENT, good, length, true)), damages);
             assertEquals(List.of(1L), ids(reopened()));
             assertEquals(good, disk.octets(FIRST_SEGMENT).length);
         }

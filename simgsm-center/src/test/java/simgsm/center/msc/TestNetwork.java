@@ -24,6 +24,7 @@ final class TestNetwork {
     final List<ExchangeEvent> events = new ArrayList<>();
     /** What was stored of messages. */
     final List<StoreEntry> stored = new ArrayList<>();
+
     private final Deque<Long> uncommitted = new ArrayDeque<>();
     boolean commitsAtOnce = true;
     long nowNanos;

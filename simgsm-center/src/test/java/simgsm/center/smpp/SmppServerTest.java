@@ -212,6 +212,7 @@ class SmppServerTest {
         network.commit();
         network.passSeconds(20);
         receiver.answer(receiver.all(SmppPdu.Message.class).get(0), SmppStatus.OK);
+        network.commit();
         SmppMessage receipt = sender.last(SmppPdu.Message.class).message();
         assertEquals(SmppMessage.RECEIPT, receipt.esmClass());
         assertEquals(
@@ -232,6 +233,7 @@ class SmppServerTest {
         sender.submit(1, with(withReceipt(text("1", "5559999", "x")), "000000000100000R", 1, List.of()));
         network.commit();
         network.passSeconds(61);
+        network.commit();
         assertEquals(1, sender.all(SmppPdu.Message.class).size() + network.center.waitingCount());
         TestCenter.Application fetching = network.bound(Command.BIND_RECEIVER, "sender", "");
         assertTrue(
@@ -247,11 +249,13 @@ class SmppServerTest {
         sender.submit(1, with(text("1", SERVICE, "x"), "", registered, List.of()));
         network.commit();
         receiver.answer(receiver.last(SmppPdu.Message.class), SmppStatus.OK);
+        network.commit();
         assertEquals(onDelivery, sender.all(SmppPdu.Message.class).size());
         sender.heard.clear();
         sender.submit(2, with(text("1", SERVICE, "x"), "", registered, List.of()));
         network.commit();
         receiver.answer(receiver.last(SmppPdu.Message.class), 0x65);
+        network.commit();
         assertEquals(onFailure, sender.all(SmppPdu.Message.class).size());
     }
 
@@ -265,6 +269,7 @@ class SmppServerTest {
         assertEquals(
                 new SmppPdu.QueryResponse(SmppStatus.OK, 2, "1", "", 1, 0), sender.last(SmppPdu.QueryResponse.class));
         sender.say(new SmppPdu.Cancel(3, "1", source, new SmppAddress(1, 1, SERVICE)));
+        network.commit();
         assertTrue(sender.heard.contains(new SmppPdu.PlainResponse(Command.CANCEL_SM, SmppStatus.OK, 3)));
         assertTrue(sender.all(SmppPdu.Message.class).stream()
                 .anyMatch(each -> textOf(each).contains("stat:DELETED")));
