@@ -20,6 +20,10 @@ public final class SimulatedDisk implements Disk {
     /** The machine has died; nothing that the process does any more has an effect. */
     public static final class MachineDied extends Error {
         private static final long serialVersionUID = 1;
+
+        MachineDied() {
+            super("the simulated machine has died");
+        }
     }
 
     private static final class Contents {
