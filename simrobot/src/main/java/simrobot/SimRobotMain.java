@@ -124,6 +124,7 @@ public final class SimRobotMain {
         Simulation simulation = new Simulation(world, seed);
         SimRobot simRobot = new SimRobot(simulation, new InetSocketAddress(center.host(), center.port()), settings);
         simRobot.simulation().setSpeed(speed);
+        simRobot.simulation().onFailure(SimRobotMain::endFailed);
         for (RobotName name : names) {
             SimulatedRobot robot = simulation.addRobot(name.name());
             robot.setMotors(motors);
@@ -137,6 +138,12 @@ public final class SimRobotMain {
             simRobot.add(robot, name.number(), imei, new StationOptions(codec, recorder));
         }
         return simRobot;
+    }
+
+    /** From a thread of its own: the program's end waits for the simulation's. */
+    private static void endFailed(Throwable fault) {
+        System.err.println(NAME + ": the simulation has failed: " + fault);
+        new Thread(() -> System.exit(ExitStatus.FAILED), "end").start();
     }
 
     private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {

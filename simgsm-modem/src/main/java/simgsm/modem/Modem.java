@@ -67,11 +67,17 @@ public final class Modem {
         return station;
     }
 
-    /** Queues a reply tone of 150 ms, 70 ms from its neighbours; without an accepted call it is dropped. */
-    public void sendTone(DtmfKey key) {
-        if (phase == Phase.ACCEPTED && connected) {
+    /**
+     * Queues a reply tone of 150 ms, 70 ms from its neighbours.
+     *
+     * @return false if it was dropped, for want of an accepted call that is up
+     */
+    public boolean sendTone(DtmfKey key) {
+        boolean heard = phase == Phase.ACCEPTED && connected;
+        if (heard) {
             queue(key);
         }
+        return heard;
     }
 
     /** @return the message reference of the first part */

@@ -234,11 +234,6 @@ public final class Theme {
         return stroke(1.6);
     }
 
-    /** What must be seen from the last row: walls, headings. */
-    public static Stroke heavy() {
-        return stroke(2.5);
-    }
-
     /** A round stroke of a width in units. */
     public static Stroke stroke(double units) {
         return new BasicStroke(exact(units), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);

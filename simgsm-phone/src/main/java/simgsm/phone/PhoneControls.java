@@ -11,6 +11,8 @@ import simgsm.phone.ui.HandsetControls;
 /** Carries the window's acts to the handset's thread, and gives the handset time while it wants some. */
 final class PhoneControls implements HandsetControls {
     private static final long TICK_MILLIS = 20;
+    /** How soon the window tells that a sound device has come or gone. */
+    private static final long SOUND_LOOK_SECONDS = 1;
 
     private final Phone phone;
     private final ScheduledExecutorService ticks = Executors.newSingleThreadScheduledExecutor(act -> {
@@ -27,6 +29,8 @@ final class PhoneControls implements HandsetControls {
             phone.handset().whenTimeIsWanted(this::tickWhileWanted);
             tickWhileWanted();
         });
+        ticks.scheduleAtFixedRate(
+                () -> phone.execute(phone.handset()::lookAtSound), 1, SOUND_LOOK_SECONDS, TimeUnit.SECONDS);
     }
 
     @Override

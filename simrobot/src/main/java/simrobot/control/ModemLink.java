@@ -40,6 +40,9 @@ final class ModemLink implements ModemListener, ModemPort {
     private volatile ToneTrace trace = ToneTrace.EMPTY;
 
     // of the stations' thread
+    /** Of the call that came last, from 1: what is asked for an earlier one comes too late. */
+    private long callNumber;
+
     private boolean accepted;
     private long heardSamples;
     private int tonesToLeave;
@@ -49,12 +52,10 @@ final class ModemLink implements ModemListener, ModemPort {
             StationIdentity identity,
             Sim sim,
             StationOptions options,
-            Executor stations,
-            Executor simulation,
-            LongSupplier clockNanos) {
-        this.stations = stations;
-        this.simulation = simulation;
-        this.clockNanos = clockNanos;
+            Drivers drivers) {
+        stations = drivers.stations();
+        simulation = drivers.simulation();
+        clockNanos = drivers.clockNanos();
         modem = new Modem(identity, sim, options, this);
     }
 
@@ -89,6 +90,7 @@ final class ModemLink implements ModemListener, ModemPort {
     public CallDecision call(Optional<Msisdn> from) {
         String caller = digits(from);
         ReplyTone tone = control.admission(caller);
+        callNumber++;
         accepted = tone == ReplyTone.CONNECTION_ACCEPTED;
         heardSamples = 0;
         tonesToLeave = 1;
@@ -102,7 +104,8 @@ final class ModemLink implements ModemListener, ModemPort {
     @Override
     public void connected(Optional<Msisdn> from) {
         String caller = digits(from);
-        simulation.execute(() -> control.callBegan(caller));
+        long number = callNumber;
+        simulation.execute(() -> control.callBegan(number, caller));
     }
 
     @Override
@@ -162,20 +165,21 @@ final class ModemLink implements ModemListener, ModemPort {
     // ---- to the modem ----------------------------------------------------------------------------------------------
 
     @Override
-    public void sendTone(ReplyTone tone) {
+    public void sendTone(long call, ReplyTone tone) {
         stations.execute(() -> {
-            if (accepted) {
+            if (call == callNumber && modem.sendTone(key(tone))) {
                 tonesToLeave++;
-                modem.sendTone(key(tone));
             }
         });
     }
 
     @Override
-    public void clearCall() {
+    public void clearCall(long call) {
         stations.execute(() -> {
-            clearWhenSilent = accepted;
-            clearIfSilent();
+            if (call == callNumber) {
+                clearWhenSilent = accepted;
+                clearIfSilent();
+            }
         });
     }
 

@@ -4,10 +4,11 @@ import vericommand.ReplyTone;
 
 /** What a robot's control asks of its modem; any thread may ask. */
 interface ModemPort {
-    void sendTone(ReplyTone tone);
+    /** @param call the number of the call that is to hear it; when that one is over, nobody does */
+    void sendTone(long call, ReplyTone tone);
 
-    /** Clears the call once the tones asked for so far have left. */
-    void clearCall();
+    /** Clears this call, and no later one, once the tones asked for so far have left. */
+    void clearCall(long call);
 
     /** @return false if that is no number that a message can go to */
     boolean sendMessage(String to, String text);

@@ -146,6 +146,8 @@ public final class RobotConsole implements Console.Commands {
             if (refusal != null) {
                 throw refusal;
             }
+        } catch (IllegalStateException e) {
+            throw new CommandException(e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CommandException("interrupted");

@@ -27,6 +27,7 @@ final class RobotControl {
     private ControlListener listener = new ControlListener() {};
     private final OrderStopwatch stopwatch;
     private final VeriCommand veriCommand;
+    private long callNumber;
     private volatile RobotStatus status;
     private volatile VeriCommandSnapshot snapshot;
 
@@ -65,7 +66,9 @@ final class RobotControl {
         return listener;
     }
 
-    void callBegan(String caller) {
+    /** @param call its number, by which the modem tells a reply that comes too late */
+    void callBegan(long call, String caller) {
+        callNumber = call;
         veriCommand.callBegan(caller);
         modem.setOrderUnderWay(veriCommand.isUnderWay());
     }
@@ -101,12 +104,12 @@ final class RobotControl {
     private final class Answers implements VeriCommandListener {
         @Override
         public void tone(ReplyTone tone) {
-            modem.sendTone(tone);
+            modem.sendTone(callNumber, tone);
         }
 
         @Override
         public void clearCall() {
-            modem.clearCall();
+            modem.clearCall(callNumber);
         }
 
         @Override

@@ -1,16 +1,18 @@
 package simrobot.control;
 
 import java.net.InetSocketAddress;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Collapse;
 import simgsm.speech.CallTap;
-import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
@@ -24,28 +26,35 @@ import vericommand.Settings;
  * theirs.
  */
 public final class SimRobot implements AutoCloseable {
+    /** An act is done within milliseconds; a simulation that has ended does none. */
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+
     private final SimulationThread simulationThread;
     private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
     private final InetSocketAddress center;
     private final Settings settings;
+    private final Drivers drivers;
+    private final Duration patience;
     private final List<TelephoneRobot> robots = new ArrayList<>();
     private final List<CallTap> taps = new ArrayList<>();
 
     /** Nothing runs yet: add robots, then {@link #start}. */
     public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings) {
+        this(simulation, center, settings, PATIENCE);
+    }
+
+    SimRobot(Simulation simulation, InetSocketAddress center, Settings settings, Duration patience) {
         this.center = center;
         this.settings = settings;
+        this.patience = patience;
         simulationThread = new SimulationThread(simulation);
+        drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
     }
 
     /** Gives a robot its modem and its verifier; before the start. */
     public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
         StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM robot");
-        ModemLink link = new ModemLink(
-                identity, Sim.WITHOUT_KEY, options, stationThread::execute, simulationThread, System::nanoTime);
-        RobotControl control = new RobotControl(robot, settings, link, System::nanoTime);
-        link.serve(control);
-        TelephoneRobot added = new TelephoneRobot(number, control, link);
+        TelephoneRobot added = new TelephoneRobot(robot, identity, options, settings, drivers);
         robots.add(added);
         taps.add(options.tap());
         return added;
@@ -68,15 +77,27 @@ public final class SimRobot implements AutoCloseable {
         return simulationThread;
     }
 
-    /** Has something done on the simulation's thread and waits for it. */
+    /**
+     * Has something done on the simulation's thread and waits for it.
+     *
+     * @throws IllegalStateException when it failed, or when the simulation has not come to it in 5 s; then it will not be done
+     */
     public <T> T onSimulation(Callable<T> act) throws InterruptedException {
         FutureTask<T> task = new FutureTask<>(act);
         simulationThread.post(task);
         try {
-            return task.get();
+            return task.get(patience.toNanos(), TimeUnit.NANOSECONDS);
         } catch (ExecutionException e) {
-            throw new IllegalStateException(e.getCause());
+            throw new IllegalStateException("the simulation has failed at it: " + e.getCause(), e.getCause());
+        } catch (TimeoutException e) {
+            task.cancel(false);
+            throw new IllegalStateException(
+                    "the simulation does not answer, expected an answer within " + seconds(patience) + " s", e);
         }
+    }
+
+    private static String seconds(Duration duration) {
+        return Double.toString(duration.toMillis() / 1000.0).replaceFirst("\\.0$", "");
     }
 
     /** Detaches the modems, then ends the simulation. */

@@ -3,8 +3,12 @@ package simrobot.control;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneTrace;
 import simgsm.station.MobileStation;
+import simgsm.station.Sim;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
 import simgsm.station.StationSnapshot;
 import simrobot.robot.SimulatedRobot;
+import vericommand.Settings;
 import vericommand.VeriCommandSnapshot;
 
 /** A robot that can be called: what windows and consoles hold of it. */
@@ -13,10 +17,13 @@ public final class TelephoneRobot {
     private final RobotControl control;
     private final ModemLink link;
 
-    TelephoneRobot(Msisdn number, RobotControl control, ModemLink link) {
-        this.number = number;
-        this.control = control;
-        this.link = link;
+    /** A robot joined to a verifier and to a modem that has no link yet; who drives it gives the station time and a link. */
+    public TelephoneRobot(
+            SimulatedRobot robot, StationIdentity identity, StationOptions options, Settings settings, Drivers drivers) {
+        number = identity.number();
+        link = new ModemLink(identity, Sim.WITHOUT_KEY, options, drivers);
+        control = new RobotControl(robot, settings, link, drivers.clockNanos());
+        link.serve(control);
     }
 
     public String name() {
@@ -37,7 +44,8 @@ public final class TelephoneRobot {
         return control.robot();
     }
 
-    MobileStation station() {
+    /** For the thread that owns the station. */
+    public MobileStation station() {
         return link.modem().station();
     }
 

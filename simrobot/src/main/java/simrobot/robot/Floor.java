@@ -22,6 +22,9 @@ public interface Floor {
     /** True when the robot's circle, with its centre there, would overlap nothing. */
     boolean isFree(SimulatedRobot robot, double xMeters, double yMeters);
 
+    /** True when the place lies within the world. */
+    boolean isInside(double xMeters, double yMeters);
+
     /** How fast the floor itself moves there, metres per second along x. */
     double beltVelocityX(double xMeters, double yMeters);
 

@@ -5,6 +5,8 @@ public enum Placement {
     DONE("placed"),
     /** A wall, a box, a point or another robot is there. */
     OCCUPIED("something is in the way there"),
+    /** Beyond all that the world holds; a robot would drive there for ever. */
+    OUTSIDE("outside the world"),
     /** A moving robot stays on its way. */
     MOVING("the robot is moving");
 

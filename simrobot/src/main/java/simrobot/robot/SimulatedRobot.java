@@ -72,10 +72,6 @@ public final class SimulatedRobot implements Robot {
         statusListeners.add(listener);
     }
 
-    public void removeStatusListener(Consumer<RobotStatus> listener) {
-        statusListeners.remove(listener);
-    }
-
     /** Told at the end of the step in which the wheels first move for a motion, on the owner thread. */
     public void addFirstMotionListener(Runnable listener) {
         firstMotionListeners.add(listener);
@@ -328,6 +324,9 @@ public final class SimulatedRobot implements Robot {
     public Placement place(double xMeters, double yMeters, double headingRadians) {
         if (status() == RobotStatus.MOVING) {
             return Placement.MOVING;
+        }
+        if (!floor.isInside(xMeters, yMeters)) {
+            return Placement.OUTSIDE;
         }
         if (!Double.isFinite(headingRadians) || !floor.isFree(this, xMeters, yMeters)) {
             return Placement.OCCUPIED;

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import simrobot.robot.Floor;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
+import simrobot.world.Area;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
 import simrobot.world.Distances;
@@ -30,6 +31,7 @@ final class Crowd implements Floor {
     private final Map<SimulatedRobot, Long> whereabouts = new HashMap<>();
     private List<Treadmill> treadmills = List.of();
     private ObstacleGrid obstacles;
+    private Area ground;
 
     Crowd(World world) {
         load(world);
@@ -38,6 +40,7 @@ final class Crowd implements Floor {
     void load(World world) {
         obstacles = new ObstacleGrid(world);
         treadmills = world.treadmills();
+        ground = world.ground();
     }
 
     void remove(SimulatedRobot robot) {
@@ -125,6 +128,11 @@ final class Crowd implements Floor {
             }
         });
         return free[0];
+    }
+
+    @Override
+    public boolean isInside(double x, double y) {
+        return ground.contains(x, y);
     }
 
     @Override

@@ -36,6 +36,7 @@ public final class SimulationThread implements Executor, AutoCloseable {
     private volatile double speed = 1;
     private volatile boolean paused;
     private volatile boolean closed;
+    private volatile Consumer<Throwable> failed = fault -> {};
 
     // the thread's own
     private long bankNanos;
@@ -46,8 +47,16 @@ public final class SimulationThread implements Executor, AutoCloseable {
     public SimulationThread(Simulation simulation) {
         this.simulation = simulation;
         newest = simulation.snapshot();
-        thread = new Thread(this::loop, "simulation");
+        thread = new Thread(this::run, "simulation");
         thread.setDaemon(true);
+    }
+
+    /**
+     * Who is told, on this thread as its last act, that the simulation has ended by a fault. Do not wait for the thread
+     * from within.
+     */
+    public void onFailure(Consumer<Throwable> told) {
+        failed = told;
     }
 
     public void start() {
@@ -114,6 +123,16 @@ public final class SimulationThread implements Executor, AutoCloseable {
             } catch (InterruptedException interrupted) {
                 Thread.currentThread().interrupt();
             }
+        }
+    }
+
+    private void run() {
+        try {
+            loop();
+        } catch (RuntimeException | Error fault) {
+            LOG.log(Level.ERROR, "the simulation ends by a fault: {0}", fault.toString());
+            LOG.log(Level.DEBUG, "where it failed", fault);
+            failed.accept(fault);
         }
     }
 

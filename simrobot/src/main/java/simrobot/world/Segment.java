@@ -8,8 +8,4 @@ public record Segment(double x1Meters, double y1Meters, double x2Meters, double 
         Finite.check("x2", x2Meters);
         Finite.check("y2", y2Meters);
     }
-
-    public double lengthMeters() {
-        return Math.hypot(x2Meters - x1Meters, y2Meters - y1Meters);
-    }
 }

@@ -33,6 +33,9 @@ public record World(
     /** Robots get this much floor when a world has no obstacle at all, in metres. */
     private static final double BARE_FLOOR_METERS = 10;
 
+    /** Two robots side by side. */
+    private static final double ROOM_METERS = 1;
+
     public World {
         Objects.requireNonNull(name);
         segments = List.copyOf(segments);
@@ -91,6 +94,27 @@ public record World(
             return new Area(-BARE_FLOOR_METERS, -BARE_FLOOR_METERS, BARE_FLOOR_METERS, BARE_FLOOR_METERS, 0);
         }
         return new Area(box[0], box[1], box[2], box[3], 0);
+    }
+
+    /**
+     * Where robots may be put: within the bounds. A world that is less than 1 m wide or deep, such as a single wall,
+     * encloses nothing; it is 20 m of bare floor around its middle, with that on it.
+     */
+    public Area ground() {
+        Area bounds = bounds();
+        boolean encloses = Math.min(
+                        bounds.maxXMeters() - bounds.minXMeters(), bounds.maxYMeters() - bounds.minYMeters())
+                >= ROOM_METERS;
+        if (encloses) {
+            return bounds;
+        }
+        Position middle = bounds.center();
+        return new Area(
+                Math.min(bounds.minXMeters(), middle.xMeters() - BARE_FLOOR_METERS),
+                Math.min(bounds.minYMeters(), middle.yMeters() - BARE_FLOOR_METERS),
+                Math.max(bounds.maxXMeters(), middle.xMeters() + BARE_FLOOR_METERS),
+                Math.max(bounds.maxYMeters(), middle.yMeters() + BARE_FLOOR_METERS),
+                0);
     }
 
     private static void grow(double[] box, double x, double y) {

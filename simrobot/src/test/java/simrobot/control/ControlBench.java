@@ -50,12 +50,12 @@ final class ControlBench implements ModemPort {
     }
 
     @Override
-    public void sendTone(ReplyTone tone) {
+    public void sendTone(long call, ReplyTone tone) {
         log.add("modem: tone " + tone.key());
     }
 
     @Override
-    public void clearCall() {
+    public void clearCall(long call) {
         log.add("modem: clear");
     }
 

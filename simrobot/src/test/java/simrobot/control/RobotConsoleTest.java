@@ -9,8 +9,11 @@ import java.io.PrintStream;
 import java.io.StringReader;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -108,6 +111,8 @@ class RobotConsoleTest {
                 "place 0 1 0|in the way",
                 "place 0 0|expected X Y HEADING",
                 "place 0 0 0 0|expected X Y HEADING",
+                "place 100 100 0|place 100 100 0: outside the world",
+                "place 0 -10.01 0|outside the world",
                 "place a 0 0|a number for X, found a",
                 "place 0 NaN 0|a number for Y, found NaN",
                 "place 0 0 1e99|a number for HEADING",
@@ -125,6 +130,26 @@ class RobotConsoleTest {
         assertTrue(answers.get(0).startsWith("error text=") && answers.get(0).contains(words), answers.get(0));
         assertEquals("status robot=r0 value=Stopped", answers.get(1));
         assertEquals(2, answers.size());
+    }
+
+    @Test
+    void aSimulationThatDoesNotAnswerIsAnErrorWithinABound() throws Exception {
+        simRobot.close();
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT, Duration.ofMillis(1));
+        simRobot.add(
+                simulation.addRobot("r0"),
+                new Msisdn("5550200"),
+                Imei.random(new Random(1)),
+                StationOptions.STANDARD);
+        assertEquals(
+                List.of("error text=\"the simulation does not answer, expected an answer within 0.001 s\""),
+                answers("place 1 1 0"));
+        CompletableFuture<Double> later = new CompletableFuture<>();
+        simRobot.simulation().withSimulation(
+                here -> later.complete(here.robots().get(0).xMeters()));
+        simRobot.simulation().start();
+        assertEquals(0, later.get(20, TimeUnit.SECONDS), "what was given up is not done later");
     }
 
     @Test

@@ -16,7 +16,7 @@ class RobotControlTest {
 
     @Test
     void thePapersExampleMovesTheRobotTwentyCentimetresAndTellsItInOrder() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         bench.log.clear();
         bench.press("**#**20**");
         bench.seconds(5);
@@ -45,7 +45,7 @@ class RobotControlTest {
 
     @Test
     void fiftyOrdersMoveFiftyTimesExactly() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         for (int i = 0; i < 50; i++) {
             double before = bench.robot.headingRadians();
             bench.press("**#*#90#*#270#**1**");
@@ -78,7 +78,7 @@ class RobotControlTest {
 
     @Test
     void aWallEndsTheOrderInCollisionAndTheTurnLeadsOut() {
-        bench.control.callBegan("");
+        bench.control.callBegan(1, "");
         bench.press("**#**100**");
         bench.seconds(10);
         assertEquals(
@@ -111,7 +111,7 @@ class RobotControlTest {
 
     @Test
     void aLostCallIsReleasedBeforeTheStatusThatItCauses() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         bench.press("**#**70**");
         bench.seconds(1);
         bench.log.clear();
@@ -126,7 +126,7 @@ class RobotControlTest {
     @Test
     void onHangupFinishLetsTheMotionEnd() {
         ControlBench finishing = new ControlBench(Settings.OnHangup.FINISH);
-        finishing.control.callBegan("5550100");
+        finishing.control.callBegan(1, "5550100");
         finishing.press("**#**70#**5**");
         finishing.seconds(1);
         finishing.control.callEnded(16);
@@ -137,7 +137,7 @@ class RobotControlTest {
 
     @Test
     void stopBrakesWithTheRobotsDecelerationAndIsAnsweredWhenItStands() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         bench.press("**#**70**");
         bench.seconds(1);
         bench.log.clear();
@@ -150,7 +150,7 @@ class RobotControlTest {
 
     @Test
     void motorsOffAbortAtOnce() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         bench.press("**#**70**");
         bench.seconds(1);
         bench.log.clear();
@@ -176,7 +176,7 @@ class RobotControlTest {
     void aMessagesOrderUnderWayIsToldToTheModemOfACallThatBegins() {
         bench.control.message("5550101", "** #**70 **");
         bench.log.clear();
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         assertEquals(List.of("modem: under way true"), bench.lines("modem:"));
     }
 
@@ -200,7 +200,7 @@ class RobotControlTest {
 
     @Test
     void theSnapshotFollowsEveryKeyAndTheEndOfTheOrder() {
-        bench.control.callBegan("5550100");
+        bench.control.callBegan(1, "5550100");
         bench.press("**#**20**");
         assertEquals("**#**20**", bench.control.snapshot().keys());
         assertTrue(bench.control.snapshot().underWay());

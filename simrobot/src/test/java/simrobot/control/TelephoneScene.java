@@ -68,20 +68,41 @@ final class TelephoneScene implements Uplink {
     long wheelsMovedNanos;
 
     long nowNanos = 1_000_000_000L;
+    private final Queue<Runnable> heldBack = new ArrayDeque<>();
+    private boolean simulationLate;
     private int sequence;
     private boolean speaking;
 
     TelephoneScene(String... operators) {
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
-        link = new ModemLink(
-                identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, Runnable::run, Runnable::run, () -> nowNanos);
+        Drivers drivers = new Drivers(Runnable::run, this::simulate, () -> nowNanos);
+        link = new ModemLink(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, drivers);
         Settings settings = new Settings(Locale.ENGLISH, Set.of(operators), Settings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);
         control.listen(new ConsoleEvents("robot", event -> lines.add(event.toString())));
         link.serve(control);
         robot.addFirstMotionListener(() -> wheelsMovedNanos = nowNanos);
         register();
+    }
+
+    private void simulate(Runnable act) {
+        if (simulationLate) {
+            heldBack.add(act);
+        } else {
+            act.run();
+        }
+    }
+
+    /** From here on the robot's side does not hear what the modem tells, as on a busy machine. */
+    void holdBackNews() {
+        simulationLate = true;
+    }
+
+    void releaseNews() {
+        simulationLate = false;
+        heldBack.forEach(Runnable::run);
+        heldBack.clear();
     }
 
     private void register() {
@@ -118,6 +139,8 @@ final class TelephoneScene implements Uplink {
 
     void hangUp() {
         down(new CallControl.Disconnect(CALL, Cause.NORMAL_CALL_CLEARING));
+        down(new CallControl.ReleaseComplete(CALL, Optional.empty()));
+        down(new ChannelRelease(0));
         speaking = false;
     }
 

@@ -142,6 +142,43 @@ class TelephoneSceneTest {
     }
 
     @Test
+    void whatACallIsOwedWhenItEndsIsNotHeardByTheNextCaller() {
+        TelephoneScene scene = called();
+        scene.press("**#**20**");
+        scene.seconds(2);
+        scene.holdBackNews();
+        scene.hangUp();
+        scene.dial();
+        scene.seconds(2);
+        assertEquals(RobotStatus.STOPPED, scene.robot.status(), "the first call's order ended in the second call");
+        assertEquals("161", scene.tonesHeard.toString());
+        scene.releaseNews();
+        scene.press("**#*0**");
+        scene.seconds(2);
+        assertEquals("1613", scene.tonesHeard.toString());
+    }
+
+    @Test
+    void aCallThatTheRobotsPowerDeniedTooLateDoesNotClearTheNextOne() {
+        TelephoneScene scene = called();
+        scene.press("**#**70**");
+        scene.seconds(2);
+        scene.holdBackNews();
+        scene.hangUp();
+        scene.dial();
+        scene.robot.setPower(false);
+        scene.seconds(1);
+        assertEquals("161", scene.tonesHeard.toString());
+        scene.releaseNews();
+        scene.seconds(1);
+        assertEquals(List.of("released robot=robot cause=16"), lines(scene, "released"), "only the hang-up");
+        scene.press("**#*0**");
+        scene.seconds(2.5);
+        assertEquals("1612", scene.tonesHeard.toString());
+        assertEquals(2, lines(scene, "released").size(), "denied and cleared once the tone has left");
+    }
+
+    @Test
     void aMinuteWithoutAKeyEndsTheCallButNotWhileAnOrderIsUnderWay() {
         TelephoneScene scene = called();
         scene.press("**#*#360**");

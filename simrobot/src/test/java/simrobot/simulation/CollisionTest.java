@@ -180,7 +180,7 @@ class CollisionTest {
     void placingRefusesObstaclesAndMovingRobots() {
         Bench bench = Bench.withWalls(WALL_AHEAD);
         assertSame(Placement.OCCUPIED, bench.robot.place(0.76, 0, 0));
-        assertSame(Placement.OCCUPIED, bench.robot.place(Double.NaN, 0, 0));
+        assertSame(Placement.OUTSIDE, bench.robot.place(Double.NaN, 0, 0));
         assertSame(Placement.DONE, bench.robot.place(0.75, 0, 1));
         bench.turn(90);
         assertSame(Placement.MOVING, bench.robot.place(-1, 0, 0));

@@ -99,6 +99,17 @@ class SimulationThreadTest {
     }
 
     @Test
+    void aFaultThatEndsTheSimulationIsToldAndClosingIsStillFine() throws Exception {
+        CompletableFuture<Throwable> told = new CompletableFuture<>();
+        thread.onFailure(told::complete);
+        thread.post(() -> {
+            throw new AssertionError("a fault made by a test");
+        });
+        assertEquals("a fault made by a test", told.get(20, TimeUnit.SECONDS).getMessage());
+        thread.close();
+    }
+
+    @Test
     void closingTwiceIsFine() {
         thread.close();
         thread.close();

@@ -67,10 +67,6 @@ final class Screens {
         current = new Note(kind, detail);
     }
 
-    boolean isWriting() {
-        return current instanceof Screen.Writing;
-    }
-
     boolean wantsTime() {
         return entry.isPending();
     }

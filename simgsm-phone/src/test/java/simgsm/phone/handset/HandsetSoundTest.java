@@ -1,0 +1,41 @@
+package simgsm.phone.handset;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import simgsm.air.Msisdn;
+import simgsm.speech.AudioOutput;
+
+/** The view tells whether anything can be heard. */
+class HandsetSoundTest {
+    private static final class Plug implements AudioOutput {
+        private boolean in;
+
+        @Override
+        public void play(short[] samples) {}
+
+        @Override
+        public boolean isAudible() {
+            return in;
+        }
+
+        @Override
+        public void close() {}
+    }
+
+    @Test
+    void aSoundDeviceThatComesOrGoesIsShownAtTheNextLook() {
+        Plug plug = new Plug();
+        Handset handset =
+                new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, new HandsetListener() {}, plug, () -> Bench.NOON);
+        handset.attach(new FakeStation());
+        assertFalse(handset.snapshot().audible());
+        plug.in = true;
+        handset.lookAtSound();
+        assertTrue(handset.snapshot().audible());
+        plug.in = false;
+        handset.lookAtSound();
+        assertFalse(handset.snapshot().audible());
+    }
+}
