@@ -39,11 +39,6 @@ public final class DtmfReceiver {
         }
     }
 
-    /** How many samples have come since the start or the last {@link #reset}. */
-    public long samplesHeard() {
-        return heard;
-    }
-
     /** The stream ends here: a key that still sounds ends, too. */
     public void finish() {
         end();

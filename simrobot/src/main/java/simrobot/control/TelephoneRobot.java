@@ -19,7 +19,11 @@ public final class TelephoneRobot {
 
     /** A robot joined to a verifier and to a modem that has no link yet; who drives it gives the station time and a link. */
     public TelephoneRobot(
-            SimulatedRobot robot, StationIdentity identity, StationOptions options, Settings settings, Drivers drivers) {
+            SimulatedRobot robot,
+            StationIdentity identity,
+            StationOptions options,
+            Settings settings,
+            Drivers drivers) {
         number = identity.number();
         link = new ModemLink(identity, Sim.WITHOUT_KEY, options, drivers);
         control = new RobotControl(robot, settings, link, drivers.clockNanos());

@@ -102,9 +102,9 @@ public record World(
      */
     public Area ground() {
         Area bounds = bounds();
-        boolean encloses = Math.min(
-                        bounds.maxXMeters() - bounds.minXMeters(), bounds.maxYMeters() - bounds.minYMeters())
-                >= ROOM_METERS;
+        boolean encloses =
+                Math.min(bounds.maxXMeters() - bounds.minXMeters(), bounds.maxYMeters() - bounds.minYMeters())
+                        >= ROOM_METERS;
         if (encloses) {
             return bounds;
         }

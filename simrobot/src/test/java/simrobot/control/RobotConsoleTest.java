@@ -138,16 +138,13 @@ class RobotConsoleTest {
         Simulation simulation = new Simulation(World.bare(), 1);
         simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT, Duration.ofMillis(1));
         simRobot.add(
-                simulation.addRobot("r0"),
-                new Msisdn("5550200"),
-                Imei.random(new Random(1)),
-                StationOptions.STANDARD);
+                simulation.addRobot("r0"), new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         assertEquals(
                 List.of("error text=\"the simulation does not answer, expected an answer within 0.001 s\""),
                 answers("place 1 1 0"));
         CompletableFuture<Double> later = new CompletableFuture<>();
-        simRobot.simulation().withSimulation(
-                here -> later.complete(here.robots().get(0).xMeters()));
+        simRobot.simulation()
+                .withSimulation(here -> later.complete(here.robots().get(0).xMeters()));
         simRobot.simulation().start();
         assertEquals(0, later.get(20, TimeUnit.SECONDS), "what was given up is not done later");
     }
