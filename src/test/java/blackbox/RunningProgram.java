@@ -30,12 +30,14 @@ final class RunningProgram implements AutoCloseable {
     private int cursor;
     private boolean ended;
 
-    RunningProgram(String name, List<String> command, Path folder) throws IOException {
+    /** @param environment added to the tests' own, DISPLAY taken away */
+    RunningProgram(String name, List<String> command, Path folder, Map<String, String> environment) throws IOException {
         this.name = name;
         this.log = folder.resolve(name + ".log");
         ProcessBuilder builder = new ProcessBuilder(command).redirectError(log.toFile());
         builder.directory(Dist.root().toFile());
         builder.environment().remove("DISPLAY");
+        builder.environment().putAll(environment);
         this.process = builder.start();
         this.input = process.outputWriter(StandardCharsets.UTF_8);
         Thread reader = new Thread(this::read, name + " output");

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /**
@@ -36,8 +37,14 @@ final class Scenario implements AutoCloseable {
 
     /** Starts any program. */
     RunningProgram start(String name, String program, String... arguments) {
+        return start(name, Map.of(), program, arguments);
+    }
+
+    /** Starts any program with something more in its environment. */
+    RunningProgram start(String name, Map<String, String> environment, String program, String... arguments) {
         try {
-            RunningProgram started = new RunningProgram(name, Dist.command(program, List.of(arguments)), folder);
+            RunningProgram started =
+                    new RunningProgram(name, Dist.command(program, List.of(arguments)), folder, environment);
             programs.add(started);
             return started;
         } catch (IOException e) {

@@ -20,6 +20,7 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.speech.AudioOutput;
 import simgsm.speech.CallRecorder;
 import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
@@ -122,7 +123,8 @@ public final class SimRobotMain {
         Optional<Path> recording = arguments.path("record-audio");
         List<RobotName> names = Lineup.of(arguments, world);
         Simulation simulation = new Simulation(world, seed);
-        SimRobot simRobot = new SimRobot(simulation, new InetSocketAddress(center.host(), center.port()), settings);
+        SimRobot simRobot = new SimRobot(
+                simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);
         simRobot.simulation().onFailure(SimRobotMain::endFailed);
         for (RobotName name : names) {
@@ -144,6 +146,14 @@ public final class SimRobotMain {
     private static void endFailed(Throwable fault) {
         System.err.println(NAME + ": the simulation has failed: " + fault);
         new Thread(() -> System.exit(ExitStatus.FAILED), "end").start();
+    }
+
+    /** A window says whether there is a device, a console does not care before something sounds. */
+    private static AudioOutput sound(Arguments arguments) {
+        if (arguments.has("no-sound")) {
+            return AudioOutput.SILENT;
+        }
+        return arguments.has("headless") ? AudioOutput.openWhenPlayed() : AudioOutput.open();
     }
 
     private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.speech.Loudspeaker;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
@@ -20,6 +21,7 @@ final class WindowModel implements Operator {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final SimulationThread simulation;
+    private final Loudspeaker loudspeaker;
     private volatile Path worldFile;
     private volatile String notice = "";
     private volatile long noticeNanos;
@@ -33,6 +35,7 @@ final class WindowModel implements Operator {
     WindowModel(SimRobot simRobot, Path worldFile) {
         this.worldFile = worldFile;
         simulation = simRobot.simulation();
+        loudspeaker = simRobot.loudspeaker();
         lines = simRobot.robots().stream()
                 .map(robot -> new Line(robot, new SentTones()))
                 .toList();
@@ -43,7 +46,7 @@ final class WindowModel implements Operator {
     WindowSnapshot snapshot() {
         WindowSnapshot now = new WindowSnapshot(
                 simulation.snapshot(),
-                lines.stream().map(WindowModel::picture).toList(),
+                lines.stream().map(this::picture).toList(),
                 simulation.speed(),
                 simulation.isPaused(),
                 worldFile,
@@ -54,7 +57,7 @@ final class WindowModel implements Operator {
         return newest;
     }
 
-    private static LineSnapshot picture(Line line) {
+    private LineSnapshot picture(Line line) {
         TelephoneRobot robot = line.robot();
         return new LineSnapshot(
                 robot.name(),
@@ -62,7 +65,8 @@ final class WindowModel implements Operator {
                 robot.modem(),
                 robot.heard(),
                 robot.veriCommand(),
-                line.sent().tones());
+                line.sent().tones(),
+                loudspeaker.isAudible());
     }
 
     /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
@@ -92,6 +96,7 @@ final class WindowModel implements Operator {
 
     @Override
     public void watch(String robot) {
+        loudspeaker.choose(robot);
         simulation.withSimulation(owned -> owned.watch(owned.robot(robot).orElse(null)));
     }
 

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.speech.AudioOutput;
 import simgsm.station.StationOptions;
 import simrobot.control.SimRobot;
 import simrobot.robot.SimulatedRobot;
@@ -46,7 +47,7 @@ class WindowModelTest {
         robot = simulation.addRobot("robot");
         Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
         // nobody listens on port 1: the modem goes on looking
-        simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings);
+        simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
         simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         simRobot.simulation().setPaused(true);
         model = new WindowModel(simRobot, WORLDS.resolve("empty.map"));

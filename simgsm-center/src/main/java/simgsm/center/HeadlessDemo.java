@@ -33,7 +33,8 @@ final class HeadlessDemo {
                         seed,
                         event -> transcript.line(
                                 "centre", ConsoleEvents.of(event).toString()));
-        DemoConsole robot = new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless"), transcript);
+        DemoConsole robot =
+                new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless", "--no-sound"), transcript);
         DemoConsole phone =
                 new DemoConsole("phone", programs.startPhone(Redirect.PIPE, "--headless", "--no-sound"), transcript);
         new DemoSession(phone, robot, transcript, texts).play();

@@ -19,8 +19,10 @@ final class WindowedDemo {
                     "--end-with-input",
                     "--window",
                     layout.phone().toString());
+            // On one machine each tone is heard once, from the phone.
             programs.startRobot(
                     Redirect.DISCARD,
+                    "--no-sound",
                     "--end-with-input",
                     "--window",
                     layout.robot().toString());

@@ -24,6 +24,11 @@ public interface AudioOutput extends AutoCloseable {
         return new SoundCard();
     }
 
+    /** Like {@link #open}, but the device is left alone until something is to be played. */
+    static AudioOutput openWhenPlayed() {
+        return new LateOutput(AudioOutput::open);
+    }
+
     /** @param samples 8 kHz mono, taken over before the call returns */
     void play(short[] samples);
 

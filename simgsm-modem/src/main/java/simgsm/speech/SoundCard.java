@@ -64,7 +64,7 @@ final class SoundCard implements AudioOutput {
                 audible = !closed;
                 playOn(line, rate);
                 return;
-            } catch (LineUnavailableException | IllegalArgumentException | SecurityException e) {
+            } catch (LineUnavailableException | IllegalArgumentException | SecurityException | LinkageError e) {
                 LOG.log(System.Logger.Level.DEBUG, "no sound at " + rate + " Hz: " + e.getMessage());
             } catch (InterruptedException e) {
                 return;

@@ -63,8 +63,12 @@ public final class PhoneMain {
         return new InetSocketAddress(center.host(), center.port());
     }
 
-    static AudioOutput sound(Arguments arguments) {
-        return arguments.has("no-sound") ? AudioOutput.SILENT : AudioOutput.open();
+    /** A window says whether there is a device, a console does not care before something sounds. */
+    private static AudioOutput sound(Arguments arguments) {
+        if (arguments.has("no-sound")) {
+            return AudioOutput.SILENT;
+        }
+        return arguments.has("headless") ? AudioOutput.openWhenPlayed() : AudioOutput.open();
     }
 
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
@@ -87,7 +91,7 @@ public final class PhoneMain {
     private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
             throws IOException, InterruptedException, UsageException {
         try (Console console = Console.onStandardOutput();
-                Phone phone = new Phone(settings, new EventPrinter(console, texts), AudioOutput.SILENT)) {
+                Phone phone = new Phone(settings, new EventPrinter(console, texts), sound(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
             console.ready(Event.of("ready"));

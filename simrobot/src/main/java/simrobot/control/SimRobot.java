@@ -12,7 +12,9 @@ import java.util.concurrent.TimeoutException;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Collapse;
+import simgsm.speech.AudioOutput;
 import simgsm.speech.CallTap;
+import simgsm.speech.Loudspeaker;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
@@ -37,13 +39,20 @@ public final class SimRobot implements AutoCloseable {
     private final Duration patience;
     private final List<TelephoneRobot> robots = new ArrayList<>();
     private final List<CallTap> taps = new ArrayList<>();
+    private final Loudspeaker loudspeaker;
 
-    /** Nothing runs yet: add robots, then {@link #start}. */
-    public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings) {
-        this(simulation, center, settings, PATIENCE);
+    /**
+     * Nothing runs yet: add robots, then {@link #start}.
+     *
+     * @param output where calls are heard; closed with the rest
+     */
+    public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings, AudioOutput output) {
+        this(simulation, center, settings, output, PATIENCE);
     }
 
-    SimRobot(Simulation simulation, InetSocketAddress center, Settings settings, Duration patience) {
+    SimRobot(
+            Simulation simulation, InetSocketAddress center, Settings settings, AudioOutput output, Duration patience) {
+        loudspeaker = new Loudspeaker(output);
         this.center = center;
         this.settings = settings;
         this.patience = patience;
@@ -53,8 +62,10 @@ public final class SimRobot implements AutoCloseable {
 
     /** Gives a robot its modem and its verifier; before the start. */
     public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
+        CallTap tap = CallTap.both(options.tap(), loudspeaker.tap(robot.name()));
         StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM robot");
-        TelephoneRobot added = new TelephoneRobot(robot, identity, options, settings, drivers);
+        StationOptions heard = new StationOptions(options.codec(), tap);
+        TelephoneRobot added = new TelephoneRobot(robot, identity, heard, settings, drivers);
         robots.add(added);
         taps.add(options.tap());
         return added;
@@ -70,6 +81,11 @@ public final class SimRobot implements AutoCloseable {
     /** The first robot is the one that is meant when nobody says which. */
     public List<TelephoneRobot> robots() {
         return List.copyOf(robots);
+    }
+
+    /** Where calls are heard: of several robots the one that is chosen. */
+    public Loudspeaker loudspeaker() {
+        return loudspeaker;
     }
 
     /** Pace, pause and pictures of the world; acts on robots are posted to it. */
@@ -105,6 +121,7 @@ public final class SimRobot implements AutoCloseable {
     public void close() {
         stationThread.close();
         taps.forEach(CallTap::close);
+        loudspeaker.close();
         simulationThread.close();
     }
 }

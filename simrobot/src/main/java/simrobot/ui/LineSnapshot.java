@@ -11,9 +11,16 @@ import vericommand.VeriCommandSnapshot;
  * @param robot the robot's name
  * @param number the modem's own number
  * @param tones the reply tones that have left in the present or last call, the newest last
+ * @param audible whether a sound device plays
  */
 public record LineSnapshot(
-        String robot, String number, StationSnapshot modem, ToneTrace heard, VeriCommandSnapshot orders, String tones) {
+        String robot,
+        String number,
+        StationSnapshot modem,
+        ToneTrace heard,
+        VeriCommandSnapshot orders,
+        String tones,
+        boolean audible) {
     public LineSnapshot {
         Objects.requireNonNull(robot);
         Objects.requireNonNull(number);

@@ -2,6 +2,7 @@ package simrobot.ui;
 
 import java.awt.BorderLayout;
 import java.util.Locale;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.air.Msisdn;
 import simgsm.station.CallState;
@@ -14,6 +15,7 @@ import simgsm.ui.Mark;
 import simgsm.ui.Named;
 import simgsm.ui.SignalBars;
 import simgsm.ui.SpeechText;
+import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
@@ -28,6 +30,7 @@ final class ModemPanel extends JPanel {
     private final Lamp call;
     private final Line peer = new Line("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final Line codec = new Line("modem.codec", Theme::small, Ink.QUIET);
+    private final JLabel sound = Named.name(new JLabel(), "modem.sound", "");
     private final ToneScope scope;
     private final Locale language;
 
@@ -41,10 +44,17 @@ final class ModemPanel extends JPanel {
         call.setName("modem.call");
         scope = new ToneScope(language);
         JPanel facts = Arrange.column(
-                6, Arrange.row(10, number, Arrange.spring(), signal), network, call, peer, codec, Arrange.spring());
+                6,
+                Arrange.row(10, number, Arrange.spring(), signal),
+                network,
+                call,
+                peer,
+                Arrange.row(10, codec, Arrange.spring(), sound),
+                Arrange.spring());
         JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
         Card card = new Card(texts.of("modem.title"), content);
         add(card, BorderLayout.CENTER);
+        dress();
     }
 
     void show(LineSnapshot line) {
@@ -58,7 +68,31 @@ final class ModemPanel extends JPanel {
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
+        showSound(line.audible());
         scope.show(line.heard());
+    }
+
+    private void showSound(boolean audible) {
+        String words = texts.of(audible ? "modem.sound.on" : "modem.sound.off");
+        if (!words.equals(sound.getToolTipText())) {
+            sound.setIcon((audible ? Symbol.SPEAKER : Symbol.SPEAKER_OFF).icon());
+            sound.setText(audible ? "" : words);
+            sound.setToolTipText(words);
+            sound.getAccessibleContext().setAccessibleName(words);
+        }
+    }
+
+    private void dress() {
+        sound.setFont(Theme.small());
+        sound.setForeground(Ink.QUIET.color());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (sound != null) {
+            dress();
+        }
     }
 
     private void showCall(CallState state) {

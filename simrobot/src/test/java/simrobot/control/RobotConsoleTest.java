@@ -23,6 +23,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.speech.AudioOutput;
 import simgsm.station.StationOptions;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
@@ -39,7 +40,7 @@ class RobotConsoleTest {
     void twoRobots() {
         World world = World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2)));
         Simulation simulation = new Simulation(world, 1);
-        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT);
+        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT, AudioOutput.SILENT);
         for (int i = 0; i < 2; i++) {
             simRobot.add(
                     simulation.addRobot("r" + i, new Position(0, i), 0),
@@ -136,7 +137,8 @@ class RobotConsoleTest {
     void aSimulationThatDoesNotAnswerIsAnErrorWithinABound() throws Exception {
         simRobot.close();
         Simulation simulation = new Simulation(World.bare(), 1);
-        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT, Duration.ofMillis(1));
+        simRobot = new SimRobot(
+                simulation, new InetSocketAddress(0), Settings.DEFAULT, AudioOutput.SILENT, Duration.ofMillis(1));
         simRobot.add(
                 simulation.addRobot("r0"), new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         assertEquals(

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -225,6 +226,17 @@ class SimRobotPanelTest {
         WindowBench mixed = bench(WindowBench.line(
                 "robot", true, true, WindowBench.noOrders(), "", Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
         assertEquals("A-law out, GSM 06.10 in", mixed.spoken("modem.codec"));
+    }
+
+    @Test
+    void theModemSaysQuietlyThatThereIsNoSound() throws Exception {
+        LineSnapshot mute = WindowBench.line("robot", true, false, WindowBench.noOrders(), "");
+        assertEquals("no sound", ((JLabel) bench(mute).component("modem.sound")).getText());
+        LineSnapshot audible = new LineSnapshot(
+                mute.robot(), mute.number(), mute.modem(), mute.heard(), mute.orders(), mute.tones(), true);
+        JLabel sound = (JLabel) bench(audible).component("modem.sound");
+        assertEquals("", sound.getText());
+        assertEquals("Calls are heard", sound.getToolTipText());
     }
 
     @Test

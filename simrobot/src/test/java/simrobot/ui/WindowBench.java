@@ -150,7 +150,7 @@ final class WindowBench implements Operator {
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
                 SpeechCodec.Kind.A_LAW,
                 heardCodec);
-        return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones);
+        return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
     }
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
