@@ -1,0 +1,71 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.util.Queue;
+import java.util.function.LongSupplier;
+import simgsm.air.IpaFrame;
+import simgsm.center.msc.Exchange;
+import simgsm.center.msc.Link;
+import simgsm.center.msc.LinkPort;
+import simgsm.station.MobileStation;
+import simgsm.station.Uplink;
+
+/** One station's connection to the exchange without a socket; it can be made to lose what the station sends. */
+final class VirtualLink {
+    final MobileStation station;
+    private final Exchange exchange;
+    private final Queue<Runnable> underWay;
+    private final LongSupplier clockNanos;
+    private boolean losesSpeech;
+    private boolean losesAll;
+    private Link atExchange;
+
+    VirtualLink(MobileStation station, Exchange exchange, Queue<Runnable> underWay, LongSupplier clockNanos) {
+        this.station = station;
+        this.exchange = exchange;
+        this.underWay = underWay;
+        this.clockNanos = clockNanos;
+    }
+
+    void up() {
+        atExchange = exchange.linkOpened(clockNanos.getAsLong(), new Down(), "memory");
+        station.linkUp(new Up(), clockNanos.getAsLong());
+    }
+
+    /** From here on nothing of what the station says in a call arrives. */
+    void loseSpeech() {
+        losesSpeech = true;
+    }
+
+    /** From here on nothing of what the station sends arrives, though the connection stands. */
+    void loseAll() {
+        losesAll = true;
+    }
+
+    private final class Up implements Uplink {
+        @Override
+        public void send(IpaFrame frame) {
+            if (!losesAll && !(losesSpeech && frame.stream() == IpaFrame.SPEECH)) {
+                underWay.add(() -> exchange.frameReceived(clockNanos.getAsLong(), atExchange, frame));
+            }
+        }
+
+        @Override
+        public void drop() {
+            fail(station.identity().number() + " dropped its link");
+        }
+    }
+
+    private final class Down implements LinkPort {
+        @Override
+        public void send(IpaFrame frame) {
+            underWay.add(() -> station.frameArrived(frame, clockNanos.getAsLong()));
+        }
+
+        @Override
+        public void close(String reason) {
+            fail("the exchange closed the link of " + station.identity().number() + ": " + reason);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.HandsetListener;
+import simgsm.phone.handset.KeyMode;
+import simgsm.phone.handset.StationSide;
+import simgsm.speech.AudioOutput;
+import simgsm.station.MobileStation;
+import simgsm.station.Sim;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationOptions;
+
+/** A phone of a {@link VirtualSuite}: the real handset on the real station. */
+final class VirtualPhone {
+    /** Key and time are all that a person adds to a tone: 100 ms and as much again. */
+    private static final double SECONDS_PER_KEY = 0.2;
+
+    final List<String> tones = new ArrayList<>();
+    final List<Integer> releaseCauses = new ArrayList<>();
+    final List<String> messages = new ArrayList<>();
+    /** Of the messages that the network has taken. */
+    int sentCount;
+
+    private final VirtualSuite suite;
+    private final Handset handset;
+    private final MobileStation station;
+    VirtualLink link;
+
+    VirtualPhone(VirtualSuite suite, StationIdentity identity) {
+        this.suite = suite;
+        handset = new Handset(identity.number(), KeyMode.IN_BAND, new Ears(), AudioOutput.SILENT, () -> Instant.EPOCH);
+        station =
+                new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, handset.mouth(), handset.ears());
+        handset.attach(StationSide.of(station));
+    }
+
+    MobileStation station() {
+        return station;
+    }
+
+    void dial(String number) {
+        assertEquals(Optional.empty(), handset.dial(new Msisdn(number)));
+        suite.settle();
+    }
+
+    /** Presses the keys; when this returns the last has been heard. Blanks are for the reader. */
+    void press(String keys) {
+        List<DtmfKey> pressed = DtmfKey.sequence(keys.replace(" ", ""));
+        assertEquals(Optional.empty(), handset.press(pressed));
+        suite.seconds(pressed.size() * SECONDS_PER_KEY);
+    }
+
+    void hangUp() {
+        assertEquals(Optional.empty(), handset.hangUp());
+        suite.settle();
+    }
+
+    void message(String to, String text) {
+        assertEquals(Optional.empty(), handset.sendMessage(new Msisdn(to), text));
+        suite.settle();
+    }
+
+    /** The digits that the phone has heard, as one word. */
+    String tones() {
+        return String.join("", tones);
+    }
+
+    private final class Ears implements HandsetListener {
+        @Override
+        public void toneHeard(DtmfKey key) {
+            tones.add("" + key.symbol());
+        }
+
+        @Override
+        public void released(Cause cause) {
+            releaseCauses.add(cause.code());
+        }
+
+        @Override
+        public void messageSent(Msisdn to, int parts, int id) {
+            sentCount++;
+        }
+
+        @Override
+        public void messageReceived(String from, String text) {
+            messages.add(text);
+        }
+    }
+}
