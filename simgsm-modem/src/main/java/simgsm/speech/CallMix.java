@@ -10,6 +10,9 @@ public final class CallMix {
 
     private final Deque<short[]> waiting = new ArrayDeque<>();
 
+    /** Nothing has been heard yet. */
+    public CallMix() {}
+
     /** 20 ms from the far end; heard with the next that is sent. */
     public void received(short[] frame) {
         if (waiting.size() == MAX_WAITING) {
