@@ -8,18 +8,24 @@ import java.net.StandardSocketOptions;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import simrobot.robot.SimulatedRobot;
 import vericommand.Pose;
 
 /**
- * A robot's port. It stays open when a client leaves. A second client waits for a moment, in case the first is just
- * leaving; then it is sent away, unless the first has fallen silent: then it takes its place.
+ * A robot's port. It stays open when a client leaves. Further clients wait for a moment, in case the first is just
+ * leaving; then they are sent away, unless the first has fallen silent: then the next takes its place.
  */
 final class Door {
     private static final Logger LOG = System.getLogger(Door.class.getName());
 
-    /** How long a second client waits. */
-    private static final long WAIT_NANOS = 400_000_000;
+    /** How long a further client waits: as long as ARIA gives a robot to answer. */
+    private static final long WAIT_NANOS = 1_000_000_000;
+
+    private static final int MOST_WAITING = 16;
+
+    private record Waiting(SocketChannel channel, long sinceNanos) {}
 
     private final P2osServer server;
     private final SimulatedRobot robot;
@@ -27,8 +33,7 @@ final class Door {
     private final ServerSocketChannel listening;
     private final SelectionKey key;
     private Client client;
-    private SocketChannel waiting;
-    private long waitingSinceNanos;
+    private final Deque<Waiting> waiting = new ArrayDeque<>();
 
     Door(P2osServer server, SimulatedRobot robot, InetSocketAddress address) throws IOException {
         this.server = server;
@@ -73,9 +78,8 @@ final class Door {
         }
         if (client == null) {
             seat(come);
-        } else if (waiting == null) {
-            waiting = come;
-            waitingSinceNanos = System.nanoTime();
+        } else if (waiting.size() < MOST_WAITING) {
+            waiting.add(new Waiting(come, System.nanoTime()));
         } else {
             dismiss(come);
         }
@@ -87,13 +91,12 @@ final class Door {
             key.interestOps(SelectionKey.OP_ACCEPT);
         }
         long now = System.nanoTime();
-        if (waiting != null && client != null && client.isSilent(now)) {
+        if (!waiting.isEmpty() && client != null && client.isSilent(now)) {
             LOG.log(Level.INFO, robot.name() + ": a silent P2OS client makes room");
             client.drop();
         }
-        if (waiting != null && client != null && now - waitingSinceNanos > WAIT_NANOS) {
-            dismiss(waiting);
-            waiting = null;
+        while (!waiting.isEmpty() && now - waiting.peek().sinceNanos() > WAIT_NANOS) {
+            dismiss(waiting.remove().channel());
         }
     }
 
@@ -121,19 +124,15 @@ final class Door {
         if (client == gone) {
             client = null;
             LOG.log(Level.INFO, robot.name() + ": the P2OS client has gone");
-            if (waiting != null) {
-                SocketChannel next = waiting;
-                waiting = null;
-                seat(next);
+            while (client == null && !waiting.isEmpty()) {
+                seat(waiting.remove().channel());
             }
         }
     }
 
     void close() {
-        if (waiting != null) {
-            dismiss(waiting);
-            waiting = null;
-        }
+        waiting.forEach(one -> dismiss(one.channel()));
+        waiting.clear();
         if (client != null) {
             client.drop();
         }
