@@ -136,6 +136,14 @@ final class RunningProgram implements AutoCloseable {
         }
     }
 
+    /** The first event of this name among all that have come, wherever the last match was. */
+    synchronized ConsoleEvent said(String event) {
+        return events.stream()
+                .filter(candidate -> candidate.name().equals(event))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError(name + " has not said " + event + "\n" + this));
+    }
+
     private static Map<String, String> fields(String... keysAndValues) {
         Map<String, String> fields = new HashMap<>();
         for (int i = 0; i < keysAndValues.length; i += 2) {

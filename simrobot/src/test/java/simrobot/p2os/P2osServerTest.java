@@ -96,8 +96,8 @@ class P2osServerTest {
 
     @Test
     void whoComesWhileTheFirstIsLeavingIsLetIn() throws IOException {
-        try (SocketClient first = SocketClient.opened(port);
-                SocketClient second = new SocketClient(port)) {
+        SocketClient first = SocketClient.opened(port);
+        try (SocketClient second = new SocketClient(port)) {
             first.close();
             second.open();
             assertNotNull(second.sip());
