@@ -119,7 +119,17 @@ public final class P2osServer implements AutoCloseable {
     private void tick(long simulatedNanos) {
         if (!sessions.isEmpty()) {
             long nanos = System.nanoTime();
-            sessions.forEach(session -> session.tick(simulatedNanos, nanos));
+            sessions.forEach(session -> tick(session, simulatedNanos, nanos));
+        }
+    }
+
+    /** A fault in a session ends that session, not the simulation. */
+    private void tick(P2osSession session, long simulatedNanos, long nanos) {
+        try {
+            session.tick(simulatedNanos, nanos);
+        } catch (RuntimeException fault) {
+            LOG.log(Level.ERROR, "a P2OS session failed and ends", fault);
+            session.leave();
         }
     }
 

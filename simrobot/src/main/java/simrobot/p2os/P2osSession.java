@@ -157,7 +157,8 @@ public final class P2osSession {
         }
     }
 
-    private void leave() {
+    /** Stops the robot and hangs up. */
+    void leave() {
         lost();
         wire.close();
     }
