@@ -39,6 +39,7 @@ public final class Modem {
 
     private final MobileStation station;
     private final ModemListener listener;
+    private final Replies replies;
     private final DtmfGenerator generator = new DtmfGenerator(this::toneLeft);
     private final DtmfReceiver receiver = new DtmfReceiver(this::keyDecided);
     /** Tones whose last sample is in the frame that goes out now: they have left once the next frame is asked for. */
@@ -60,6 +61,7 @@ public final class Modem {
             StationIdentity identity, Sim sim, StationOptions options, ModemListener listener, RandomGenerator random) {
         this.listener = listener;
         station = new MobileStation(identity, sim, options, this::speak, new Ears(), random);
+        replies = new Replies(station, listener);
     }
 
     /** For the thread that gives it time and a socket. */
@@ -83,6 +85,14 @@ public final class Modem {
     /** @return the message reference of the first part */
     public int sendSms(Msisdn to, String text) {
         return station.sendMessage(to, text);
+    }
+
+    /**
+     * As {@link #sendSms}, but a message that finds no service, or a network that is congested, is tried again for ten
+     * minutes before it fails; of more than twenty that wait the oldest fails.
+     */
+    public int reply(Msisdn to, String text) {
+        return replies.send(to, text);
     }
 
     /** While an order is under way the count of 60 s stands still; it starts again at every reply tone. */
@@ -169,6 +179,7 @@ public final class Modem {
         @Override
         public void registered(Msisdn number) {
             listener.registered(number);
+            replies.registered();
         }
 
         @Override
@@ -207,12 +218,17 @@ public final class Modem {
 
         @Override
         public void messageSent(int id, Msisdn to, int parts) {
-            listener.smsSent(id, to, parts);
+            replies.sent(id, to, parts);
         }
 
         @Override
         public void messageFailed(int id, Msisdn to, RpCause cause) {
-            listener.smsFailed(id, to, cause);
+            replies.failed(id, to, cause);
+        }
+
+        @Override
+        public void reminded() {
+            replies.reminded();
         }
     }
 }

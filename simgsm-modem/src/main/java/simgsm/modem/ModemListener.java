@@ -39,7 +39,7 @@ public interface ModemListener {
     /** @param from a number, or a name where the sender has one */
     default void sms(String from, String text) {}
 
-    /** @param id what {@link Modem#sendSms} returned */
+    /** @param id what {@link Modem#sendSms} or {@link Modem#reply} returned */
     default void smsSent(int id, Msisdn to, int parts) {}
 
     default void smsFailed(int id, Msisdn to, RpCause cause) {}

@@ -201,6 +201,18 @@ public final class MobileStation {
         return id;
     }
 
+    /** The time that the owner told last. */
+    public long nowNanos() {
+        return parts.timers().nowNanos();
+    }
+
+    /** Asks for one {@link StationListener#reminded} in half a minute; one that is asked for already comes instead. */
+    public void remind() {
+        if (!parts.timers().isRunning(StationTimer.REMINDER)) {
+            parts.timers().start(StationTimer.REMINDER);
+        }
+    }
+
     /** The newest state; any thread may ask. */
     public StationSnapshot snapshot() {
         return snapshot;
@@ -226,6 +238,7 @@ public final class MobileStation {
             case TC1_OUTGOING, TC1_INCOMING, TR1M, MESSAGE_WAIT -> messages.expired(timer);
             case T336, T337, KEY -> keys.expired(timer);
             case SPEECH -> speak();
+            case REMINDER -> parts.notifications().add(StationListener::reminded);
             case PING -> keepAlive.pingDue();
             case IDENTITY -> keepAlive.identityExpired();
         }

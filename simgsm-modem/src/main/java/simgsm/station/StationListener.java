@@ -59,6 +59,9 @@ public interface StationListener {
 
     default void broadcastReceived(int channel, int pages, String text) {}
 
+    /** Half a minute has passed since {@link MobileStation#remind}. */
+    default void reminded() {}
+
     /** The snapshot has changed. */
     default void stateChanged(StationSnapshot snapshot) {}
 }

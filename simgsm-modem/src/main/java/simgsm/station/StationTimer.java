@@ -42,6 +42,8 @@ enum StationTimer {
     PING(30_000),
     /** Ours: a message waits for registration no longer than this. */
     MESSAGE_WAIT(40_000),
+    /** Ours: the station's user is reminded of what it could not do. */
+    REMINDER(30_000),
     /** Ours: how long a centre may take to ask who we are before we register unasked. */
     IDENTITY(2_000);
 

@@ -25,6 +25,7 @@ import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.LocationArea;
 import simgsm.air.MobilityManagement.CmServiceAccept;
+import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
@@ -33,10 +34,15 @@ import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
+import simgsm.air.RejectCause;
+import simgsm.air.RelayMessage.RpAck;
+import simgsm.air.RpCause;
 import simgsm.air.RslCodec;
 import simgsm.air.RslMessage;
 import simgsm.air.RslMessage.Sapi;
 import simgsm.air.RtpPacket;
+import simgsm.air.ShortMessageControl;
+import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfDigit;
@@ -76,6 +82,7 @@ final class CalledModem implements Uplink, ModemListener {
 
     CallDecision decision = CallDecision.accept(DtmfKey.ONE);
     boolean callerSpeaks = true;
+    Optional<RejectCause> refusal = Optional.empty();
     long speechTimeSamples;
     private final Queue<IpaFrame> onTheWay = new ArrayDeque<>();
     private boolean up;
@@ -105,6 +112,23 @@ final class CalledModem implements Uplink, ModemListener {
         deliver();
     }
 
+    /** The link to the network is lost. */
+    void lose() {
+        up = false;
+        onTheWay.clear();
+        modem.station().linkDown(now);
+    }
+
+    void findAgain() {
+        modem.station().linkUp(this, now);
+        ccm(new CcmMessage.IdentityRequest());
+        deliver();
+    }
+
+    long messagesSubmitted() {
+        return sent.stream().filter(CpData.class::isInstance).count();
+    }
+
     /** Speech goes both ways as long as the call is up. */
     void pass(long millis) {
         for (long frame = 0; frame < millis / 20; frame++) {
@@ -127,7 +151,8 @@ final class CalledModem implements Uplink, ModemListener {
 
     private void down(Layer3Message message) {
         OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
-        rsl(new RslMessage.DataRequest(message instanceof CpData ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING, octets));
+        rsl(new RslMessage.DataRequest(
+                message instanceof ShortMessageControl ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING, octets));
     }
 
     private void rsl(RslMessage message) {
@@ -182,7 +207,11 @@ final class CalledModem implements Uplink, ModemListener {
         } else if (message instanceof PagingResponse) {
             down(new Setup(TRANSACTION, Optional.of(CALLER), Optional.empty()));
         } else if (message instanceof CmServiceRequest) {
-            down(new CmServiceAccept());
+            down(refusal.<Layer3Message>map(CmServiceReject::new).orElseGet(CmServiceAccept::new));
+        } else if (message instanceof CpData data) {
+            down(new CpAck(data.transaction().answered()));
+            down(new CpData(
+                    data.transaction().answered(), new RpAck(data.relay().reference(), Optional.empty())));
         } else if (message instanceof CallControl callControl) {
             answer(callControl);
         }
@@ -238,5 +267,15 @@ final class CalledModem implements Uplink, ModemListener {
     @Override
     public void callEnded(Cause cause) {
         told.add("ended " + cause.code());
+    }
+
+    @Override
+    public void smsSent(int id, Msisdn to, int parts) {
+        told.add("sms sent " + id);
+    }
+
+    @Override
+    public void smsFailed(int id, Msisdn to, RpCause cause) {
+        told.add("sms failed " + id + " " + cause.code());
     }
 }

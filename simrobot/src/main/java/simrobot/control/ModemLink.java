@@ -195,7 +195,7 @@ final class ModemLink implements ModemListener, ModemPort {
             LOG.log(Level.INFO, "no reply to \"" + to + "\": " + notANumber.getMessage());
             return false;
         }
-        stations.execute(() -> modem.sendSms(number, text));
+        stations.execute(() -> modem.reply(number, text));
         return true;
     }
 
