@@ -20,12 +20,13 @@ final class StationLink implements Uplink {
     /** A connection that has lasted so long was a good one. */
     private static final long STEADY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
+    private static final int MOST_SIGNALLING_FRAMES = 10_000;
     private static final long CONNECT_NANOS = TimeUnit.SECONDS.toNanos(5);
 
     private final MobileStation station;
     private final InetSocketAddress center;
     private final StationLog log;
-    private final OutgoingQueue outgoing = new OutgoingQueue();
+    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
     private IpaFramer framer = new IpaFramer();
     /** Null while there is none. */
     private SocketChannel channel;
@@ -69,12 +70,14 @@ final class StationLink implements Uplink {
         if (!connected || broken) {
             return;
         }
-        outgoing.add(frame);
-        if (outgoing.isFull()) {
-            log.trace(Level.WARNING, "the centre reads nothing: link dropped");
-            broken = true;
-        } else {
-            write();
+        try {
+            if (!outgoing.send(frame, channel)) {
+                log.trace(Level.WARNING, "the centre reads nothing: link dropped");
+                broken = true;
+            }
+            listenForRoom();
+        } catch (IOException e) {
+            writeFailed(e);
         }
     }
 
@@ -195,12 +198,20 @@ final class StationLink implements Uplink {
 
     private void write() {
         try {
-            outgoing.writeTo(channel);
-            key.interestOps(outgoing.isEmpty() ? SelectionKey.OP_READ : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
+            outgoing.flush(channel);
+            listenForRoom();
         } catch (IOException e) {
-            log.trace(Level.DEBUG, "write: {0}", reason(e));
-            broken = true;
+            writeFailed(e);
         }
+    }
+
+    private void writeFailed(IOException e) {
+        log.trace(Level.DEBUG, "write: {0}", reason(e));
+        broken = true;
+    }
+
+    private void listenForRoom() {
+        key.interestOps(outgoing.isEmpty() ? SelectionKey.OP_READ : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
     }
 
     private void read(ByteBuffer buffer, long nowNanos) {

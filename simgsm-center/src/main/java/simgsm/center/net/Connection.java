@@ -11,6 +11,7 @@ import simgsm.air.IpaFramer;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
+import simgsm.station.OutgoingFrames;
 
 /** One terminal's TCP connection: octets in, frames to the loop; frames in, octets out. */
 final class Connection implements Peer, LinkPort {
@@ -22,12 +23,14 @@ final class Connection implements Peer, LinkPort {
     }
 
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
+    /** Many terminals may fall behind at once. */
+    private static final int MOST_SIGNALLING_FRAMES = 2_000;
 
     private final SocketChannel channel;
     private final SelectionKey key;
     private final Host host;
     private final IpaFramer framer = new IpaFramer();
-    private final OutgoingFrames outgoing = new OutgoingFrames();
+    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
 
     /** What this connection is to the exchange. */
     Link link;

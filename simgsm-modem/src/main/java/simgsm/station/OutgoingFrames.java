@@ -1,4 +1,4 @@
-package simgsm.center.net;
+package simgsm.station;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -9,14 +9,14 @@ import simgsm.air.IpaFrame;
 import simgsm.air.IpaFramer;
 
 /**
- * What a peer has not yet taken. While it keeps up, each frame goes out at once in a write of its own, so that observers
+ * What the other end of a connection has not yet taken, for stations and for their centre. While it keeps up, each frame goes out at once in a write of its own, so that observers
  * see one message a segment. When it does not, signalling waits in order and the oldest speech makes room for the newest.
  */
-final class OutgoingFrames {
+public final class OutgoingFrames {
     /** 200 ms of speech at 20 ms a frame. */
-    static final int MAX_SPEECH_FRAMES = 10;
-    /** A peer that has not taken so many signalling frames is not reading any more. */
-    static final int MAX_SIGNALLING_FRAMES = 2_000;
+    static final int MOST_SPEECH_FRAMES = 10;
+
+    private final int mostSignallingFrames;
 
     private record Waiting(ByteBuffer octets, boolean isSpeech) {}
 
@@ -24,12 +24,17 @@ final class OutgoingFrames {
     private int speechFrames;
     private long droppedSpeechFrames;
 
+    /** @param mostSignallingFrames a peer that has not taken so many is not reading any more */
+    public OutgoingFrames(int mostSignallingFrames) {
+        this.mostSignallingFrames = mostSignallingFrames;
+    }
+
     /**
      * Sends or queues a frame.
      *
      * @return false when the peer is so far behind that the link is not worth keeping
      */
-    boolean send(IpaFrame frame, WritableByteChannel channel) throws IOException {
+    public boolean send(IpaFrame frame, WritableByteChannel channel) throws IOException {
         ByteBuffer octets = ByteBuffer.wrap(IpaFramer.encode(frame));
         if (queue.isEmpty()) {
             channel.write(octets);
@@ -38,16 +43,16 @@ final class OutgoingFrames {
             }
         }
         boolean isSpeech = frame.stream() == IpaFrame.SPEECH;
-        if (isSpeech && speechFrames == MAX_SPEECH_FRAMES) {
+        if (isSpeech && speechFrames == MOST_SPEECH_FRAMES) {
             dropOldestSpeech();
         }
         speechFrames += isSpeech ? 1 : 0;
         queue.addLast(new Waiting(octets, isSpeech));
-        return queue.size() - speechFrames <= MAX_SIGNALLING_FRAMES;
+        return queue.size() - speechFrames <= mostSignallingFrames;
     }
 
     /** Writes until the peer takes no more or nothing waits. */
-    void flush(WritableByteChannel channel) throws IOException {
+    public void flush(WritableByteChannel channel) throws IOException {
         while (!queue.isEmpty()) {
             Waiting first = queue.peekFirst();
             channel.write(first.octets);
@@ -59,16 +64,22 @@ final class OutgoingFrames {
         }
     }
 
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return queue.isEmpty();
     }
 
-    int size() {
+    public int size() {
         return queue.size();
     }
 
-    long droppedSpeechFrames() {
+    public long droppedSpeechFrames() {
         return droppedSpeechFrames;
+    }
+
+    /** The connection is gone; what waited was for it alone. */
+    void clear() {
+        queue.clear();
+        speechFrames = 0;
     }
 
     /** A frame of which a part has left must leave whole, or the peer would lose the framing. */

@@ -1,4 +1,4 @@
-package simgsm.center.net;
+package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -17,6 +17,8 @@ import simgsm.air.IpaFramer;
 import simgsm.air.ProtocolViolation;
 
 class OutgoingFramesTest {
+    private static final int MOST_SIGNALLING_FRAMES = 30;
+
     /** A peer that takes so many octets and then no more. */
     private static final class Peer implements WritableByteChannel {
         final ByteArrayOutputStream taken = new ByteArrayOutputStream();
@@ -55,7 +57,7 @@ class OutgoingFramesTest {
     }
 
     private final Peer peer = new Peer();
-    private final OutgoingFrames outgoing = new OutgoingFrames();
+    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
 
     private static IpaFrame speech(int mark) {
         return new IpaFrame(IpaFrame.SPEECH, new byte[] {(byte) mark, 0, 0});
@@ -117,9 +119,43 @@ class OutgoingFramesTest {
     @Test
     void aPeerThatTakesNoSignallingAnyMoreIsReported() throws IOException {
         peer.room = 0;
-        for (int i = 0; i < OutgoingFrames.MAX_SIGNALLING_FRAMES; i++) {
+        for (int i = 0; i < MOST_SIGNALLING_FRAMES; i++) {
             assertTrue(outgoing.send(signalling(1), peer));
         }
         assertFalse(outgoing.send(signalling(1), peer));
+    }
+
+    @Test
+    void speechDoesNotCountAsSignallingThatIsNotTaken() throws IOException {
+        peer.room = 0;
+        for (int i = 0; i < 3 * MOST_SIGNALLING_FRAMES; i++) {
+            assertTrue(outgoing.send(speech(1), peer));
+        }
+        assertEquals(OutgoingFrames.MOST_SPEECH_FRAMES, outgoing.size());
+    }
+
+    @Test
+    void signallingIsNeverDroppedForSpeech() throws Exception {
+        peer.room = 0;
+        for (int i = 1; i <= 20; i++) {
+            outgoing.send(signalling(100), peer);
+            outgoing.send(speech(i), peer);
+        }
+        peer.room = Integer.MAX_VALUE;
+        outgoing.flush(peer);
+        assertEquals(20, peer.frames().stream().filter(mark -> mark == 100).count());
+    }
+
+    @Test
+    void whatWaitedForALostConnectionIsForgotten() throws Exception {
+        peer.room = 0;
+        outgoing.send(speech(1), peer);
+        outgoing.send(signalling(2), peer);
+        outgoing.clear();
+        assertTrue(outgoing.isEmpty());
+        for (int i = 1; i <= OutgoingFrames.MOST_SPEECH_FRAMES; i++) {
+            outgoing.send(speech(i), peer);
+        }
+        assertEquals(0, outgoing.droppedSpeechFrames());
     }
 }
