@@ -12,11 +12,7 @@ public final class MessageSplitter {
      * @param parts 1 to 255, or more if the text is too long to be sent
      * @param unitsLeft how many more fit into the last part
      */
-    public record Measure(Alphabet alphabet, int units, int parts, int unitsLeft) {
-        public boolean canBeSent() {
-            return parts <= Concatenation.MAX_PARTS;
-        }
-    }
+    public record Measure(Alphabet alphabet, int units, int parts, int unitsLeft) {}
 
     private MessageSplitter() {}
 

@@ -20,17 +20,6 @@ public sealed interface ValidityPeriod {
             }
         }
 
-        /** The shortest that is at least this long; the longest is 63 weeks. */
-        public static Relative ofAtLeast(Duration duration) {
-            for (int octet = 0; octet < 0xff; octet++) {
-                Relative period = new Relative(octet);
-                if (period.duration().compareTo(duration) >= 0) {
-                    return period;
-                }
-            }
-            return LONGEST;
-        }
-
         public Duration duration() {
             if (octet <= 143) {
                 return Duration.ofMinutes((octet + 1) * 5L);

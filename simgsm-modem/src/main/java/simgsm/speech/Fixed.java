@@ -52,9 +52,4 @@ final class Fixed {
         }
         return quotient;
     }
-
-    /** Shifts right, or left by a negative count. */
-    static int shiftRight(int a, int count) {
-        return count >= 0 ? a >> count : (short) (a << -count);
-    }
 }

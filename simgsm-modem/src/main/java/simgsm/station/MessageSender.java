@@ -214,7 +214,7 @@ final class MessageSender implements ServiceRequests.User {
     /** Without one of its parts the whole message is lost. */
     private void partFailed() {
         Part part = queue.remove();
-        reports.cancel(part.reference());
+        reports.cancel(part.reference(), part.message());
         queue.removeIf(other -> other.message() == part.message());
         part.message().failed(failure);
         repeated = false;

@@ -59,15 +59,6 @@ class TimesTest {
     })
     void theRelativeFormHasFourScales(int octet, Duration duration) {
         assertEquals(duration, new ValidityPeriod.Relative(octet).duration());
-        assertEquals(octet, ValidityPeriod.Relative.ofAtLeast(duration).octet());
-    }
-
-    @Test
-    void aLengthBetweenTwoStepsIsRoundedUp() {
-        assertEquals(0, ValidityPeriod.Relative.ofAtLeast(Duration.ZERO).octet());
-        assertEquals(1, ValidityPeriod.Relative.ofAtLeast(Duration.ofMinutes(6)).octet());
-        assertEquals(
-                255, ValidityPeriod.Relative.ofAtLeast(Duration.ofDays(1000)).octet());
     }
 
     @ParameterizedTest
