@@ -20,6 +20,7 @@ final class Scenario implements AutoCloseable {
     private final Path folder;
     private final List<RunningProgram> programs = new ArrayList<>();
     private String center = "";
+    private ConsoleEvent ready;
 
     Scenario(String title) {
         try {
@@ -73,8 +74,14 @@ final class Scenario implements AutoCloseable {
         Path data = folder.resolve("data");
         RunningProgram program =
                 headless("centre", "simgsm-center", List.of("--port", port, "--data", data.toString()), options);
-        center = "127.0.0.1:" + program.expect("ready").field("port");
+        ready = program.expect("ready");
+        center = "127.0.0.1:" + ready.field("port");
         return program;
+    }
+
+    /** Where the centre, started with {@code --smpp}, takes applications. */
+    int smppPort() {
+        return Integer.parseInt(ready.field("smpp"));
     }
 
     /** Starts a phone and waits until it is registered. */
