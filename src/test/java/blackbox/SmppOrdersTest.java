@@ -71,8 +71,7 @@ class SmppOrdersTest {
         }
     }
 
-    private static SmppApplication application(Scenario scenario, String password, String number)
-            throws IOException {
+    private static SmppApplication application(Scenario scenario, String password, String number) throws IOException {
         return new SmppApplication(scenario.smppPort(), "robotics", password, number);
     }
 }

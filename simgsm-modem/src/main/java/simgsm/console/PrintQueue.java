@@ -15,6 +15,9 @@ final class PrintQueue implements AutoCloseable {
     /** Beyond this a reader who has stopped reading loses events. The longest list of any program is shorter. */
     static final int MAX_UNPRINTED = 1_000_000;
 
+    /** So many lines go out with one write at most. */
+    private static final int MAX_TOGETHER = 1_000;
+
     /** How long the last lines may take at the program's end. */
     private static final long DRAIN_MILLIS = 2_000;
 
@@ -39,23 +42,31 @@ final class PrintQueue implements AutoCloseable {
 
     private void run() {
         List<Event> batch = new ArrayList<>();
+        StringBuilder lines = new StringBuilder();
         try {
             while (true) {
                 batch.add(queue.take());
-                queue.drainTo(batch);
+                queue.drainTo(batch, MAX_TOGETHER);
                 for (Event event : batch) {
                     if (event == END) {
-                        out.flush();
+                        print(lines);
                         return;
                     }
-                    out.print(event + "\n");
+                    lines.append(event).append('\n');
                 }
-                out.flush();
+                print(lines);
                 batch.clear();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** With one write, because thousands of events may come in a second. */
+    private void print(StringBuilder lines) {
+        out.print(lines);
+        out.flush();
+        lines.setLength(0);
     }
 
     /** Prints what is left, for a while. */

@@ -22,6 +22,7 @@ public record SmsAddress(int type, int plan, String value) {
 
     private static final int ISDN = 1;
     private static final int MAX_DIGITS = 20;
+    private static final String DIGITS = "0123456789*#abc";
     private static final int MAX_SEPTETS = 11;
     private static final int NO_EXTENSION = 0x80;
 
@@ -31,7 +32,7 @@ public record SmsAddress(int type, int plan, String value) {
         }
         boolean fits = type == LETTERS
                 ? GsmAlphabet.encodes(value) && GsmAlphabet.encode(value).length <= MAX_SEPTETS
-                : value.matches("[0-9*#abc]{0," + MAX_DIGITS + "}");
+                : value.length() <= MAX_DIGITS && areDigits(value);
         if (!fits) {
             throw new IllegalArgumentException("\"" + value + "\" is no short message address");
         }
@@ -48,8 +49,20 @@ public record SmsAddress(int type, int plan, String value) {
 
     /** The telephone number; empty for letters and for keys that no number has. */
     public Optional<Msisdn> number() {
-        boolean isNumber = type != LETTERS && value.matches("[0-9]{1," + Msisdn.MAX_DIGITS + "}");
+        boolean isNumber = type != LETTERS && !value.isEmpty() && value.length() <= Msisdn.MAX_DIGITS;
+        for (int i = 0; isNumber && i < value.length(); i++) {
+            isNumber = value.charAt(i) >= '0' && value.charAt(i) <= '9';
+        }
         return isNumber ? Optional.of(new Msisdn(value)) : Optional.empty();
+    }
+
+    private static boolean areDigits(String value) {
+        for (int i = 0; i < value.length(); i++) {
+            if (DIGITS.indexOf(value.charAt(i)) < 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     void write(OctetWriter out) {

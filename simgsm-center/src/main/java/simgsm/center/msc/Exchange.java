@@ -83,6 +83,7 @@ public final class Exchange {
     /** Goes on where an earlier life of this exchange ended. To be called once, before anything else. */
     public void restore(Restored restored) {
         restored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
+        restored.waiting().forEach(message -> smpp.changed(message, MessageState.ACCEPTED));
         shortMessages.restore(restored);
     }
 

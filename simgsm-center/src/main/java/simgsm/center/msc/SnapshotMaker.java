@@ -14,7 +14,8 @@ final class SnapshotMaker {
     private final CallSwitch calls;
     private final ShortMessageCenter shortMessages;
     private final Ladder ladder;
-    private Optional<ExchangeSnapshot.Passing> latest = Optional.empty();
+    private ExchangeSnapshot.Passing latestCall;
+    private ShortMessage latestMessage;
     private boolean latestIsCall;
 
     SnapshotMaker(SubscriberRegister register, CallSwitch calls, ShortMessageCenter shortMessages, Ladder ladder) {
@@ -25,14 +26,13 @@ final class SnapshotMaker {
     }
 
     void callBegan(CallView call) {
-        latest = Optional.of(new ExchangeSnapshot.Passing(call.from(), call.to(), ""));
+        latestCall = new ExchangeSnapshot.Passing(call.from(), call.to(), "");
         latestIsCall = true;
     }
 
     void messageAccepted(ShortMessage message) {
+        latestMessage = message;
         latestIsCall = false;
-        latest = Optional.of(
-                new ExchangeSnapshot.Passing(message.from(), message.to().digits(), message.text()));
     }
 
     /** Whoever asks once is taken to go on watching. */
@@ -50,7 +50,17 @@ final class SnapshotMaker {
                 shortMessages.waiting(most).stream().map(SnapshotMaker::row).toList(),
                 ladder.entries(),
                 ladder.passedCount(),
-                latestIsCall ? latest.map(this::withKeys) : latest);
+                latest());
+    }
+
+    /** Only now is a message's text read, since few are ever looked at. */
+    private Optional<ExchangeSnapshot.Passing> latest() {
+        if (latestIsCall) {
+            return Optional.of(withKeys(latestCall));
+        }
+        return Optional.ofNullable(latestMessage)
+                .map(message -> new ExchangeSnapshot.Passing(
+                        message.from(), message.to().digits(), message.text()));
     }
 
     private ExchangeSnapshot.Passing withKeys(ExchangeSnapshot.Passing call) {

@@ -52,8 +52,8 @@ public final class SmppBench {
             this.submit = submit;
             channel = SocketChannel.open(address);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-            channel.write(ByteBuffer.wrap(
-                    SmppCodec.encode(new SmppPdu.Bind(command, sequence++, id, "", "", 0x34, range))));
+            channel.write(
+                    ByteBuffer.wrap(SmppCodec.encode(new SmppPdu.Bind(command, sequence++, id, "", "", 0x34, range))));
             while (in.position() < 4 || in.position() < in.getInt(0)) {
                 channel.read(in);
             }

@@ -107,8 +107,7 @@ class SmppOverSocketsTest {
     @Test
     void idsDiffer() throws IOException {
         try (SmppClient client = transceiver()) {
-            assertNotEquals(
-                    client.submitted(text("1", "2", "x")), client.submitted(text("1", "2", "x")));
+            assertNotEquals(client.submitted(text("1", "2", "x")), client.submitted(text("1", "2", "x")));
         }
     }
 
@@ -127,7 +126,8 @@ class SmppOverSocketsTest {
     void aPayloadParameterCarriesALongText() throws IOException {
         try (SmppClient client = transceiver();
                 SmppClient sender = bound(port, Command.BIND_TRANSMITTER, "sender", "")) {
-            Tlv payload = new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.of("y".repeat(400).getBytes(StandardCharsets.US_ASCII)));
+            Tlv payload =
+                    new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.of("y".repeat(400).getBytes(StandardCharsets.US_ASCII)));
             sender.submitted(with(text("1", SERVICE, ""), "", 0, List.of(payload)));
             int octets = 0;
             for (int i = 0; i < 3; i++) {
@@ -143,9 +143,9 @@ class SmppOverSocketsTest {
     void dataSmIsTakenToo() throws IOException {
         try (SmppClient client = transceiver()) {
             Tlv payload = new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.ofHex("414243"));
-            client.send(new SmppPdu.Message(
-                    Command.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
-            assertEquals(Command.DATA_SM, client.read(SmppPdu.MessageResponse.class).command());
+            client.send(new SmppPdu.Message(Command.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
+            assertEquals(
+                    Command.DATA_SM, client.read(SmppPdu.MessageResponse.class).command());
             assertEquals("414243", client.take().shortMessage().toString());
         }
     }
@@ -210,7 +210,8 @@ class SmppOverSocketsTest {
     @CsvSource({"1, abc, 0x0b", "1, '', 0x0b", "1, 1234567890123456, 0x0b", "muchTooLongName, 5550300, 0x0a"})
     void addressesThatAreNoneAreRefused(String from, String to, String status) throws IOException {
         try (SmppClient client = transceiver()) {
-            assertEquals(Integer.decode(status), client.submit(text(from, to, "x")).status());
+            assertEquals(
+                    Integer.decode(status), client.submit(text(from, to, "x")).status());
         }
     }
 
@@ -288,7 +289,9 @@ class SmppOverSocketsTest {
             for (int i = 0; i < 1_000; i += 111) {
                 clients.get(0).submitted(text("1", "" + (6_000_000 + i), "x"));
                 if (i > 0) {
-                    assertEquals("" + (6_000_000 + i), clients.get(i).take().destination().value());
+                    assertEquals(
+                            "" + (6_000_000 + i),
+                            clients.get(i).take().destination().value());
                 }
             }
         } finally {

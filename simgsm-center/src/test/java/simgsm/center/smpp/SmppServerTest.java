@@ -271,6 +271,7 @@ class SmppServerTest {
         sender.say(new SmppPdu.Cancel(3, "1", source, new SmppAddress(1, 1, SERVICE)));
         network.commit();
         assertTrue(sender.heard.contains(new SmppPdu.PlainResponse(Command.CANCEL_SM, SmppStatus.OK, 3)));
+        network.commit();
         assertTrue(sender.all(SmppPdu.Message.class).stream()
                 .anyMatch(each -> textOf(each).contains("stat:DELETED")));
         sender.say(new SmppPdu.Query(4, "1", source));

@@ -5,6 +5,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
+import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.center.timer.Timers;
 
@@ -25,7 +26,10 @@ final class TestCenter {
     /** The store has made everything durable. */
     void commit() {
         while (!tickets.isEmpty()) {
-            center.committed(tickets.remove(), true);
+            long ticket = tickets.remove();
+            if (ticket != MessageStore.NO_TICKET) {
+                center.committed(ticket, true);
+            }
         }
     }
 
