@@ -46,7 +46,7 @@ class SmppOverSocketsTest {
         port = loop.openSmpp(InetAddress.getLoopbackAddress(), 0);
         MemoryStore store =
                 new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
-        loop.start(new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, event -> {}), () -> {});
+        loop.start(new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, event -> {}), cause -> {});
     }
 
     @AfterEach
