@@ -23,6 +23,9 @@ final class WorldFile {
     /** @param name empty: the demo's world, or a bare floor where that is not to be found */
     static World read(Optional<Path> name) throws IOException {
         Path place = find(name);
+        if (Files.isDirectory(place)) {
+            throw new IOException(place + ": expected a world file, found a folder");
+        }
         if (Files.exists(place)) {
             return WorldReader.read(place);
         }

@@ -86,11 +86,13 @@ public final class CommandRecognizer {
 
     /** Tells how much speech has come since the last call; an order begun and left for 10 s is dropped. */
     public Recognition elapsed(long samples) {
-        if (!isOpen() || state == State.OPENED) {
-            return Recognition.PENDING;
-        }
         silentSamples += samples;
         if (silentSamples < TIMEOUT_SAMPLES) {
+            return Recognition.PENDING;
+        }
+        if (!isOpen() || state == State.OPENED) {
+            // So long after a stray # whoever begins again is not kept from it.
+            previousKey = isOpen() ? previousKey : NO_KEY;
             return Recognition.PENDING;
         }
         Fault missing = missing();

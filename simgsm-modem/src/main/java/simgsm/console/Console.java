@@ -121,17 +121,18 @@ public final class Console implements AutoCloseable {
 
     private void await(Command command) throws CommandException, InterruptedException {
         List<String> words = new ArrayList<>(command.words());
-        if (words.isEmpty()) {
-            throw new CommandException("wait: expected EVENT [key=value...] [SECONDS], found nothing after it");
-        }
-        String name = words.remove(0);
         double seconds = DEFAULT_WAIT_SECONDS;
-        if (!words.isEmpty() && words.get(words.size() - 1).indexOf('=') < 0) {
+        if (words.size() > 1 && words.get(words.size() - 1).indexOf('=') < 0) {
             seconds = seconds(words.remove(words.size() - 1));
         }
-        if (!log.await(name, fields(words), (long) (seconds * 1e9))) {
+        if (words.isEmpty() || words.get(0).indexOf('=') >= 0) {
+            throw new CommandException("wait: expected EVENT [key=value...] [SECONDS], found "
+                    + (words.isEmpty() ? "nothing after it" : command.rest()));
+        }
+        Event wanted = new Event(words.get(0), fields(words.subList(1, words.size())));
+        if (!log.await(wanted, (long) (seconds * 1e9))) {
             failed = true;
-            error("wait: no " + command.rest() + " within " + plain(seconds) + " s");
+            error("wait: no " + wanted + " within " + plain(seconds) + " s");
             log.skip();
         }
     }

@@ -26,9 +26,9 @@ public record Event(String name, Map<String, String> fields) {
         return new Event(name, more);
     }
 
-    /** Whether the name is this and every expected field stands here with the same text. */
-    boolean matches(String expectedName, Map<String, String> expectedFields) {
-        return name.equals(expectedName) && fields.entrySet().containsAll(expectedFields.entrySet());
+    /** Whether it has the wanted event's name and all of its fields with the same text. */
+    boolean answers(Event wanted) {
+        return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());
     }
 
     /** The line as printed, without its end. */

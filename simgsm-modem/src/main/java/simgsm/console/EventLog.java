@@ -1,7 +1,6 @@
 package simgsm.console;
 
 import java.util.ArrayDeque;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /** The events behind a console's cursor. Any thread may add; one thread waits. */
@@ -25,15 +24,15 @@ final class EventLog {
     }
 
     /**
-     * Looks from the cursor on for an event and sets the cursor behind it; when the time is over, to the end.
+     * Looks from the cursor on for an event of this name with at least these fields and sets the cursor behind it; when the time is over, to the end.
      *
      * @return whether the event came
      */
-    synchronized boolean await(String name, Map<String, String> fields, long timeoutNanos) throws InterruptedException {
+    synchronized boolean await(Event wanted, long timeoutNanos) throws InterruptedException {
         long end = System.nanoTime() + timeoutNanos;
         while (true) {
             while (!unread.isEmpty()) {
-                if (unread.removeFirst().matches(name, fields)) {
+                if (unread.removeFirst().answers(wanted)) {
                     return true;
                 }
             }

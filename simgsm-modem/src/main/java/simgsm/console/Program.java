@@ -54,6 +54,7 @@ public final class Program {
                 return ExitStatus.OK;
             }
             LogSettings.apply(arguments.text("log-level").orElse(LogSettings.DEFAULT));
+            requireScript(arguments);
             return body.run(arguments);
         } catch (UsageException e) {
             err.println(name + ": " + e.getMessage() + "; see --help");
@@ -71,6 +72,14 @@ public final class Program {
             LOG.log(System.Logger.Level.DEBUG, "the run failed", e);
             err.println(name + ": " + describe(e));
             return ExitStatus.FAILED;
+        }
+    }
+
+    /** A script that cannot be read is said before anything begins. */
+    private static void requireScript(Arguments arguments) throws UsageException, IOException {
+        Optional<Path> script = arguments.path("script");
+        if (script.isPresent()) {
+            Files.newBufferedReader(script.get(), StandardCharsets.UTF_8).close();
         }
     }
 

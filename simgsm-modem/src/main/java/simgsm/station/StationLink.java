@@ -156,14 +156,18 @@ final class StationLink implements Uplink {
         upSinceNanos = nowNanos;
         framer = new IpaFramer();
         key.interestOps(SelectionKey.OP_READ);
-        log.trace(Level.INFO, "connected to the centre at {0}", center);
+        log.trace(Level.INFO, "connected to the centre at {0}", address());
         station.linkUp(this, nowNanos);
+    }
+
+    private String address() {
+        return center.getHostString() + ":" + center.getPort();
     }
 
     private void failed(String reason, long nowNanos) {
         if (!saidAbsent) {
             saidAbsent = true;
-            log.trace(Level.WARNING, "no centre at {0} ({1}); trying again", center, reason);
+            log.trace(Level.WARNING, "no centre at {0} ({1}); trying again", address(), reason);
         }
         lost(nowNanos);
     }

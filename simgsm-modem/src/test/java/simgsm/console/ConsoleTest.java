@@ -76,6 +76,7 @@ class ConsoleTest {
                 "quit now",
                 "wait",
                 "wait a b c",
+                "wait a=b",
                 "wait a -1",
                 "wait a =b 1"
             })
@@ -120,8 +121,8 @@ class ConsoleTest {
                 List.of(
                         "ready",
                         "echo text=a",
-                        "error text=\"wait: no nothing 0 within 0 s\"",
-                        "error text=\"wait: no echo text=a 0 within 0 s\""),
+                        "error text=\"wait: no nothing within 0 s\"",
+                        "error text=\"wait: no echo text=a within 0 s\""),
                 lines());
         assertEquals(ExitStatus.FAILED, console.exitStatus());
     }

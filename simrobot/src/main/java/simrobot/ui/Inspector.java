@@ -40,13 +40,27 @@ final class Inspector extends JPanel {
         Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        JScrollPane all = new JScrollPane(new Column(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
+        JScrollPane all = new RoomForItsBar(new Column(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);
         all.getViewport().setOpaque(false);
         all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         add(all, BorderLayout.CENTER);
+    }
+
+    /** As wide as its view and its scroll bar, so that nothing narrows when the bar appears. */
+    private static final class RoomForItsBar extends JScrollPane {
+        RoomForItsBar(Column column) {
+            super(column);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension view = super.getPreferredSize();
+            Dimension bar = getVerticalScrollBar().getPreferredSize();
+            return getVerticalScrollBar().isVisible() ? new Dimension(view.width + bar.width, view.height) : view;
+        }
     }
 
     /** As high as its view, or as its cards need at least: then it scrolls. */

@@ -85,7 +85,8 @@ final class RobotList {
 
         @Override
         Dimension preferred() {
-            return new Dimension(Theme.px(200), Theme.px(26));
+            // The list gives a row all its width; asking for more would put the number under the scroll bar.
+            return new Dimension(Theme.px(120), Theme.px(26));
         }
 
         @Override

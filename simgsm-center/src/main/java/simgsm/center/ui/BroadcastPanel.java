@@ -2,6 +2,7 @@ package simgsm.center.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -59,6 +60,9 @@ final class BroadcastPanel extends JPanel {
         Named.name(result, "broadcast.result", texts.of("window.broadcast.result"));
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
+        // Tab leads on, as everywhere; a broadcast has no use for it.
+        text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.getDocument().addDocumentListener(new Counter());
         JScrollPane scroll = new JScrollPane(text);
         scroll.setPreferredSize(new Dimension(0, 0));

@@ -94,7 +94,7 @@ final class PassingPanel extends JPanel {
         snapshot.latest().ifPresent(passing -> {
             set(incoming, passing.from().digits());
             set(outgoing, passing.to());
-            set(message, passing.text().isEmpty() ? callWord(snapshot, passing) : passing.text());
+            setToEnd(message, passing.text().isEmpty() ? callWord(snapshot, passing) : passing.text());
         });
     }
 
@@ -113,6 +113,15 @@ final class PassingPanel extends JPanel {
         if (!field.getText().equals(text)) {
             field.setText(text);
             field.setCaretPosition(0);
+        }
+    }
+
+    /** A text that grows shows its newest end. */
+    private static void setToEnd(JTextField field, String text) {
+        boolean grows = !field.getText().isEmpty() && text.startsWith(field.getText());
+        if (!field.getText().equals(text)) {
+            field.setText(text);
+            field.setCaretPosition(grows ? text.length() : 0);
         }
     }
 
