@@ -369,11 +369,7 @@ public final class SimulatedRobot implements Robot {
     /** The true pose, its heading in [0, 360); rounding dust below a nanometre and a nanodegree is wiped off. */
     @Override
     public Pose pose() {
-        return new Pose(clean(x), clean(y), Degrees.of(heading));
-    }
-
-    private static double clean(double value) {
-        return Math.rint(value * 1e9) / 1e9 + 0.0;
+        return Cleaned.pose(x, y, heading);
     }
 
     /** Where its wheels say that it is. */
