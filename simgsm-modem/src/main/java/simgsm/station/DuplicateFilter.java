@@ -11,12 +11,15 @@ import simgsm.air.OctetString;
  */
 final class DuplicateFilter {
     private static final int MOST_REMEMBERED = 1000;
+    /** Bit 2 of the first octet of DELIVER and STATUS-REPORT (TS 23.040, 9.2.3.2). */
+    private static final byte MORE_MESSAGES_TO_SEND = 0x04;
 
     private final Deque<OctetString> mayComeAgain = new ArrayDeque<>();
     private final Deque<OctetString> ofThisLink = new ArrayDeque<>();
 
     /** Asked once for each message received. */
-    boolean isDuplicate(OctetString tpdu) {
+    boolean isDuplicate(OctetString received) {
+        OctetString tpdu = withoutPrediction(received);
         if (mayComeAgain.removeFirstOccurrence(tpdu)) {
             remember(ofThisLink, tpdu);
             return true;
@@ -26,7 +29,8 @@ final class DuplicateFilter {
     }
 
     /** The network has not heard our acknowledgement of this message, received just now. */
-    void unconfirmed(OctetString tpdu) {
+    void unconfirmed(OctetString received) {
+        OctetString tpdu = withoutPrediction(received);
         if (ofThisLink.removeLastOccurrence(tpdu)) {
             remember(mayComeAgain, tpdu);
         }
@@ -36,6 +40,15 @@ final class DuplicateFilter {
     void linkLost() {
         ofThisLink.forEach(tpdu -> remember(mayComeAgain, tpdu));
         ofThisLink.clear();
+    }
+
+    /** TP-MMS says whether more waits at the centre: that may have changed when the same message comes again. */
+    private static OctetString withoutPrediction(OctetString tpdu) {
+        byte[] octets = tpdu.toArray();
+        if (octets.length > 0) {
+            octets[0] |= MORE_MESSAGES_TO_SEND;
+        }
+        return OctetString.of(octets);
     }
 
     private static void remember(Deque<OctetString> memory, OctetString tpdu) {
