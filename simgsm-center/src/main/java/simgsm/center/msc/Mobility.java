@@ -116,7 +116,7 @@ final class Mobility {
             return false;
         }
         return identity instanceof Tmsi tmsi
-                ? link.subscriber.tmsi().equals(Optional.of(tmsi))
+                ? link.subscriber.answersTo(tmsi)
                 : link.subscriber.imsi().equals(identity);
     }
 

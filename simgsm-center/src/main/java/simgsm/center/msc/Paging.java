@@ -78,9 +78,14 @@ final class Paging {
         }
         attempts++;
         repetition = timers.start(T3113_NANOS, this::page);
-        MobileIdentity identity =
-                link.subscriber.tmsi().<MobileIdentity>map(tmsi -> tmsi).orElse(link.subscriber.imsi());
-        link.sendCommon(new RslMessage.PagingCommand(identity));
+        link.sendCommon(new RslMessage.PagingCommand(identity()));
+    }
+
+    /** The last attempt is by the identity that never changes: the mobile may have missed its latest temporary one. */
+    private MobileIdentity identity() {
+        return attempts == ATTEMPTS
+                ? link.subscriber.imsi()
+                : link.subscriber.tmsi().<MobileIdentity>map(tmsi -> tmsi).orElse(link.subscriber.imsi());
     }
 
     private void stop() {

@@ -62,6 +62,7 @@ final class Registration {
             return receiveIdentity(response.identity());
         }
         if (message instanceof MobilityManagement.TmsiReallocationComplete && state == State.AWAITING_TMSI_COMPLETE) {
+            mobility.register().confirmTmsi(subscriber);
             link.send(new MobilityManagement.MmInformation(mobility.networkName()));
             end();
             return true;

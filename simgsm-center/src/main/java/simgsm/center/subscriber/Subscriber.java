@@ -12,6 +12,7 @@ public final class Subscriber {
     private final Imsi imsi;
     private Imei imei;
     private Tmsi tmsi;
+    private Tmsi formerTmsi;
     private boolean attached;
     private boolean entered;
 
@@ -48,8 +49,22 @@ public final class Subscriber {
         return isFirst;
     }
 
+    /** Whether the mobile may call itself so: until it has confirmed a new temporary identity the one before holds too. */
+    public boolean answersTo(Tmsi candidate) {
+        return candidate.equals(tmsi) || candidate.equals(formerTmsi);
+    }
+
+    Optional<Tmsi> formerTmsi() {
+        return Optional.ofNullable(formerTmsi);
+    }
+
     void tmsi(Tmsi newTmsi) {
+        formerTmsi = tmsi;
         tmsi = newTmsi;
+    }
+
+    void forgetFormerTmsi() {
+        formerTmsi = null;
     }
 
     void attach(Imei equipment) {

@@ -73,9 +73,9 @@ public final class SubscriberRegister {
         return Optional.ofNullable(known);
     }
 
-    /** Gives a fresh temporary identity; the one before is forgotten. */
+    /** Gives a fresh temporary identity; the one before stays until it is confirmed (TS 24.008, 4.3.1.5). */
     public Tmsi allocateTmsi(Subscriber subscriber) {
-        subscriber.tmsi().ifPresent(byTmsi::remove);
+        subscriber.formerTmsi().ifPresent(byTmsi::remove);
         Tmsi fresh;
         do {
             fresh = new Tmsi(random.nextInt());
@@ -83,6 +83,12 @@ public final class SubscriberRegister {
         byTmsi.put(fresh, subscriber);
         subscriber.tmsi(fresh);
         return fresh;
+    }
+
+    /** The mobile has taken its new temporary identity. */
+    public void confirmTmsi(Subscriber subscriber) {
+        subscriber.formerTmsi().ifPresent(byTmsi::remove);
+        subscriber.forgetFormerTmsi();
     }
 
     public void attach(Subscriber subscriber, Imei equipment) {

@@ -99,9 +99,7 @@ final class Simulation {
         checkRestored();
         bornNanos = nowNanos;
         exchange = new Exchange(
-                new ExchangeSettings("SimGSM", random.nextLong(), START.plusNanos(nowNanos)),
-                this::order,
-                event -> {});
+                new ExchangeSettings("SimGSM", random.nextLong(), START.plusNanos(nowNanos)), this::order, event -> {});
         exchange.restore(journal.restored());
     }
 
@@ -214,8 +212,7 @@ final class Simulation {
     private void answer() {
         Answer answer = answers.poll();
         if (answer != null) {
-            answer.tickets()
-                    .forEach(ticket -> exchange.committed(nowNanos - bornNanos, ticket, answer.isDurable()));
+            answer.tickets().forEach(ticket -> exchange.committed(nowNanos - bornNanos, ticket, answer.isDurable()));
         }
     }
 
@@ -279,10 +276,13 @@ final class Simulation {
         }
         serveAll();
         check(exchange.calls().isEmpty(), "a call is stuck: " + exchange.calls());
-        check(exchange.shortMessages().waitingCount() == 0, exchange.shortMessages().waitingCount() + " wait for ever");
+        check(
+                exchange.shortMessages().waitingCount() == 0,
+                exchange.shortMessages().waitingCount() + " wait for ever ");
         for (String text : acknowledged) {
-            check(shown.getOrDefault(text, 0) == 1, "\"" + text + "\" was acknowledged and shown "
-                    + shown.getOrDefault(text, 0) + " times");
+            check(
+                    shown.getOrDefault(text, 0) == 1,
+                    "\"" + text + "\" was acknowledged and shown " + shown.getOrDefault(text, 0) + " times");
         }
         check(shown.values().stream().allMatch(times -> times == 1), "shown twice: " + shown);
         phones.forEach(this::vanish);
