@@ -62,7 +62,9 @@ final class Registration {
             return receiveIdentity(response.identity());
         }
         if (message instanceof MobilityManagement.TmsiReallocationComplete && state == State.AWAITING_TMSI_COMPLETE) {
-            mobility.register().confirmTmsi(subscriber);
+            if (link.subscriber != null) {
+                mobility.register().confirmTmsi(link.subscriber);
+            }
             link.send(new MobilityManagement.MmInformation(mobility.networkName()));
             end();
             return true;
