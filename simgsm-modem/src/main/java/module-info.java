@@ -5,10 +5,11 @@
  * <p>Packages, arrows point down only:
  *
  * <pre>
- *   modem    -> station, console, dtmf, sms, speech, air
- *   station  -> sms, dtmf, speech, air
- *   sms      -> air
- *   ui       -> dtmf
+ *   modem       -> modem.tools, station, console, dtmf, air
+ *   modem.tools -> console, dtmf, speech
+ *   station     -> sms, dtmf, speech, air
+ *   ui          -> console, dtmf, speech
+ *   sms         -> air
  *   console, dtmf, speech and air need nothing
  * </pre>
  */

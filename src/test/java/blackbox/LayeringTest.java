@@ -3,6 +3,7 @@ package blackbox;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
@@ -10,6 +11,8 @@ import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
+import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -118,27 +121,56 @@ class LayeringTest {
                 .check(CLASSES);
     }
 
-    @Test
-    void coresKnowNoClockNoSocketNoFile() {
-        noClasses()
+    private static final String[] CORES = {
+        "vericommand",
+        "simgsm.air",
+        "simgsm.sms",
+        "simgsm.dtmf",
+        "simgsm.station",
+        "simgsm.modem",
+        "simgsm.center.msc",
+        "simgsm.center.smpp",
+        "simgsm.center.smsc",
+        "simgsm.center.subscriber",
+        "simgsm.center.timer",
+        "simgsm.phone.handset",
+        "simrobot.robot",
+        "simrobot.simulation"
+    };
+
+    /** Give the cores beside them their time and their sockets. */
+    private static final Set<String> SHELLS =
+            Set.of("StationThread", "StationLink", "OutgoingFrames", "SimulationThread");
+
+    private static GivenClassesConjunction coreClasses() {
+        return noClasses()
                 .that()
-                .resideInAnyPackage(
-                        "vericommand", "simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.center.msc", "simrobot.robot")
+                .resideInAnyPackage(CORES)
                 .and()
                 .haveSimpleNameNotEndingWith("Main")
+                .and(DescribedPredicate.describe(
+                        "are no shells", (JavaClass each) -> !SHELLS.contains(each.getSimpleName())));
+    }
+
+    @Test
+    void coresKnowNoClockNoSocketNoFile() {
+        coreClasses()
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("java.net..", "java.nio.channels..", "java.nio.file..", "java.io")
                 .check(CLASSES);
-        noClasses()
-                .that()
-                .resideInAnyPackage("vericommand", "simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.center.msc")
-                .and()
-                .haveSimpleNameNotEndingWith("Main")
+        coreClasses()
                 .should()
                 .callMethod(System.class, "nanoTime")
                 .orShould()
                 .callMethod(System.class, "currentTimeMillis")
+                .orShould()
+                .callMethod(Instant.class, "now")
+                .check(CLASSES);
+        coreClasses()
+                .should()
+                .dependOnClassesThat()
+                .areAssignableTo(Thread.class)
                 .check(CLASSES);
     }
 }
