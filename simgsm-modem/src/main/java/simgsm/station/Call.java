@@ -61,10 +61,31 @@ final class Call implements ServiceRequests.User {
         transaction = new TransactionIdentifier(nextTransaction, false);
         nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
         happens(CallEvent.DIAL);
-        if (!services.isPossible()) {
-            refused(RejectCause.NETWORK_FAILURE);
+        if (!services.isThere()) {
+            parts.timers().start(StationTimer.CALL_WAIT);
+            lookAtService();
         }
         return true;
+    }
+
+    /** Service may have come, or been refused, since: what waits for it hears. */
+    void lookAtService() {
+        if (!waitsForService()) {
+            return;
+        }
+        if (services.isThere()) {
+            parts.timers().stop(StationTimer.CALL_WAIT);
+        } else if (services.isRefused()) {
+            refused(RejectCause.NETWORK_FAILURE);
+        }
+    }
+
+    private boolean waitsForService() {
+        return parts.timers().isRunning(StationTimer.CALL_WAIT);
+    }
+
+    void waitExpired() {
+        refused(RejectCause.NETWORK_FAILURE);
     }
 
     boolean answer() {
@@ -119,8 +140,13 @@ final class Call implements ServiceRequests.User {
                 });
     }
 
+    /** A call that still waits for a network does not mind that one could not be reached, and asks the next. */
     @Override
     public void lost() {
+        if (waitsForService()) {
+            services.request(ServiceType.MOBILE_ORIGINATED_CALL);
+            return;
+        }
         happens(CallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
     }
 
@@ -248,6 +274,7 @@ final class Call implements ServiceRequests.User {
     }
 
     private void stopTimers() {
+        parts.timers().stop(StationTimer.CALL_WAIT);
         parts.timers().stop(StationTimer.T303);
         parts.timers().stop(StationTimer.T305);
         parts.timers().stop(StationTimer.T308);

@@ -132,7 +132,7 @@ public final class MobileStation {
         }
     }
 
-    /** Calls a number. @return false if a call is already under way or the station is off, and nothing happens */
+    /** Calls a number; without service the call waits for it some seconds. @return false if a call is already under way or the station is off, and nothing happens */
     public boolean dial(Msisdn number) {
         boolean dialled = registration.isPowered() && call.dial(number);
         settle();
@@ -230,6 +230,7 @@ public final class MobileStation {
             case T3220 -> registration.t3220Expired();
             case T3230 -> services.t3230Expired();
             case T3240 -> leaveIdleChannel();
+            case CALL_WAIT -> call.waitExpired();
             case T303 -> call.expired(CallEvent.T303_EXPIRED);
             case T305 -> call.expired(CallEvent.T305_EXPIRED);
             case T308 -> call.t308Expired();
@@ -259,6 +260,7 @@ public final class MobileStation {
 
     /** The state is whole again: look after the idle channel, publish, tell. */
     private void settle() {
+        call.lookAtService();
         watchIdleChannel();
         StationSnapshot now = present();
         if (!now.equals(snapshot)) {

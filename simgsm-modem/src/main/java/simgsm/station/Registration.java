@@ -45,9 +45,9 @@ final class Registration {
         return state == RegistrationState.NORMAL_SERVICE;
     }
 
-    /** Whether service is there or may be there in a moment. */
-    boolean mayServe() {
-        return isRegistered() || state == RegistrationState.LOCATION_UPDATING_INITIATED;
+    /** Whether the network has said no; after a pause it is asked again, and then it may say yes. */
+    boolean isRefused() {
+        return state == RegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
     }
 
     boolean isPowered() {

@@ -94,9 +94,14 @@ final class ServiceRequests {
         active.add(service);
     }
 
-    /** Whether a request can be served now or in a moment. */
-    boolean isPossible() {
-        return registration.mayServe();
+    /** Whether there is service; without it requests wait. */
+    boolean isThere() {
+        return registration.isRegistered();
+    }
+
+    /** Whether waiting for service is in vain, because the network does not want this station. */
+    boolean isRefused() {
+        return registration.isRefused();
     }
 
     boolean isIdle() {

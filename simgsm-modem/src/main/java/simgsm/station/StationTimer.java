@@ -44,6 +44,8 @@ enum StationTimer {
     MESSAGE_WAIT(40_000),
     /** Ours: the station's user is reminded of what it could not do. */
     REMINDER(30_000),
+    /** Ours: a call waits for registration no longer than this; a caller at a silent phone gives up soon. */
+    CALL_WAIT(5_000),
     /** Ours: how long a centre may take to ask who we are before we register unasked. */
     IDENTITY(2_000);
 

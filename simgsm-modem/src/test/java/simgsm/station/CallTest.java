@@ -25,6 +25,7 @@ import simgsm.air.MobilityManagement.CmServiceAccept;
 import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
 import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource.ChannelRelease;
@@ -243,11 +244,63 @@ class CallTest {
     }
 
     @Test
-    void withoutServiceADiallerHearsAtOnce() {
+    void withoutServiceACallWaitsFiveSecondsForIt() {
         Scene scene = new Scene();
         scene.linkDown();
         assertTrue(scene.station.dial(Scene.OTHER));
+        scene.pass(5 * Scene.SECOND - 1);
+        assertEquals(List.of("unregistered", "calling 5550200"), scene.told.lines());
+        scene.pass(1);
         assertEquals(List.of("unregistered", "calling 5550200", "released 38"), scene.told.lines());
+        assertFalse(scene.station.hangUp());
+    }
+
+    @Test
+    void aCallDialledBeforeTheCentreIsFoundIsSetUpOnceRegistered() {
+        Scene scene = new Scene();
+        assertTrue(scene.station.dial(Scene.OTHER));
+        scene.linkDown();
+        scene.pass(3 * Scene.SECOND);
+        scene.linkUp();
+        scene.identify();
+        scene.acceptLocationUpdating();
+        scene.acceptService();
+        scene.expect(new Setup(OWN, Optional.empty(), Optional.of(Scene.OTHER)));
+        scene.pass(5 * Scene.SECOND);
+        assertEquals(CallState.CALL_INITIATED, stateOf(scene));
+        assertEquals(List.of("calling 5550200", "unregistered", "registered 5550100"), scene.told.lines());
+    }
+
+    @Test
+    void aCallThatWaitsForServiceIsReleasedWhenTheNetworkRefusesIt() {
+        Scene scene = new Scene();
+        scene.linkUp();
+        scene.identify();
+        scene.station.dial(Scene.OTHER);
+        scene.down(new LocationUpdatingReject(RejectCause.ILLEGAL_MS));
+        assertEquals(List.of("calling 5550200", "unregistered 3", "released 38"), scene.told.lines());
+    }
+
+    @Test
+    void whereTheNetworkHasRefusedServiceADiallerHearsAtOnce() {
+        Scene scene = new Scene();
+        scene.linkUp();
+        scene.identify();
+        scene.down(new LocationUpdatingReject(RejectCause.ILLEGAL_MS));
+        scene.station.dial(Scene.OTHER);
+        assertEquals(List.of("unregistered 3", "calling 5550200", "released 38"), scene.told.lines());
+    }
+
+    @Test
+    void aCallThatWaitsForServiceCanBeHungUp() {
+        Scene scene = new Scene();
+        scene.station.dial(Scene.OTHER);
+        assertTrue(scene.station.hangUp());
+        scene.linkUp();
+        scene.identify();
+        scene.acceptLocationUpdating();
+        scene.expectNothing();
+        assertEquals(List.of("calling 5550200", "released 16", "registered 5550100"), scene.told.lines());
     }
 
     @Test
