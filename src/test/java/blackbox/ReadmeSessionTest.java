@@ -19,8 +19,7 @@ class ReadmeSessionTest {
             scenario.center();
             scenario.robot("office.map");
             Path script = Files.writeString(scenario.folder().resolve("session.txt"), session());
-            RunningProgram phone =
-                    scenario.unregisteredPhone(Scenario.PHONE, "--script", script.toString());
+            RunningProgram phone = scenario.unregisteredPhone(Scenario.PHONE, "--script", script.toString());
             phone.expect("connected", "number", Scenario.ROBOT);
             phone.expect("sent", "keys", "**#**20**");
             phone.expect("released", "cause", "16");

@@ -90,7 +90,10 @@ final class Keyboard {
         };
     }
 
-    /** Answers "typed" for every character and "released" for every key let go that has no binding of its own. */
+    /**
+     * Answers "typed" for every character and "released" for every key let go that has no binding of its own. Where a key
+     * has no code, as letters with accents have none, Swing asks for a stroke without a character, too; that is no typing.
+     */
     private static final class Inputs extends InputMap {
         @Override
         public Object get(KeyStroke stroke) {
@@ -98,7 +101,7 @@ final class Keyboard {
             if (bound != null) {
                 return bound;
             }
-            if (stroke.getKeyEventType() == KeyEvent.KEY_TYPED) {
+            if (stroke.getKeyEventType() == KeyEvent.KEY_TYPED && stroke.getKeyChar() != KeyEvent.CHAR_UNDEFINED) {
                 boolean command = (stroke.getModifiers() & InputEvent.CTRL_DOWN_MASK) != 0;
                 return command || Character.isISOControl(stroke.getKeyChar()) ? null : "typed";
             }

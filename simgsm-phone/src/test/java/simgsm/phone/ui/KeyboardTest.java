@@ -10,6 +10,7 @@ import java.util.Locale;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -85,6 +86,30 @@ class KeyboardTest {
         "Hola, \u00f1and\u00fa".chars().forEach(letter -> type((char) letter));
         assertEquals(
                 "Hola, \u00f1and\u00fa",
+                ((Screen.Writing) bench.bench.snapshot().screen()).text());
+    }
+
+    private void dispatch(int id, int code, char character) {
+        SwingUtilities.processKeyBindings(new KeyEvent(bench.panel, id, 0, 0, code, character));
+    }
+
+    /** As Swing sees a key: pressed, typed and let go. */
+    private void strikeForReal(int code, char character) {
+        dispatch(KeyEvent.KEY_PRESSED, code, character);
+        dispatch(KeyEvent.KEY_TYPED, KeyEvent.VK_UNDEFINED, character);
+        dispatch(KeyEvent.KEY_RELEASED, code, character);
+    }
+
+    @Test
+    void lettersWithoutAKeyCodeAreTypedOnce() {
+        dispatch(KeyEvent.KEY_PRESSED, KeyEvent.VK_F2, KeyEvent.CHAR_UNDEFINED);
+        strikeForReal(KeyEvent.VK_A, 'a');
+        strikeForReal(KeyEvent.VK_UNDEFINED, '\u00f1');
+        strikeForReal(KeyEvent.VK_UNDEFINED, '\u00e7');
+        strikeForReal(KeyEvent.VK_UNDEFINED, '\u20ac');
+        strikeForReal(KeyEvent.VK_UNDEFINED, '\u20ac');
+        assertEquals(
+                "a\u00f1\u00e7\u20ac\u20ac",
                 ((Screen.Writing) bench.bench.snapshot().screen()).text());
     }
 
