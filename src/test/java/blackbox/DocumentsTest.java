@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -54,6 +56,20 @@ class DocumentsTest {
             assertTrue(Files.exists(Dist.root().resolve(named.group(1))), named.group(1));
         }
         assertTrue(found >= 6, "named: " + found);
+    }
+
+    @Test
+    void theCatalogueOfTestsNamesOnlyClassesThatAreThere() throws IOException {
+        Set<String> named = new TreeSet<>();
+        Matcher names = Pattern.compile("`([A-Z]\\w*Test)`")
+                .matcher(Files.readString(Dist.root().resolve("docs/TESTS.md")));
+        while (names.find()) {
+            named.add(names.group(1));
+        }
+        Path tests = Dist.root().resolve("src/test/java/blackbox");
+        assertTrue(named.size() >= 20, named.toString());
+        named.removeIf(name -> Files.exists(tests.resolve(name + ".java")));
+        assertEquals(Set.of(), named);
     }
 
     @Test

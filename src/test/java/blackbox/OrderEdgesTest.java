@@ -30,6 +30,8 @@ class OrderEdgesTest {
                 // numbers, and the key at which they are found wrong
                 "** #**1 **|63|",
                 "** #**0001 **|63|",
+                "** #**9999 **|6|",
+                "** #*#1 **|63|",
                 "** #*#360 **|63|",
                 "** #** **|7|key 6",
                 "** #**0 **|7|key 7",
