@@ -49,7 +49,8 @@ final class ModemPanel extends JPanel {
                 network,
                 call,
                 peer,
-                Arrange.row(10, codec, Arrange.spring(), sound),
+                codec,
+                Arrange.row(0, sound, Arrange.spring()),
                 Arrange.spring());
         JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
         Card card = new Card(texts.of("modem.title"), content);
