@@ -76,7 +76,7 @@ public enum DtmfKey {
                 return key;
             }
         }
-        throw new IllegalArgumentException("Not a key: '" + symbol + "' (expected one of 0123456789*#ABCD)");
+        throw new IllegalArgumentException("expected one of 0123456789*#ABCD, found " + symbol);
     }
 
     /** The keys of a text in which blanks are ignored; IllegalArgumentException for anything else. */

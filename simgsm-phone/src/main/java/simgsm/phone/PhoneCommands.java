@@ -122,7 +122,8 @@ final class PhoneCommands implements Console.Commands {
         try {
             return Msisdn.parse(text);
         } catch (IllegalArgumentException e) {
-            throw new CommandException(command + ": " + e.getMessage());
+            throw new CommandException(
+                    command + ": expected a telephone number of 1 to " + Msisdn.MAX_DIGITS + " digits, found " + text);
         }
     }
 

@@ -44,6 +44,16 @@ final class PhoneControls implements HandsetControls {
     }
 
     @Override
+    public void enterDown() {
+        act(Handset::enterDown);
+    }
+
+    @Override
+    public void enterUp() {
+        act(Handset::enterUp);
+    }
+
+    @Override
     public void charDown(char character) {
         act((handset, now) -> handset.charDown(character, now));
     }

@@ -26,7 +26,7 @@ record PhoneSettings(StationIdentity identity, SpeechCodec.Kind codec, KeyMode k
     }
 
     private static StationIdentity identity(Arguments arguments) throws UsageException {
-        Msisdn number = arguments.value("number", Msisdn::parse).orElse(new Msisdn(DEFAULT_NUMBER));
+        Msisdn number = arguments.value("number", PhoneSettings::ownNumber).orElse(new Msisdn(DEFAULT_NUMBER));
         Random random = new Random();
         if (arguments.has("seed")) {
             // With the number, or two phones of one seed would be one piece of equipment.
@@ -34,11 +34,15 @@ record PhoneSettings(StationIdentity identity, SpeechCodec.Kind codec, KeyMode k
                     + number.digits().hashCode());
         }
         Imei imei = arguments.value("imei", Imei::new).orElse(Imei.random(random));
-        try {
-            return StationIdentity.ofOpenNumber(number, imei, UNIT_NAME);
-        } catch (IllegalArgumentException e) {
-            throw new UsageException("--number: " + e.getMessage());
+        return StationIdentity.ofOpenNumber(number, imei, UNIT_NAME);
+    }
+
+    /** Only a number of this form makes an identity in the open network. */
+    private static Msisdn ownNumber(String text) {
+        if (!text.matches("\\+?[1-9][0-9]{0,9}")) {
+            throw new IllegalArgumentException("expected 1 to 10 digits and no leading zero, found " + text);
         }
+        return Msisdn.parse(text);
     }
 
     private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {

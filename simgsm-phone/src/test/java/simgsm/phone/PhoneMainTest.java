@@ -32,6 +32,9 @@ class PhoneMainTest {
             value = {
                 "--number=robot | --number",
                 "--number=12345678901234567 | --number",
+                "--number=abc | --number: expected 1 to 10 digits and no leading zero, found abc",
+                "--number=12345678901 | --number: expected 1 to 10 digits and no leading zero, found 12345678901",
+                "--number=0555 | --number: expected 1 to 10 digits and no leading zero, found 0555",
                 "--imei=123 | --imei",
                 "--center=nowhere | --center",
                 "--center=localhost:0 | --center",

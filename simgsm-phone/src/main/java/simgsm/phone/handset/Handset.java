@@ -1,12 +1,13 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.speech.AudioOutput;
@@ -29,7 +30,7 @@ public final class Handset {
     private final Screens screens = new Screens(mailbox, deeds);
     private final HomeKeys home = new HomeKeys(screens, deeds);
     /** References of messages that failed while they were being handed in. */
-    private final Set<Integer> failedEarly = new HashSet<>();
+    private final Map<Integer, RpCause> failedEarly = new HashMap<>();
 
     private final KeyMode keyMode;
     private final KeySender line;
@@ -136,8 +137,9 @@ public final class Handset {
             return Optional.of(Refusal.TEXT_TOO_LONG);
         }
         mailbox.handedIn(id, to.digits(), text, wallClock.instant());
-        if (failedEarly.remove(id)) {
-            mailbox.failed(id);
+        RpCause early = failedEarly.remove(id);
+        if (early != null) {
+            mailbox.failed(id, early);
         }
         screens.added(Box.OUTBOX);
         changed();
@@ -225,6 +227,16 @@ public final class Handset {
         sounds.up();
         home.letGo(key);
         changed();
+    }
+
+    /** A keyboard's Enter: it calls where the green key alone makes sense, and is OK wherever something is to choose. */
+    public void enterDown(long nowNanos) {
+        boolean calls = screens.isHome() || call.phase() == CallPhase.RINGING;
+        keyDown(calls ? PhoneKey.CALL : PhoneKey.OK, nowNanos);
+    }
+
+    public void enterUp(long nowNanos) {
+        keyUp(PhoneKey.OK, nowNanos);
     }
 
     /** A character of a keyboard goes down: a letter while writing, else the key of that name. */
@@ -370,9 +382,9 @@ public final class Handset {
         changed();
     }
 
-    void messageFailed(int id) {
-        if (!mailbox.failed(id)) {
-            failedEarly.add(id);
+    void messageFailed(int id, RpCause cause) {
+        if (!mailbox.failed(id, cause)) {
+            failedEarly.put(id, cause);
         }
         changed();
     }

@@ -40,6 +40,10 @@ public record HandsetSnapshot(
     }
 
     public int unread() {
-        return (int) inbox.stream().filter(message -> !message.read()).count();
+        return unread(Box.INBOX);
+    }
+
+    public int unread(Box box) {
+        return (int) in(box).stream().filter(message -> !message.read()).count();
     }
 }

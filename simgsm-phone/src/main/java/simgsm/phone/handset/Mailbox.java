@@ -5,6 +5,9 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import simgsm.air.RpCause;
 import simgsm.phone.handset.StoredMessage.Delivery;
 
 /** Inbox, outbox and broadcasts, oldest first; a full box forgets its oldest. */
@@ -25,15 +28,16 @@ final class Mailbox {
     }
 
     void received(String from, String text, Instant at) {
-        add(Box.INBOX, new StoredMessage(from, text, at, false, Delivery.RECEIVED, 0, 1));
+        add(Box.INBOX, new StoredMessage(from, text, at, false, Delivery.RECEIVED, 0, 1, Optional.empty()));
     }
 
     void broadcast(int channel, int pages, String text, Instant at) {
-        add(Box.BROADCASTS, new StoredMessage(Integer.toString(channel), text, at, false, Delivery.RECEIVED, 0, pages));
+        String party = Integer.toString(channel);
+        add(Box.BROADCASTS, new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
     }
 
     void handedIn(int id, String to, String text, Instant at) {
-        add(Box.OUTBOX, new StoredMessage(to, text, at, true, Delivery.SENDING, id, 1));
+        add(Box.OUTBOX, new StoredMessage(to, text, at, true, Delivery.SENDING, id, 1, Optional.empty()));
     }
 
     private void add(Box box, StoredMessage message) {
@@ -46,31 +50,42 @@ final class Mailbox {
     }
 
     void sent(int id, int parts) {
-        advance(id, Delivery.SENT, parts);
+        replaceOpen(id, message -> message.advanced(Delivery.SENT, parts));
     }
 
     void delivered(int id) {
-        advance(id, Delivery.DELIVERED, 0);
+        replaceOpen(id, message -> message.advanced(Delivery.DELIVERED, message.parts()));
     }
 
     /** @return whether the message lies here */
-    boolean failed(int id) {
-        return advance(id, Delivery.FAILED, 0);
+    boolean failed(int id, RpCause cause) {
+        return replaceOpen(id, message -> message.failed(cause));
     }
 
     /** References run from 0 to 255 and come round, so the newest that is not settled is meant. */
-    private boolean advance(int id, Delivery next, int parts) {
+    private boolean replaceOpen(int id, UnaryOperator<StoredMessage> next) {
         List<StoredMessage> messages = new ArrayList<>(in(Box.OUTBOX));
         for (int i = messages.size() - 1; i >= 0; i--) {
             StoredMessage message = messages.get(i);
             boolean open = message.delivery() == Delivery.SENDING || message.delivery() == Delivery.SENT;
             if (message.id() == id && open) {
-                messages.set(i, message.advanced(next, parts > 0 ? parts : message.parts()));
+                messages.set(i, next.apply(message));
                 boxes.put(Box.OUTBOX, List.copyOf(messages));
                 return true;
             }
         }
         return false;
+    }
+
+    /** The newest of one's own messages with this reference. */
+    Optional<StoredMessage> own(int id) {
+        List<StoredMessage> messages = in(Box.OUTBOX);
+        for (int i = messages.size() - 1; i >= 0; i--) {
+            if (messages.get(i).id() == id) {
+                return Optional.of(messages.get(i));
+            }
+        }
+        return Optional.empty();
     }
 
     /** Marks one as read. @param index counted from the oldest */
@@ -82,6 +97,13 @@ final class Mailbox {
 
     void markAllRead(Box box) {
         boxes.put(box, in(box).stream().map(StoredMessage::seen).toList());
+    }
+
+    void remove(Box box, StoredMessage message) {
+        int index = in(box).indexOf(message);
+        if (index >= 0) {
+            remove(box, index);
+        }
     }
 
     void remove(Box box, int index) {

@@ -25,11 +25,13 @@ public sealed interface Screen {
     /** Who is to get the text. */
     record Recipient(String number) implements Screen {}
 
+    /** A message just handed in, and how far it has got since; any key leads on. */
+    record Sent(StoredMessage message) implements Screen {}
+
     /** A short word from the phone; any key leads on. @param detail what it is about, a number or nothing */
     record Note(Kind kind, String detail) implements Screen {
         /** What is told. */
         public enum Kind {
-            SENDING,
             REFUSED,
             NOT_A_NUMBER,
             /** The network refused keys; the detail is the cause. */

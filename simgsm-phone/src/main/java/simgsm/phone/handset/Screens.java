@@ -4,6 +4,7 @@ import java.util.List;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Screen.Note;
+import simgsm.phone.handset.StoredMessage.Delivery;
 
 /** The way through menu, lists, messages and writing; everything but the home screen's number and call. */
 final class Screens {
@@ -33,6 +34,11 @@ final class Screens {
 
     /** The screen as it is now. */
     Screen current() {
+        if (current instanceof Screen.Sent sent) {
+            return mailbox.own(sent.message().id())
+                    .<Screen>map(Screen.Sent::new)
+                    .orElse(HOME);
+        }
         return current instanceof Screen.Writing ? writing() : current;
     }
 
@@ -105,6 +111,10 @@ final class Screens {
             inWriting(key, nowNanos);
         } else if (current instanceof Screen.Recipient to) {
             inRecipient(to, key);
+        } else if (current() instanceof Screen.Sent sent && key == PhoneKey.OK && isFailed(sent.message())) {
+            sendAgain(sent.message());
+        } else if (current instanceof Screen.Sent && key == PhoneKey.OK && mailbox.unread(Box.INBOX) > 0) {
+            open(Box.INBOX);
         } else {
             home();
         }
@@ -149,7 +159,7 @@ final class Screens {
                 }
             }
             case CALL -> {
-                if (size > 0) {
+                if (size > 0 && list.box() != Box.BROADCASTS) {
                     callParty(message(list.box(), list.selected()));
                 }
             }
@@ -190,7 +200,11 @@ final class Screens {
             case DOWN ->
                 current = new Screen.MessageView(
                         view.box(), view.selected(), Math.min(lastScroll(message), view.scroll() + 1));
-            case CALL -> callParty(message);
+            case CALL -> {
+                if (view.box() != Box.BROADCASTS) {
+                    callParty(message);
+                }
+            }
             case MESSAGE, OK -> answer(view.box(), message);
             case LEFT, MENU -> current = new Screen.MessageList(view.box(), view.selected());
             case HASH -> erase(view);
@@ -216,9 +230,23 @@ final class Screens {
     }
 
     private void answer(Box box, StoredMessage message) {
-        if (box != Box.BROADCASTS) {
+        if (isFailed(message)) {
+            sendAgain(message);
+        } else if (box != Box.BROADCASTS) {
             recipient = isNumber(message.party()) ? message.party() : "";
             write();
+        }
+    }
+
+    private static boolean isFailed(StoredMessage message) {
+        return message.delivery() == Delivery.FAILED;
+    }
+
+    /** The text goes out as a new message, which takes the failed one's place. */
+    private void sendAgain(StoredMessage failed) {
+        if (deeds.send(Msisdn.parse(failed.party()), failed.text())) {
+            mailbox.remove(Box.OUTBOX, failed);
+            current = new Screen.Sent(message(Box.OUTBOX, 0));
         }
     }
 
@@ -271,7 +299,7 @@ final class Screens {
         if (!isNumber(number)) {
             note(Note.Kind.NOT_A_NUMBER, number);
         } else if (deeds.send(Msisdn.parse(number), entry.text())) {
-            note(Note.Kind.SENDING, number);
+            current = new Screen.Sent(message(Box.OUTBOX, 0));
             entry.clear();
             recipient = "";
         }

@@ -98,7 +98,7 @@ final class StationEars implements StationListener {
 
     @Override
     public void messageFailed(int id, Msisdn to, RpCause cause) {
-        handset.messageFailed(id);
+        handset.messageFailed(id, cause);
         listener.messageFailed(to, cause);
         handset.checkSettled();
     }

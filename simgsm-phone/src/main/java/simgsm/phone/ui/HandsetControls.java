@@ -8,6 +8,11 @@ public interface HandsetControls {
 
     void keyUp(PhoneKey key);
 
+    /** The keyboard's Enter goes down; what it does depends on what is shown. */
+    void enterDown();
+
+    void enterUp();
+
     /** A character of the keyboard goes down. */
     void charDown(char character);
 

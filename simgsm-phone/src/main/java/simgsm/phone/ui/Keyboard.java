@@ -33,7 +33,10 @@ final class Keyboard {
         ActionMap actions = panel.getActionMap();
         actions.put("typed", action(keyboard::typed));
         actions.put("released", action(event -> keyboard.release()));
-        bind(inputs, actions, controls, PhoneKey.CALL, KeyEvent.VK_ENTER);
+        inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, false), "enter.down");
+        inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "enter.up");
+        actions.put("enter.down", action(event -> controls.enterDown()));
+        actions.put("enter.up", action(event -> controls.enterUp()));
         bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
         bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
         bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_BACK_SPACE);

@@ -1,8 +1,8 @@
 package simgsm.phone.ui;
 
 import java.util.Locale;
-import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.handset.Box;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
@@ -21,6 +21,7 @@ final class LcdHome {
     private static final int KEYED_SHOWN = 25;
     private static final int EARLIER_SHOWN = 5;
 
+    private static final double MEANING_SIZE = 12.5;
     private static final double CODEC_SIZE = 11;
     private static final double CODEC_GAP = 6;
 
@@ -51,18 +52,32 @@ final class LcdHome {
         pen.ink(Ink.LCD_INK);
         pen.centred(phone.own().digits(), pen.mono(28, true), 98);
         int unread = phone.unread();
+        int broadcasts = phone.unread(Box.BROADCASTS);
         if (unread > 0) {
-            pen.centred(texts.of("lcd.unread", unread), pen.sans(13, true), 128);
+            pen.centred(texts.of("lcd.unread", unread), pen.sans(13, true), 127);
         } else if (!phone.station().registered()) {
-            pen.centred(reason(phone), pen.sans(12.5, false), 128);
+            reason(pen, phone);
         }
-        hint(pen, texts.of("lcd.hint.rest"));
+        if (broadcasts > 0) {
+            pen.centred(texts.of("lcd.unread.broadcasts", broadcasts), pen.sans(13, true), 147);
+        }
+        hint(pen, texts.of(unread > 0 ? "lcd.hint.unread" : "lcd.hint.rest"));
+    }
+
+    /** In two lines where one does not hold it. */
+    private void reason(LcdPen pen, HandsetSnapshot phone) {
+        var font = pen.sans(12.5, false);
+        double baseline = 124;
+        for (String line : pen.wrap(reason(phone), font, LcdPen.WIDTH - 2 * LcdPen.MARGIN)) {
+            pen.centred(line.strip(), font, baseline);
+            baseline += 16;
+        }
     }
 
     private String reason(HandsetSnapshot phone) {
         return phone.station()
                 .rejectCause()
-                .map(cause -> texts.of("lcd.refused", cause.code()))
+                .map(cause -> CauseText.ofRefusal(texts, cause, phone.own()))
                 .orElseGet(() -> texts.of(phone.station().linkUp() ? "lcd.registering" : "lcd.nocenter"));
     }
 
@@ -78,18 +93,12 @@ final class LcdHome {
 
     private void ended(LcdPen pen, CallSnapshot call) {
         pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66);
-        pen.centred(causeInWords(call.ended().orElseThrow()), pen.sans(13, false), 88);
+        pen.centred(CauseText.of(texts, call.ended().orElseThrow()), pen.sans(13, false), 88);
         pen.ink(Ink.LCD_QUIET);
         String line = call.number() + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
         pen.centred(line.strip(), pen.mono(13, false), 112);
         pen.ink(Ink.LCD_INK);
         tone(pen, call.heard(), 140);
-    }
-
-    private String causeInWords(Cause cause) {
-        String key = "cause." + cause.code();
-        String words = texts.of(key);
-        return words.equals(key) ? cause.title() + " (" + cause.code() + ")" : words;
     }
 
     private void call(LcdPen pen, HandsetSnapshot phone) {
@@ -152,7 +161,10 @@ final class LcdHome {
         }
     }
 
-    /** The key that came back, as on a keycap, and its meaning; at the right those that came before it. */
+    /**
+     * The key that came back, as on a keycap, and quietly what it would mean from a robot, for nobody knows who keyed it; at
+     * the right those that came before it.
+     */
     private void tone(LcdPen pen, String heard, double baseline) {
         if (heard.isEmpty()) {
             return;
@@ -160,16 +172,18 @@ final class LcdHome {
         DtmfKey tone = DtmfKey.of(heard.charAt(heard.length() - 1));
         String symbol = String.valueOf(tone.symbol());
         pen.symbol(Symbol.LEFT, LcdPen.MARGIN + 4, baseline - 5, 13);
-        pen.inverse(symbol, pen.mono(15, true), LcdPen.MARGIN + 14, baseline, 20);
-        String meaning = ToneMeaning.textKey(tone).map(key -> texts.of(key)).orElse("");
-        var font = pen.sans(14, true);
+        pen.inverse(symbol, pen.mono(21, true), LcdPen.MARGIN + 14, baseline + 2, 26);
+        String meaning = ToneMeaning.textKey(tone)
+                .map(key -> texts.of("lcd.meaning", texts.of(key)))
+                .orElse("");
+        var font = pen.sans(MEANING_SIZE, false);
         String earlier = heard.substring(Math.max(0, heard.length() - 1 - EARLIER_SHOWN), heard.length() - 1);
         pen.ink(Ink.LCD_QUIET);
         pen.right(earlier, pen.mono(13, false), LcdPen.WIDTH - LcdPen.MARGIN, baseline);
-        pen.ink(Ink.LCD_INK);
-        double room = LcdPen.WIDTH - LcdPen.MARGIN - 58 - pen.width(pen.mono(13, false), earlier);
+        double room = LcdPen.WIDTH - LcdPen.MARGIN - 64 - pen.width(pen.mono(13, false), earlier);
         double natural = pen.width(font, meaning);
-        pen.left(meaning, natural > room ? pen.sans(14 * room / natural, true) : font, 50, baseline);
+        pen.left(meaning, natural > room ? pen.sans(MEANING_SIZE * room / natural, false) : font, 57, baseline);
+        pen.ink(Ink.LCD_INK);
     }
 
     static void hint(LcdPen pen, String text) {

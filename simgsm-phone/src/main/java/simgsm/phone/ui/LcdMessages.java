@@ -50,14 +50,17 @@ final class LcdMessages {
 
     private static String countOf(HandsetSnapshot phone, MenuItem item) {
         return switch (item) {
-            case INBOX ->
-                phone.unread() > 0
-                        ? phone.unread() + "/" + phone.inbox().size()
-                        : String.valueOf(phone.inbox().size());
-            case OUTBOX -> String.valueOf(phone.outbox().size());
-            case BROADCASTS -> String.valueOf(phone.broadcasts().size());
+            case INBOX -> countOf(phone, Box.INBOX);
+            case OUTBOX -> countOf(phone, Box.OUTBOX);
+            case BROADCASTS -> countOf(phone, Box.BROADCASTS);
             default -> "";
         };
+    }
+
+    private static String countOf(HandsetSnapshot phone, Box box) {
+        int unread = phone.unread(box);
+        int all = phone.in(box).size();
+        return unread > 0 ? unread + "/" + all : String.valueOf(all);
     }
 
     /** The bar of a chosen row. @return the ink to write the row with */
@@ -83,7 +86,14 @@ final class LcdMessages {
             entry(pen, messages.get(size - 1 - i), LIST_TOP + (i - first) * ROW_HEIGHT, i == list.selected());
         }
         pen.ink(Ink.LCD_INK);
-        LcdHome.hint(pen, texts.of(size == 0 ? "lcd.hint.empty" : "lcd.hint.list"));
+        LcdHome.hint(pen, texts.of(hintOf(list.box(), size)));
+    }
+
+    private static String hintOf(Box box, int size) {
+        if (size == 0) {
+            return "lcd.hint.empty";
+        }
+        return box == Box.BROADCASTS ? "lcd.hint.broadcasts" : "lcd.hint.list";
     }
 
     private void entry(LcdPen pen, StoredMessage message, double top, boolean chosen) {
@@ -131,8 +141,12 @@ final class LcdMessages {
 
     private String status(Box box, StoredMessage message) {
         return switch (box) {
-            case OUTBOX ->
-                texts.of("lcd.delivery." + message.delivery().name().toLowerCase(Locale.ROOT), message.parts());
+            case OUTBOX -> {
+                String state = CauseText.ofDelivery(texts, message);
+                yield message.delivery() == StoredMessage.Delivery.FAILED
+                        ? state + "   " + texts.of("lcd.hint.again")
+                        : state;
+            }
             case INBOX -> texts.of("lcd.hint.message");
             case BROADCASTS -> texts.of("lcd.hint.broadcast");
         };

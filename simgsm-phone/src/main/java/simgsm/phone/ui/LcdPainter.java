@@ -5,6 +5,7 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import simgsm.phone.handset.Box;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.Screen;
 import simgsm.ui.Drawing;
@@ -61,9 +62,12 @@ final class LcdPainter {
                 Ink.LCD_INK.color(),
                 Ink.LCD_GHOST.color());
         pen.ink(Ink.LCD_INK);
-        pen.left(serviceName(phone), pen.sans(12.5, true), 44, 24, 150);
+        pen.left(serviceName(phone), pen.sans(12.5, true), 44, 24, 138);
         if (phone.unread() > 0) {
             pen.symbol(Symbol.ENVELOPE, 212, 18.5, 15);
+        }
+        if (phone.unread(Box.BROADCASTS) > 0) {
+            pen.symbol(Symbol.BROADCAST, 193, 18.5, 15);
         }
         pen.right(CLOCK.format(now), pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 24);
         pen.ink(Ink.LCD_GHOST);
@@ -91,6 +95,8 @@ final class LcdPainter {
             writing.text(pen, text);
         } else if (screen instanceof Screen.Recipient recipient) {
             writing.recipient(pen, recipient);
+        } else if (screen instanceof Screen.Sent sent) {
+            writing.sent(pen, phone, sent.message());
         } else if (screen instanceof Screen.Note note) {
             writing.note(pen, note);
         } else {

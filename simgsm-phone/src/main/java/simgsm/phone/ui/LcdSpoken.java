@@ -40,6 +40,9 @@ final class LcdSpoken {
         if (screen instanceof Screen.Recipient recipient) {
             return texts.of("lcd.to") + " " + recipient.number();
         }
+        if (screen instanceof Screen.Sent sent) {
+            return CauseText.ofDelivery(texts, sent.message()) + news(phone);
+        }
         if (screen instanceof Screen.Note note) {
             return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), note.detail());
         }
@@ -60,15 +63,22 @@ final class LcdSpoken {
                         + messages.get(index).text();
     }
 
+    private String news(HandsetSnapshot phone) {
+        String messages = phone.unread() > 0 ? ", " + texts.of("lcd.unread", phone.unread()) : "";
+        int broadcasts = phone.unread(Box.BROADCASTS);
+        return broadcasts > 0 ? messages + ", " + texts.of("lcd.unread.broadcasts", broadcasts) : messages;
+    }
+
     private String home(HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
         if (call.phase() == CallPhase.NONE) {
-            return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() : phone.typed();
+            return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() + news(phone) : phone.typed();
         }
         String meaning = call.tone()
                 .flatMap(ToneMeaning::textKey)
-                .map(key -> ", " + texts.of(key))
+                .map(key -> " " + texts.of("lcd.meaning", texts.of(key)))
                 .orElse("");
-        return name("lcd.call.", call.phase()) + " " + call.number() + meaning;
+        String tone = call.tone().map(key -> ", " + key.symbol()).orElse("");
+        return name("lcd.call.", call.phase()) + " " + call.number() + tone + meaning;
     }
 }

@@ -2,7 +2,9 @@ package simgsm.phone.ui;
 
 import java.util.List;
 import java.util.Locale;
+import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.Screen;
+import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.TextEntry;
 import simgsm.sms.Alphabet;
 import simgsm.sms.MessageSplitter;
@@ -88,6 +90,25 @@ final class LcdWriting {
         pen.left(recipient.number(), font, LcdPen.MARGIN, 98);
         pen.fill(LcdPen.MARGIN + pen.width(font, recipient.number()) + 2, 77, 2, 25);
         LcdHome.hint(pen, texts.of("lcd.hint.recipient"));
+    }
+
+    /** The way of the message just written, and at the bottom what has come meanwhile. */
+    void sent(LcdPen pen, HandsetSnapshot phone, StoredMessage message) {
+        pen.ink(Ink.LCD_QUIET);
+        pen.centred(texts.of("lcd.to") + " " + message.party(), pen.mono(14, true), 62);
+        pen.ink(Ink.LCD_INK);
+        var font = pen.sans(15, true);
+        double baseline = 92;
+        for (String line : pen.wrap(CauseText.ofDelivery(texts, message), font, LcdPen.WIDTH - 2 * LcdPen.MARGIN)) {
+            pen.centred(line.strip(), font, baseline);
+            baseline += 20;
+        }
+        boolean failed = message.delivery() == StoredMessage.Delivery.FAILED;
+        if (phone.unread() > 0) {
+            pen.centred(texts.of("lcd.unread", phone.unread()), pen.sans(13, true), 140);
+        }
+        String hint = failed ? "lcd.hint.failed" : phone.unread() > 0 ? "lcd.hint.sent.unread" : "lcd.hint.note";
+        LcdHome.hint(pen, texts.of(hint));
     }
 
     void note(LcdPen pen, Screen.Note note) {

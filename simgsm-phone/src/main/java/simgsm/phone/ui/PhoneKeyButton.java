@@ -3,8 +3,10 @@ package simgsm.phone.ui;
 import java.awt.Cursor;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.event.KeyEvent;
 import java.util.Locale;
 import javax.swing.JButton;
+import javax.swing.KeyStroke;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Drawing;
 import simgsm.ui.Named;
@@ -30,7 +32,22 @@ final class PhoneKeyButton extends JButton {
         getModel().addChangeListener(event -> follow(controls));
         String description = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
         Named.name(this, nameOf(key), description);
-        setToolTipText(description);
+        setToolTipText(tip(texts, description));
+        // Enter is the keyboard's own key wherever the focus is; the space bar presses the key that has it.
+        getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, false), "none");
+        getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "none");
+    }
+
+    /** What the key is, and where the keyboard has it under another name. */
+    private String tip(Texts texts, String description) {
+        return switch (key) {
+            case CALL, OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
+            case END -> texts.of("key.tip", description, "Esc");
+            case MESSAGE -> texts.of("key.tip", description, "F2");
+            case MENU -> texts.of("key.tip", description, "F3");
+            case LEFT -> texts.of("key.tip", description, texts.of("keyboard.backspace"));
+            default -> description;
+        };
     }
 
     /** As tests find it: {@code key.5}, {@code key.call}. */

@@ -87,11 +87,89 @@ class HandsetMessagesTest {
         bench.tap(PhoneKey.FOUR, PhoneKey.FOUR, PhoneKey.FOUR, PhoneKey.OK);
         bench.tap(PhoneKey.FIVE, PhoneKey.FIVE, PhoneKey.OK);
         assertEquals(List.of("sms 55 Hi"), bench.station.asked);
-        assertEquals(
-                new Screen.Note(Screen.Note.Kind.SENDING, "55"),
-                bench.snapshot().screen());
+        assertEquals(Delivery.SENDING, shownDelivery(bench));
         bench.tap(PhoneKey.OK, PhoneKey.MESSAGE);
         assertEquals("", ((Screen.Writing) bench.snapshot().screen()).text());
+    }
+
+    private static Delivery shownDelivery(Bench bench) {
+        return ((Screen.Sent) bench.snapshot().screen()).message().delivery();
+    }
+
+    private static Bench sent() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK, PhoneKey.FIVE, PhoneKey.OK);
+        return bench;
+    }
+
+    @Test
+    void theDisplayFollowsAMessageOnItsWay() {
+        Bench bench = sent();
+        assertEquals(Delivery.SENDING, shownDelivery(bench));
+        bench.ears.messageSent(0, new Msisdn("5"), 1);
+        assertEquals(Delivery.SENT, shownDelivery(bench));
+        bench.ears.messageDelivered(0, new Msisdn("5"));
+        assertEquals(Delivery.DELIVERED, shownDelivery(bench));
+        bench.ears.messageReceived("5", "3 Done");
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Screen.MessageList(Box.INBOX, 0), bench.snapshot().screen());
+    }
+
+    @Test
+    void aFailedMessageIsSentAgainFromTheOutbox() {
+        Bench bench = sent();
+        bench.ears.messageFailed(0, new Msisdn("5"), RpCause.CONGESTION);
+        assertEquals(Delivery.FAILED, shownDelivery(bench));
+        assertEquals(
+                Optional.of(RpCause.CONGESTION),
+                bench.snapshot().outbox().get(0).cause());
+        bench.tap(PhoneKey.END, PhoneKey.UP, PhoneKey.OK, PhoneKey.OK);
+        assertEquals(List.of("sms 5 A", "sms 5 A"), bench.station.asked);
+        assertEquals(Delivery.SENDING, shownDelivery(bench));
+        assertEquals(1, bench.snapshot().outbox().size());
+    }
+
+    @Test
+    void enterOpensAnswersAndSendsButNeverCallsFromAList() {
+        Bench bench = new Bench();
+        bench.ears.messageReceived("5550200", "3 Done");
+        bench.tap(PhoneKey.DOWN);
+        for (int i = 0; i < 2; i++) {
+            enter(bench);
+        }
+        bench.handset.charDown('k', bench.nowNanos);
+        enter(bench);
+        enter(bench);
+        assertEquals(List.of("sms 5550200 k"), bench.station.asked);
+    }
+
+    @Test
+    void enterCallsTheNumberTypedAndTakesACall() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.FIVE);
+        enter(bench);
+        assertEquals(List.of("dial 5"), bench.station.asked);
+        Bench other = new Bench();
+        other.station.ring("5550101");
+        enter(other);
+        assertEquals(List.of("answer"), other.station.asked);
+    }
+
+    private static void enter(Bench bench) {
+        bench.handset.enterDown(bench.nowNanos);
+        bench.handset.enterUp(bench.nowNanos);
+    }
+
+    @Test
+    void aBroadcastIsAnnouncedAndNobodyCallsItsChannel() {
+        Bench bench = new Bench();
+        bench.ears.broadcastReceived(50, 1, "storm");
+        assertEquals(1, bench.snapshot().unread(Box.BROADCASTS));
+        bench.tap(PhoneKey.MENU, PhoneKey.FOUR, PhoneKey.CALL, PhoneKey.OK, PhoneKey.CALL);
+        assertEquals(
+                new Screen.MessageView(Box.BROADCASTS, 0, 0), bench.snapshot().screen());
+        assertEquals(0, bench.snapshot().unread(Box.BROADCASTS));
+        assertEquals(List.of(), bench.station.asked);
     }
 
     @Test

@@ -67,7 +67,7 @@ class KeyboardTest {
 
     @ParameterizedTest
     @CsvSource({
-        KeyEvent.VK_ENTER + ", CALL",
+        KeyEvent.VK_ENTER + ", ENTER",
         KeyEvent.VK_ESCAPE + ", END",
         KeyEvent.VK_BACK_SPACE + ", LEFT",
         KeyEvent.VK_UP + ", UP",
@@ -111,6 +111,21 @@ class KeyboardTest {
         assertEquals(
                 "a\u00f1\u00e7\u20ac\u20ac",
                 ((Screen.Writing) bench.bench.snapshot().screen()).text());
+    }
+
+    @Test
+    void enterIsTheKeyboardsOwnEvenWhereADigitKeyHasTheFocus() {
+        JComponent five = (JComponent) bench.find("key.5");
+        SwingUtilities.processKeyBindings(new KeyEvent(five, KeyEvent.KEY_PRESSED, 0, 0, KeyEvent.VK_ENTER, '\n'));
+        assertEquals(List.of("down ENTER"), bench.acts);
+    }
+
+    @Test
+    void tooltipsNameTheKeyboardsKeys() {
+        assertEquals("Write a message (F2)", ((JComponent) bench.find("key.message")).getToolTipText());
+        assertEquals("Menu (F3)", ((JComponent) bench.find("key.menu")).getToolTipText());
+        assertEquals("Hang up (Esc)", ((JComponent) bench.find("key.end")).getToolTipText());
+        assertEquals("Call (Enter)", ((JComponent) bench.find("key.call")).getToolTipText());
     }
 
     @Test

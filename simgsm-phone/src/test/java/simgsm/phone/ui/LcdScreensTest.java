@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.KeyMode;
 import simgsm.phone.handset.PhoneKey;
@@ -69,8 +70,25 @@ class LcdScreensTest {
         screens.put("writing, pending", with(bench -> bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO)));
         screens.put("recipient", with(bench -> bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK)));
         screens.put("note", with(bench -> bench.tap(PhoneKey.STAR, PhoneKey.CALL)));
+        screens.put("sent", sent());
+        screens.put("delivered", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK, PhoneKey.FIVE, PhoneKey.OK);
+        }));
+        screens.put("failed", failed());
+        screens.put("broadcast", with(bench -> bench.ears.broadcastReceived(50, 1, "storm")));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
+    }
+
+    private static Bench sent() {
+        return with(bench -> bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK, PhoneKey.FIVE, PhoneKey.OK));
+    }
+
+    private static Bench failed() {
+        Bench bench = sent();
+        bench.ears.messageFailed(0, new Msisdn("5"), RpCause.DESTINATION_OUT_OF_ORDER);
+        return bench;
     }
 
     private static Bench fullRate() {

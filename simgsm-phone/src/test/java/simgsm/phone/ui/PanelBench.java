@@ -85,6 +85,18 @@ final class PanelBench {
         }
 
         @Override
+        public void enterDown() {
+            acts.add("down ENTER");
+            bench.handset.enterDown(bench.nowNanos);
+        }
+
+        @Override
+        public void enterUp() {
+            acts.add("up ENTER");
+            bench.handset.enterUp(bench.nowNanos);
+        }
+
+        @Override
         public void charDown(char character) {
             acts.add("down " + character);
             bench.handset.charDown(character, bench.nowNanos);

@@ -1,0 +1,40 @@
+package simgsm.phone.ui;
+
+import java.util.Locale;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.phone.handset.StoredMessage;
+import simgsm.ui.Texts;
+
+/** Causes in words: the user's own where there are any, else the standard's. */
+final class CauseText {
+    private CauseText() {}
+
+    /** Why a call ended. */
+    static String of(Texts texts, Cause cause) {
+        return of(texts, cause.code(), cause.title());
+    }
+
+    /** Why the network does not register the phone. */
+    static String ofRefusal(Texts texts, RejectCause cause, Msisdn own) {
+        // The centre says "illegal MS" to a second phone that claims a number in use.
+        return cause == RejectCause.ILLEGAL_MS
+                ? texts.of("lcd.refused.taken", own.digits())
+                : texts.of("lcd.refused", cause.title());
+    }
+
+    /** How far a message of one's own has got, and why it failed. */
+    static String ofDelivery(Texts texts, StoredMessage message) {
+        String state = texts.of("lcd.delivery." + message.delivery().name().toLowerCase(Locale.ROOT), message.parts());
+        return message.cause()
+                .map(cause -> state + ": " + of(texts, cause.code(), cause.title()))
+                .orElse(state);
+    }
+
+    private static String of(Texts texts, int code, String title) {
+        String key = "cause." + code;
+        String words = texts.of(key);
+        return words.equals(key) ? title + " (" + code + ")" : words;
+    }
+}
