@@ -107,6 +107,9 @@ class CallsTest {
         alice.say("press **#**500**");
         alice.expectNext("tone", "key", "6");
         robot.expect("status", "value", "Moving");
+        while (robot.ask("pose", "pose").number("x") < 0.02) {
+            scenario.tell("not yet two centimetres");
+        }
         alice.say("hangup").expect("released", "cause", "16");
         robot.expectBefore(Set.of("status"), "released", "cause", "16");
         robot.expect("status", "value", "Stopped");

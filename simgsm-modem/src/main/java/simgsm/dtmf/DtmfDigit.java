@@ -34,4 +34,9 @@ public record DtmfDigit(
     public double frequencyErrorPercent() {
         return 100 * (Math.abs(rowError) > Math.abs(columnError) ? rowError : columnError);
     }
+
+    DtmfDigit withDuration(long samples) {
+        return new DtmfDigit(
+                key, decidedAtSample, startedAtSample, samples, rowDbm0, columnDbm0, rowError, columnError);
+    }
 }

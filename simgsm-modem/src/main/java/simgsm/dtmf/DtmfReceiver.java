@@ -1,31 +1,27 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+
 /**
- * Hears keys in 8 kHz, 16-bit mono speech, streaming: any chunk size, no allocation but the digits themselves. Owned by
- * one thread.
+ * Hears keys in 8 kHz, 16-bit mono speech (ITU-T Q.24), streaming: any chunk size, no allocation but the digits
+ * themselves. What it hears does not depend on how the stream is cut into chunks. Owned by one thread.
+ *
+ * <p>A sample's way: {@link ToneBank} (eight tones, every 2.5 ms), {@link ToneGate} (do two of them stand out?), {@link
+ * DigitTracker} (since when, is it a key, is it over?).
  */
 public final class DtmfReceiver {
-    private static final int HOP = 40;
-    private static final int WINDOW = 160;
-    private static final double FLOOR_DBM0 = -46;
+    /** Samples kept before those that wait: what the closest look needs, 90 ms of tone and 28 ms before it. */
+    private static final int KEPT = 1024;
 
-    private final DtmfListener listener;
-    private final short[] window = new short[WINDOW];
-    private final Goertzel[] rows = new Goertzel[4];
-    private final Goertzel[] columns = new Goertzel[4];
-    private long heard;
-    private int fill;
-    private DtmfKey candidate;
-    private int hits;
-    private int misses;
-    private DtmfDigit current;
+    private final short[] recent = new short[KEPT + ToneBank.HOP * ToneBank.MOST_HOPS];
+    private final ToneBank bank = new ToneBank();
+    private final ToneGate gate = new ToneGate();
+    final DigitTracker tracker;
+    private int waiting;
+    private long hopsDone;
 
     public DtmfReceiver(DtmfListener listener) {
-        this.listener = listener;
-        for (int i = 0; i < 4; i++) {
-            rows[i] = new Goertzel(DtmfKey.ROW_HERTZ[i]);
-            columns[i] = new Goertzel(DtmfKey.COLUMN_HERTZ[i]);
-        }
+        tracker = new DigitTracker(bank, recent, listener);
     }
 
     public void accept(short[] samples) {
@@ -34,108 +30,48 @@ public final class DtmfReceiver {
 
     /** The next {@code samples[from..to)} of the stream. */
     public void accept(short[] samples, int from, int to) {
-        for (int i = from; i < to; i++) {
-            shift(samples[i]);
+        int at = from;
+        while (at < to) {
+            int n = Math.min(to - at, recent.length - KEPT - waiting);
+            System.arraycopy(samples, at, recent, KEPT + waiting, n);
+            at += n;
+            waiting += n;
+            if (waiting >= ToneBank.HOP) {
+                hear(waiting / ToneBank.HOP);
+            }
         }
+    }
+
+    private void hear(int hops) {
+        bank.accept(recent, KEPT, hops);
+        gate.accept(bank, hopsDone, hops);
+        for (int b = 0; b < hops; b++) {
+            tracker.accept(hopsDone + b, ToneBank.HISTORY + b, KEPT + ToneBank.HOP * (b + 1), gate.key(b));
+        }
+        bank.shift(hops);
+        hopsDone += hops;
+        int used = hops * ToneBank.HOP;
+        System.arraycopy(recent, used, recent, 0, KEPT + waiting - used);
+        waiting -= used;
+    }
+
+    /** How many samples have come since the start or the last {@link #reset}. */
+    public long samplesHeard() {
+        return hopsDone * ToneBank.HOP + waiting;
     }
 
     /** The stream ends here: a key that still sounds ends, too. */
     public void finish() {
-        end();
+        tracker.finish();
     }
 
-    /** As new: a new call begins. */
+    /** As new: another stream begins. A key that sounds is forgotten. */
     public void reset() {
-        heard = 0;
-        fill = 0;
-        candidate = null;
-        current = null;
-        hits = 0;
-        misses = 0;
-        java.util.Arrays.fill(window, (short) 0);
-    }
-
-    private void shift(short sample) {
-        window[WINDOW - HOP + fill] = sample;
-        heard++;
-        if (++fill == HOP) {
-            fill = 0;
-            judge();
-            System.arraycopy(window, HOP, window, 0, WINDOW - HOP);
-        }
-    }
-
-    private void judge() {
-        DtmfKey key = keyInWindow();
-        hits = key != null && key == candidate ? hits + 1 : key == null ? 0 : 1;
-        candidate = key;
-        if (current != null && key == current.key()) {
-            misses = 0;
-        } else if (current != null && ++misses == 4) {
-            end();
-        }
-        if (current == null && hits == 3) {
-            decide();
-        }
-    }
-
-    private void decide() {
-        misses = 0;
-        int row = candidate.row();
-        int column = candidate.column();
-        current = new DtmfDigit(
-                candidate,
-                heard,
-                heard - WINDOW - HOP,
-                WINDOW + HOP,
-                ToneLevel.dbm0(rows[row].amplitude()),
-                ToneLevel.dbm0(columns[column].amplitude()),
-                0,
-                0);
-        listener.keyDecided(current);
-    }
-
-    private void end() {
-        if (current == null) {
-            return;
-        }
-        DtmfDigit ended = current;
-        current = null;
-        listener.keyEnded(new DtmfDigit(
-                ended.key(),
-                ended.decidedAtSample(),
-                ended.startedAtSample(),
-                Math.max(0, heard - misses * HOP - ended.startedAtSample()),
-                ended.rowDbm0(),
-                ended.columnDbm0(),
-                ended.rowError(),
-                ended.columnError()));
-    }
-
-    private DtmfKey keyInWindow() {
-        double total = 0;
-        for (short sample : window) {
-            total += (double) sample * sample;
-        }
-        int row = strongest(rows);
-        int column = strongest(columns);
-        double low = rows[row].amplitude();
-        double high = columns[column].amplitude();
-        boolean loud = ToneLevel.dbm0(low) > FLOOR_DBM0 && ToneLevel.dbm0(high) > FLOOR_DBM0;
-        boolean balanced = high < 4 * low && low < 4 * high;
-        boolean pure = (low * low + high * high) * WINDOW / 2 > 0.6 * total;
-        return loud && balanced && pure ? DtmfKey.at(row, column) : null;
-    }
-
-    private int strongest(Goertzel[] group) {
-        int best = 0;
-        for (int i = 0; i < 4; i++) {
-            group[i].reset();
-            group[i].accept(window, 0, WINDOW);
-            if (group[i].energy() > group[best].energy()) {
-                best = i;
-            }
-        }
-        return best;
+        bank.clear();
+        gate.clear();
+        Arrays.fill(recent, (short) 0);
+        tracker.reset();
+        waiting = 0;
+        hopsDone = 0;
     }
 }

@@ -111,6 +111,29 @@ class ModemMainTest {
     }
 
     @Test
+    void shortMessagesAreEncodedAPartALineAndDecodedInWords() {
+        assertEquals(0, run("pdu", "encode", "hellohello"));
+        assertEquals("0,0,10,e8329bfd4697d9ec37\n", out());
+        assertEquals(0, run("pdu", "encode", "--ref", "a7", "x".repeat(161)));
+        String[] parts = out().split("\n");
+        assertEquals(2, parts.length);
+        assertTrue(parts[0].startsWith("1,0,160,050003a70201"), parts[0]);
+        assertTrue(parts[1].startsWith("1,0,15,050003a70202"), parts[1]);
+        assertEquals(0, run("pdu", "decode", "01000B912143658709F200000AE8329BFD4697D9EC37"));
+        assertTrue(out().contains("hellohello"), out());
+    }
+
+    @Test
+    void aBrokenPduIsExplainedAndEndsWith1() {
+        assertEquals(1, run("pdu", "decode", "0"));
+        assertEquals(1, run("pdu", "decode", "01"));
+        assertTrue(err().startsWith("simgsm-modem: pdu decode: "), err());
+        assertEquals("", out());
+        assertEquals(2, run("pdu", "encode", "--ref", "xyz", "text"));
+        assertEquals(2, run("pdu", "shout", "text"));
+    }
+
+    @Test
     void gsmFilesThatAreDamagedEndWith1() throws IOException {
         Files.write(folder.resolve("a.gsm"), new byte[33]);
         assertEquals(1, run("gsm", "decode", file("a.gsm"), file("a.wav")));

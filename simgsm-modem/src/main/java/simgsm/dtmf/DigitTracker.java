@@ -1,0 +1,168 @@
+package simgsm.dtmf;
+
+/** Follows the keys that stand out from hop to hop: when one is certain, and when its tone is over. */
+final class DigitTracker {
+    /**
+     * How long a tone must have sounded up to the middle of the newest hop, 25.5 ms: its last 2.5 ms are still to come, so
+     * a key is decided at 28 to 31 ms. Tones of 23 ms must not count, those of 35 ms and more must.
+     */
+    private static final double LEAST_HOPS = 10.2;
+    /** A key must have stood out so often before it is worth a closer look. */
+    private static final int LEAST_RUN = 4;
+    /** One that has stood out for longer and is no key yet is looked at every fourth hop only. */
+    private static final int OFTEN = 12;
+    /** Hops without its standing out that a run survives. */
+    private static final int MOST_MISSED = 2;
+    /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
+    private static final double END = 4.5;
+    /** A tone that begins so soon after a key's, 60 ms, finds it still in the spectrum of the time before. */
+    private static final int SOON_HOPS = 24;
+
+    private final ToneBank bank;
+    private final short[] recent;
+    private final DtmfListener listener;
+    final ToneFit fit = new ToneFit();
+    final ToneJudge judge = new ToneJudge();
+
+    private int runKey;
+    private int run;
+    private int missed;
+
+    private DtmfDigit current;
+    /** One over the likeness of the tone itself. */
+    private double perLevel;
+
+    private double silence;
+    private long lastSounding;
+    private DtmfKey ended;
+    /** Hop up to which sound belongs to the key that ended last. */
+    private long barrier;
+
+    static java.util.function.BiConsumer<DigitTracker, Long> PROBE;
+    int probeEnd;
+
+    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener) {
+        this.bank = bank;
+        this.recent = recent;
+        this.listener = listener;
+    }
+
+    /**
+     * @param hop counted from the stream's start
+     * @param at the hop's index in the bank
+     * @param end index just behind the hop's last sample
+     * @param key that stands out, as its ordinal, or -1
+     */
+    void accept(long hop, int at, int end, int key) {
+        if (current != null) {
+            follow(hop, at);
+        }
+        if (key < 0) {
+            if (++missed > MOST_MISSED) {
+                run = 0;
+            }
+            return;
+        }
+        run = key == runKey ? run + 1 : 1;
+        runKey = key;
+        missed = 0;
+        boolean due = run >= LEAST_RUN && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
+        if (due && (current == null || current.key().ordinal() != key)) {
+            consider(hop, at, end);
+        }
+    }
+
+    private void consider(long hop, int at, int end) {
+        int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
+        DtmfKey rival = current == null ? null : current.key();
+        if (fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS)) {
+            if (PROBE != null) {
+                probeEnd = end;
+                PROBE.accept(this, hop);
+            }
+            if (!isTail(hop) && judge.accepts(fit, recent, end, followsKey(hop))) {
+                decide(hop);
+            }
+        }
+    }
+
+    boolean followsKey(long hop) {
+        return current != null || ended != null && hop - fit.sinceOnset - barrier < SOON_HOPS;
+    }
+
+    /** An echo: the key that ended last goes on, weaker, without a pause. */
+    private boolean isTail(long hop) {
+        return current == null && ended != null && ended.ordinal() == runKey && fit.open;
+    }
+
+    short[] recent() {
+        return recent;
+    }
+
+    private void decide(long hop) {
+        if (current != null) {
+            lastSounding = Math.min(hop, Math.round(hop - fit.sinceOnset));
+            end();
+        }
+        long now = ToneBank.HOP * (hop + 1);
+        long start = Math.round(ToneBank.HOP * (hop - fit.sinceOnset));
+        current = new DtmfDigit(
+                DtmfKey.at(fit.row, fit.column),
+                now,
+                start,
+                now - start,
+                ToneLevel.dbm0(fit.amplitude[0]),
+                ToneLevel.dbm0(fit.amplitude[1]),
+                fit.error[0],
+                fit.error[1]);
+        double both = fit.amplitude[0] * fit.amplitude[1];
+        double leak = ToneBank.leakBetween(fit.row, 4 + fit.column);
+        perLevel = 1 / (both * both * Math.pow(1 - leak * leak, 4));
+        silence = 0;
+        lastSounding = hop;
+        listener.keyDecided(current);
+    }
+
+    /** Does the key that was decided still sound? */
+    private void follow(long hop, int at) {
+        int row = current.key().row();
+        int column = 4 + current.key().column();
+        double leak = ToneBank.leakBetween(row, column);
+        double rowRe = bank.real[row][at] - leak * bank.real[column][at];
+        double rowIm = bank.imaginary[row][at] - leak * bank.imaginary[column][at];
+        double columnRe = bank.real[column][at] - leak * bank.real[row][at];
+        double columnIm = bank.imaginary[column][at] - leak * bank.imaginary[row][at];
+        double power = (rowRe * rowRe + rowIm * rowIm) * (columnRe * columnRe + columnIm * columnIm);
+        double likeness = power * perLevel;
+        silence = Math.max(0, silence + 0.5 - ToneFit.sounding(likeness));
+        if (likeness > ToneFit.HALF) {
+            lastSounding = hop;
+        }
+        if (silence >= END) {
+            end();
+        }
+    }
+
+    private void end() {
+        DtmfDigit digit = current;
+        current = null;
+        ended = digit.key();
+        barrier = lastSounding;
+        long duration = Math.max(0, ToneBank.HOP * lastSounding - digit.startedAtSample());
+        listener.keyEnded(digit.withDuration(duration));
+    }
+
+    void finish() {
+        if (current != null) {
+            end();
+        }
+    }
+
+    void reset() {
+        current = null;
+        ended = null;
+        run = 0;
+        missed = 0;
+        barrier = 0;
+    }
+}

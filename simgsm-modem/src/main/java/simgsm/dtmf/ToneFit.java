@@ -1,0 +1,307 @@
+package simgsm.dtmf;
+
+/**
+ * One row's and one column's tone looked at closely, hop by hop back in time: since when they sound, how loud, how far
+ * off their frequency, how steady. Index 0 of the arrays is the row's tone, 1 the column's.
+ */
+final class ToneFit {
+    /** How far back it looks: 90 ms. */
+    static final int SPAN = 36;
+
+    private static final int ROW = 0;
+    private static final int COLUMN = 1;
+    /** For frequency and steadiness the newest 40 ms count: some codecs need time to settle on a tone. */
+    private static final int LISTENED = 16;
+    /** Hops whose median is the tone's amplitude, to begin with. */
+    private static final int REFERENCE = 8;
+    /** A pause of the length that ends a digit, in half hops: what lies before it is another tone. */
+    private static final double PAUSE = 4.5;
+    /** The likeness of a quarter, half and three quarters of the amplitude. */
+    private static final double QUARTER = 1 / 256.0;
+
+    static final double HALF = 1 / 16.0;
+    private static final double THREE_QUARTERS = 81 / 256.0;
+    /** 9 dB in each tone. */
+    private static final float FAR_WEAKER = 1 / 64f;
+
+    /** Farther off than this it is no key's tone; half-way between what Q.24 accepts (1.8 %) and rejects (3 %). */
+    private static final double MOST_ERROR = 0.024;
+    /** One turn in steps of a tone's phase from hop to hop, for all tones are whole numbers of hertz. */
+    private static final double[] TURN_COSINE = new double[ToneBank.HOPS_PER_SECOND];
+
+    private static final double[] TURN_SINE = new double[ToneBank.HOPS_PER_SECOND];
+
+    static {
+        for (int i = 0; i < ToneBank.HOPS_PER_SECOND; i++) {
+            TURN_COSINE[i] = Math.cos(2 * Math.PI * i / ToneBank.HOPS_PER_SECOND);
+            TURN_SINE[i] = Math.sin(2 * Math.PI * i / ToneBank.HOPS_PER_SECOND);
+        }
+    }
+
+    /** Peak, in sample units. */
+    final double[] amplitude = new double[2];
+
+    final double[] hertz = new double[2];
+    /** Frequency error as a fraction. */
+    final double[] error = new double[2];
+    /** Share of the energy near the tone that adds up in one phase; 1 for a steady tone alone. */
+    final double[] coherence = new double[2];
+    /** The same under a smoother window, which keeps tones 200 Hz and more away out of it. */
+    final double[] steadiness = new double[2];
+    /** Largest over smallest amplitude. */
+    final double[] ripple = new double[2];
+
+    int row;
+    int column;
+    /** Where the tones began, in hops before the newest, with a fraction. */
+    double sinceOnset;
+    /** They sounded for all the time that could be looked at. */
+    boolean open;
+
+    private int hops;
+    private final double[][] re = new double[2][SPAN];
+    private final double[][] im = new double[2][SPAN];
+    private final double[][] power = new double[2][SPAN];
+    /** Product of both tones' powers over that of the tone's own: the fourth power of their mean amplitude's ratio. */
+    private final double[] likeness = new double[SPAN];
+
+    private final double[] smoothRe = new double[SPAN];
+    private final double[] smoothIm = new double[SPAN];
+    private final double[] sorted = new double[REFERENCE];
+
+    private double leak;
+    private double scale;
+
+    /**
+     * Looks at the tones of one key.
+     *
+     * @param newest index of the newest hop in the bank
+     * @param hopNumber the newest hop counted from the stream's start
+     * @param reach how many hops back it may look at most
+     * @param rival a key that sounded just before, perhaps with no pause between, or null
+     * @param leastHops how long the tones must have sounded
+     * @return whether they did, sound still, and are on frequency; only then the fields hold
+     */
+    boolean measure(ToneBank bank, int newest, long hopNumber, int reach, int key, DtmfKey rival, double leastHops) {
+        row = key / 4;
+        column = key % 4;
+        leak = ToneBank.leakBetween(row, 4 + column);
+        scale = 1 / (1 - leak * leak);
+        int most = Math.min(SPAN, reach);
+        if (most < REFERENCE) {
+            return false;
+        }
+        if (isTooEarly(bank, newest, (int) leastHops)) {
+            return false;
+        }
+        double reference = reference(bank, newest);
+        findOnset(bank, newest, most, rival, reference);
+        if (sinceOnset < leastHops || likeness[0] <= HALF) {
+            return false;
+        }
+        return tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
+                && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
+    }
+
+    /** A glance that saves the closer look: so long ago the tones were far weaker than a moment ago. */
+    private boolean isTooEarly(ToneBank bank, int newest, int hops) {
+        float now = bank.power(row, newest - 2) * bank.power(4 + column, newest - 2);
+        return bank.power(row, newest - hops) * bank.power(4 + column, newest - hops) < FAR_WEAKER * now;
+    }
+
+    private double reference(ToneBank bank, int newest) {
+        for (int i = 0; i < REFERENCE; i++) {
+            separate(bank, newest - i, i);
+        }
+        return median(power[ROW]) * median(power[COLUMN]);
+    }
+
+    /** Of eight, by sorting as they come. */
+    private double median(double[] values) {
+        for (int i = 0; i < REFERENCE; i++) {
+            double value = values[i];
+            int at = i;
+            for (; at > 0 && sorted[at - 1] > value; at--) {
+                sorted[at] = sorted[at - 1];
+            }
+            sorted[at] = value;
+        }
+        return (sorted[REFERENCE / 2 - 1] + sorted[REFERENCE / 2]) / 2;
+    }
+
+    /** Each tone without what the other leaks into it. */
+    private void separate(ToneBank bank, int at, int i) {
+        double rowRe = bank.real[row][at];
+        double rowIm = bank.imaginary[row][at];
+        double columnRe = bank.real[4 + column][at];
+        double columnIm = bank.imaginary[4 + column][at];
+        put(ROW, i, scale * (rowRe - leak * columnRe), scale * (rowIm - leak * columnIm));
+        put(COLUMN, i, scale * (columnRe - leak * rowRe), scale * (columnIm - leak * rowIm));
+    }
+
+    private void put(int tone, int i, double x, double y) {
+        re[tone][i] = x;
+        im[tone][i] = y;
+        power[tone][i] = x * x + y * y;
+    }
+
+    /**
+     * The tones belong to the run of newest hops in which they sound more than they do not, by as much as can be had.
+     * Short interruptions are bridged so, if more of the tone lies before them.
+     */
+    private void findOnset(ToneBank bank, int newest, int most, DtmfKey rival, double reference) {
+        double perReference = 1 / reference;
+        double sum = 0;
+        double best = 0;
+        hops = 0;
+        int i = 0;
+        for (; i < most && sum > best - PAUSE; i++) {
+            if (i >= REFERENCE) {
+                separate(bank, newest - i, i);
+            }
+            likeness[i] = isRivals(bank, newest - i, rival) ? 0 : power[ROW][i] * power[COLUMN][i] * perReference;
+            sum += sounding(likeness[i]) - 0.5;
+            if (sum > best) {
+                best = sum;
+                hops = i + 1;
+            }
+        }
+        open = hops >= most - 1;
+        double fraction = 0.5;
+        if (hops > 0 && hops < i && likeness[hops] < likeness[hops - 1]) {
+            double inside = amplitudeRatio(likeness[hops - 1]);
+            fraction = (inside - 0.5) / (inside - amplitudeRatio(likeness[hops]));
+        }
+        sinceOnset = hops - 1 + Math.max(0, Math.min(1, fraction));
+    }
+
+    private static double amplitudeRatio(double likeness) {
+        return Math.sqrt(Math.sqrt(likeness));
+    }
+
+    /** Evidence that the tones sound, 0 to 1: twice the amplitude's ratio less a half. */
+    static double sounding(double likeness) {
+        if (likeness >= THREE_QUARTERS) {
+            return 1;
+        }
+        return likeness <= QUARTER ? 0 : 2 * amplitudeRatio(likeness) - 0.5;
+    }
+
+    /** A key that sounds leaks into the tones next to its own, where it must not be taken for theirs. */
+    private boolean isRivals(ToneBank bank, int at, DtmfKey rival) {
+        return rival != null
+                && bank.power(rival.row(), at) * bank.power(4 + rival.column(), at)
+                        > bank.power(row, at) * bank.power(4 + column, at);
+    }
+
+    /** Frequency and steadiness of one tone. @return whether it is on frequency */
+    private boolean tune(int tone, int nominalHertz, long hopNumber) {
+        int n = Math.min(hops, LISTENED);
+        amplitude[tone] = Math.sqrt(intoStep(tone, nominalHertz, hopNumber, n));
+        smooth(tone, n);
+        double turn = turn(n, 2, 0);
+        turn = turn(n, Math.max(3, n / 2), turn);
+        double deviation = turn * ToneBank.HOPS_PER_SECOND / (2 * Math.PI);
+        hertz[tone] = nominalHertz + deviation;
+        error[tone] = deviation / nominalHertz;
+        if (Math.abs(error[tone]) > MOST_ERROR) {
+            return false;
+        }
+        amplitude[tone] /= ToneBank.leak(deviation);
+        coherence[tone] = coherence(re[tone], im[tone], turn, 0, n);
+        steadiness[tone] = coherence(smoothRe, smoothIm, turn, 1, n - 1);
+        ripple[tone] = ripple(power[tone], n);
+        return true;
+    }
+
+    /** Stops the nominal tone's turning. @return mean square amplitude */
+    private double intoStep(int tone, int nominalHertz, long hopNumber, int n) {
+        double energy = 0;
+        int used = 0;
+        for (int i = 0; i < n; i++) {
+            int turn = (int) ((hopNumber - i) * nominalHertz % ToneBank.HOPS_PER_SECOND);
+            double c = TURN_COSINE[turn];
+            double s = TURN_SINE[turn];
+            double x = re[tone][i] * c + im[tone][i] * s;
+            im[tone][i] = im[tone][i] * c - re[tone][i] * s;
+            re[tone][i] = x;
+            if (likeness[i] > HALF) {
+                energy += power[tone][i];
+                used++;
+            }
+        }
+        return energy / used;
+    }
+
+    private void smooth(int tone, int n) {
+        double[] x = re[tone];
+        double[] y = im[tone];
+        for (int i = 1; i < n - 1; i++) {
+            smoothRe[i] = 0.25 * (x[i - 1] + 2 * x[i] + x[i + 1]);
+            smoothIm[i] = 0.25 * (y[i - 1] + 2 * y[i] + y[i + 1]);
+        }
+    }
+
+    /** Radians per hop, from the smooth hops' phase over a lag, near an earlier estimate. */
+    private double turn(int n, int lag, double near) {
+        double x = 0;
+        double y = 0;
+        for (int i = 1; i + lag < n - 1; i++) {
+            if (likeness[i] > HALF && likeness[i + lag] > HALF) {
+                x += smoothRe[i] * smoothRe[i + lag] + smoothIm[i] * smoothIm[i + lag];
+                y += smoothIm[i] * smoothRe[i + lag] - smoothRe[i] * smoothIm[i + lag];
+            }
+        }
+        double c = Math.cos(near * lag);
+        double s = Math.sin(near * lag);
+        return near + Math.atan2(y * c - x * s, x * c + y * s) / lag;
+    }
+
+    private double coherence(double[] xs, double[] ys, double turn, int from, int to) {
+        double stepCosine = Math.cos(turn);
+        double stepSine = Math.sin(turn);
+        double c = 1;
+        double s = 0;
+        double x = 0;
+        double y = 0;
+        double energy = 0;
+        int used = 0;
+        for (int i = from; i < to; i++) {
+            if (likeness[i] > HALF) {
+                x += xs[i] * c - ys[i] * s;
+                y += ys[i] * c + xs[i] * s;
+                energy += xs[i] * xs[i] + ys[i] * ys[i];
+                used++;
+            }
+            double next = c * stepCosine - s * stepSine;
+            s = s * stepCosine + c * stepSine;
+            c = next;
+        }
+        return energy == 0 ? 0 : (x * x + y * y) / (used * energy);
+    }
+
+    private double ripple(double[] powers, int n) {
+        double largest = 0;
+        double smallest = Double.MAX_VALUE;
+        for (int i = 1; i < n - 1; i++) {
+            if (likeness[i] > HALF) {
+                largest = Math.max(largest, powers[i]);
+                smallest = Math.min(smallest, powers[i]);
+            }
+        }
+        return Math.sqrt(largest / smallest);
+    }
+
+    /** In decibels, high group over low. */
+    double twist() {
+        return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
+    }
+
+    double worstError() {
+        return Math.max(Math.abs(error[ROW]), Math.abs(error[COLUMN]));
+    }
+
+    double worstCoherence() {
+        return Math.min(coherence[ROW], coherence[COLUMN]);
+    }
+}
