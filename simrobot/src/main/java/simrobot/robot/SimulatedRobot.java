@@ -148,10 +148,7 @@ public final class SimulatedRobot implements Robot {
         return errand != null;
     }
 
-    /**
-     * The drive for whoever steers directly: targets set here take effect in the next step, if the robot has motors and
-     * is under no order. Motion shows in the status as any other.
-     */
+    /** For whoever steers directly: targets hold from the next step, if it has motors and is under no order. */
     public Drive drive() {
         return driven.drive();
     }
