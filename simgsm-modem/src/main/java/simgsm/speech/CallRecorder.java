@@ -2,6 +2,7 @@ package simgsm.speech;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -44,7 +45,13 @@ public final class CallRecorder implements CallTap {
      * @throws IOException if the file cannot be written
      */
     public static CallRecorder open(Path path) throws IOException {
-        return new CallRecorder(path, new WavWriter(path, CHANNELS));
+        try {
+            return new CallRecorder(path, new WavWriter(path, CHANNELS));
+        } catch (FileSystemException e) {
+            throw e; // Names the file already.
+        } catch (IOException e) {
+            throw new IOException(path + ": " + e.getMessage(), e);
+        }
     }
 
     @Override
