@@ -38,9 +38,6 @@ final class DigitTracker {
     /** Hop up to which sound belongs to the key that ended last. */
     private long barrier;
 
-    static java.util.function.BiConsumer<DigitTracker, Long> PROBE;
-    int probeEnd;
-
     DigitTracker(ToneBank bank, short[] recent, DtmfListener listener) {
         this.bank = bank;
         this.recent = recent;
@@ -76,10 +73,6 @@ final class DigitTracker {
         int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
         DtmfKey rival = current == null ? null : current.key();
         if (fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS)) {
-            if (PROBE != null) {
-                probeEnd = end;
-                PROBE.accept(this, hop);
-            }
             if (!isTail(hop) && judge.accepts(fit, recent, end, followsKey(hop))) {
                 decide(hop);
             }

@@ -3,7 +3,6 @@ package simgsm.dtmf;
 /** Decides whether two tones that stand out are a key's, from how they sound and what else sounds beside them. */
 final class ToneJudge {
     final Residue residue = new Residue();
-    String why = "";
 
     private static double square(double x) {
         return x * x;
@@ -11,10 +10,10 @@ final class ToneJudge {
 
     /** @param end just behind the newest sample */
     boolean accepts(ToneFit fit, short[] samples, int end, boolean afterKey) {
-        why = reason(fit, samples, end, afterKey);
-        return !why.isEmpty();
+        return !reason(fit, samples, end, afterKey).isEmpty();
     }
 
+    /** The name of the rule that accepts; empty if none does. */
     private String reason(ToneFit fit, short[] samples, int end, boolean afterKey) {
         double e = 100 * fit.worstError();
         double coh = fit.worstCoherence();
