@@ -27,6 +27,8 @@ class SmppOrdersTest {
                 SmppApplication.Delivery receipt = application.await(true);
                 assertTrue(receipt.text().startsWith("id:" + id + " sub:001 dlvrd:001 "), receipt.text());
                 assertTrue(receipt.text().contains(" stat:DELIVRD err:000 "), receipt.text());
+                scenario.tell("the message is delivered before the robot has arrived: the next order waits for that");
+                robot.expect("reply", "to", SERVICE);
             }
             scenario.tell("another session of the application gets what the first one may have missed");
             try (SmppApplication application = application(scenario, "", SERVICE)) {
