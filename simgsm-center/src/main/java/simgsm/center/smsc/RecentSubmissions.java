@@ -19,12 +19,16 @@ final class RecentSubmissions {
     static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
     static final int MAX_REMEMBERED = 20_000;
 
+    /** Whoever has sent so many others since means a new message: references come round after 256. */
+    static final int MOST_SINCE = 128;
+
     /** The ticket of a submission that was answered in an earlier life. */
     private static final long STORED = 0;
 
     private record Key(Msisdn from, Msisdn to, int reference, UserData userData) {}
 
-    private record Remembered(long ticket, long submittedNanos) {}
+    /** @param place how many its sender had sent before it */
+    private record Remembered(long ticket, long submittedNanos, long place) {}
 
     private final Map<Key, Remembered> recent = new LinkedHashMap<>() {
         @Override
@@ -33,12 +37,21 @@ final class RecentSubmissions {
         }
     };
 
+    /** How many messages each sender has sent. */
+    private final Map<Msisdn, Long> sent = new LinkedHashMap<>() {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Msisdn, Long> eldest) {
+            return size() > MAX_REMEMBERED;
+        }
+    };
+
     /** The ticket of the submission that this one repeats, if it says that it may be a repetition and is one. */
     Optional<Long> original(Msisdn from, Msisdn to, SubmitTpdu submit, long nowNanos) {
         Remembered found = submit.rejectDuplicates() ? recent.get(key(from, to, submit)) : null;
-        return found == null || nowNanos - found.submittedNanos > REMEMBERED_NANOS
-                ? Optional.empty()
-                : Optional.of(found.ticket);
+        boolean isTooOld = found == null
+                || nowNanos - found.submittedNanos > REMEMBERED_NANOS
+                || sent.getOrDefault(from, 0L) - found.place > MOST_SINCE;
+        return isTooOld ? Optional.empty() : Optional.of(found.ticket);
     }
 
     /** @param messages accepted in an earlier life, oldest first */
@@ -53,8 +66,9 @@ final class RecentSubmissions {
 
     void remember(Msisdn from, Msisdn to, SubmitTpdu submit, long ticket, long nowNanos) {
         Key key = key(from, to, submit);
+        long place = sent.merge(from, 1L, Long::sum);
         recent.remove(key);
-        recent.put(key, new Remembered(ticket, nowNanos));
+        recent.put(key, new Remembered(ticket, nowNanos, place));
     }
 
     /** The submission came to nothing; a repetition is welcome. */

@@ -13,7 +13,7 @@ import simgsm.sms.UserData;
  * @param id given by the centre, unique and rising
  * @param from the number that the network vouches for
  * @param submit the SUBMIT as it came (TS 23.040, 9.2.2.2)
- * @param acceptedAt the service centre time stamp
+ * @param acceptedAt the service centre time stamp; a few seconds late where many messages alike came at once
  * @param expiresAt end of the validity period
  * @param esme empty for a message from a mobile
  */
@@ -28,6 +28,10 @@ public record ShortMessage(
     /** A mobile's message. */
     public ShortMessage(long id, Msisdn from, Msisdn to, OctetString submit, Instant acceptedAt, Instant expiresAt) {
         this(id, from, to, submit, acceptedAt, expiresAt, Optional.empty());
+    }
+
+    ShortMessage stampedAt(Instant stamp) {
+        return new ShortMessage(id, from, to, submit, stamp, expiresAt, esme);
     }
 
     /** What the receiver is shown as the sender. */

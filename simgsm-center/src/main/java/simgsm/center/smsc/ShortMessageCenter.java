@@ -47,6 +47,7 @@ public final class ShortMessageCenter {
     private final Map<Long, Envelope.Report> reports = new HashMap<>();
 
     private final RecentSubmissions recent = new RecentSubmissions();
+    private final TimeStamps stamps = new TimeStamps();
     private int waitingCount;
     private long nextId = 1;
     private long nextTicket = 1;
@@ -67,6 +68,7 @@ public final class ShortMessageCenter {
     public void restore(Restored restored) {
         nextId = restored.lastId() + 1;
         recent.restore(restored.recent(), now(), timers.nowNanos());
+        stamps.restore(restored.recent());
         restored.waiting().forEach(message -> enqueue(new Envelope.Delivery(message)));
         for (Restored.Unreported each : restored.unreported()) {
             report(reportOf(each.message(), each.ended().state(), each.ended().at()));
@@ -93,7 +95,7 @@ public final class ShortMessageCenter {
             answerAs(original.get(), answer);
         } else if (hasRoomFor(message.to())) {
             recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
-            commit(message, answer);
+            commit(message.stampedAt(stamps.stamp(message.sender(), message.to(), unit, now())), answer);
         } else {
             answer.accept(Optional.of(RpCause.CONGESTION));
         }
@@ -120,7 +122,7 @@ public final class ShortMessageCenter {
                             from,
                             to,
                             TpduCodec.encode(submit),
-                            now,
+                            stamps.stamp(origin.source(), to, submit, now),
                             expiresAt.orElse(now.plus(DEFAULT_VALIDITY)),
                             Optional.of(origin)),
                     answer);

@@ -222,6 +222,33 @@ class ShortMessageCenterTest {
     }
 
     @Test
+    void aReferenceThatHasComeRoundIsNoRepetition() {
+        submit("hello");
+        for (int i = 0; i < RecentSubmissions.MOST_SINCE; i++) {
+            submit("other");
+        }
+        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        assertTrue(tickets.isEmpty(), "a repetition, if barely");
+        submit("one more");
+        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        assertEquals(1, tickets.size());
+    }
+
+    @Test
+    void twoTextsAlikeInOneSecondDifferInTheirTimeStampThoughTheCentreStartedAgainBetweenThem()
+            throws ProtocolViolation {
+        reachable.add(RECEIVER);
+        submit("hello");
+        ShortMessage first = center.waiting().get(0);
+        ShortMessageCenter again = new ShortMessageCenter(
+                Instant.EPOCH, new Timers(), (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
+        again.restore(new Restored(1, List.of(), List.of(), List.of(first), List.of()));
+        again.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
+        again.committed(tickets.get(0), true);
+        assertEquals(2, Set.copyOf(delivered).size(), "the receiver can tell them apart");
+    }
+
+    @Test
     void aMessageToLettersIsRefusedWithCause1() {
         center.submit(SENDER, submit(SmsAddress.ofLetters("Nobody"), "hello"), answers::add);
         assertEquals(List.of(Optional.of(RpCause.UNASSIGNED_NUMBER)), answers);
