@@ -59,7 +59,7 @@ class PioneerClientsTest {
                 assertArrayEquals(console, turned.sonars());
 
                 scenario.tell("being carried away does not touch the odometry");
-                robot.say("place 9.6 0 0").expect("pose");
+                robot.ask("place 9.6 0 0", "pose");
                 assertEquals(500, client.information().x(), 0.5);
 
                 scenario.tell("into the wall");

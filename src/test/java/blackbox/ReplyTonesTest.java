@@ -15,7 +15,7 @@ class ReplyTonesTest {
             RunningProgram robot = scenario.robot("empty.map", "--speed", "4");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
             scenario.call(phone);
-            robot.say("place 9.5 0 0").expect("pose");
+            robot.ask("place 9.5 0 0", "pose");
 
             scenario.tell("20 cm ahead are free");
             phone.say("press **#**20**");

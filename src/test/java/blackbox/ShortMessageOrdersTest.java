@@ -83,14 +83,14 @@ class ShortMessageOrdersTest {
                 "\"** #**20\\n**\""
             })
     void blanksLineBreaksLeadingZerosAndFurtherStarsAreAllowed(String text) {
-        robot.say("place 0 0 0").expect("pose");
+        robot.ask("place 0 0 0", "pose");
         String reply = reply(text);
         assertTrue(reply.startsWith("3 Done"), reply);
     }
 
     @Test
     void aWholeTripFitsInOneMessage() {
-        robot.say("place 0 0 0").expect("pose");
+        robot.ask("place 0 0 0", "pose");
         String reply = reply("** #**100 #*#90 #**100 **");
         assertTrue(reply.startsWith("3 Done"), reply);
         ConsoleEvent pose = robot.ask("pose", "pose");
@@ -101,7 +101,7 @@ class ShortMessageOrdersTest {
 
     @Test
     void thirtyTwoInstructionsAreTakenAndThirtyThreeAreNot() {
-        robot.say("place 0 0 0").expect("pose");
+        robot.ask("place 0 0 0", "pose");
         assertTrue(reply("**" + "#*#1".repeat(32) + "**").startsWith("3 Done"));
         String refused = reply("**" + "#*#1".repeat(33) + "**");
         assertTrue(refused.startsWith("7 "), refused);
@@ -110,9 +110,9 @@ class ShortMessageOrdersTest {
 
     @Test
     void aTripThatMeetsAWallSaysHowFarItGot() {
-        robot.say("place 9 0 0").expect("pose");
+        robot.ask("place 9 0 0", "pose");
         String reply = reply("** #*#360 #**100 #*#90 **");
         assertEquals("4 Collision after 75 of 100 cm, instruction 2 of 3.", reply);
-        robot.say("place 0 0 0").expect("pose");
+        robot.ask("place 0 0 0", "pose");
     }
 }

@@ -18,7 +18,7 @@ class SmppOrdersTest {
         try (Scenario scenario = new Scenario("an application drives the robot by SMPP")) {
             RunningProgram center = scenario.center("--smpp", "0");
             RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
-            robot.say("place 0 0 0").expect("pose");
+            robot.ask("place 0 0 0", "pose");
             try (SmppApplication application = application(scenario, "", SERVICE)) {
                 scenario.tell("the order goes out and is acknowledged with a message id");
                 String id = application.submit(Scenario.ROBOT, "** #**20 **", true);

@@ -34,7 +34,7 @@ class StatusTableTest {
     void theRobotIsStoppedInTheMiddle() {
         robot.say("power on").expect("status");
         robot.say("motors on").expect("status");
-        robot.say("place 0 0 0").expect("pose", "x", "0.0000", "y", "0.0000");
+        robot.ask("place 0 0 0", "pose");
         assertEquals("Stopped", robot.ask("status", "status").field("value"));
     }
 
@@ -46,7 +46,7 @@ class StatusTableTest {
 
     /** Drives the robot against the east wall of the 20 m hall. */
     private void collide() {
-        robot.say("place 9.5 0 0").expect("pose");
+        robot.ask("place 9.5 0 0", "pose");
         assertEquals("4 Collision after 25 of 100 cm, instruction 1 of 1.", reply("** #**100 **"));
         assertEquals("Collision", robot.ask("status", "status").field("value"));
     }
@@ -121,7 +121,7 @@ class StatusTableTest {
 
     @Test
     void movingAnswersSixToAnyFurtherOrderThatMoves() {
-        phone.say("sms " + Scenario.ROBOT + " ** #**400 **");
+        phone.say("sms " + Scenario.ROBOT + " ** #**900 **");
         robot.expect("status", "value", "Moving");
         assertEquals("6 Executing a command.", reply("** #**20 **"));
         assertEquals("6 Executing a command.", reply("** #*#20 ### **"));
@@ -133,12 +133,12 @@ class StatusTableTest {
         Set<Character> tones = Set.of(first.charAt(0), second.charAt(0));
         assertEquals(Set.of('8', '3'), tones, first + " / " + second);
         String stopped = first.startsWith("8") ? first : second;
-        assertTrue(stopped.matches("8 Stopped by order after [0-9]+ of 400 cm.*"), stopped);
+        assertTrue(stopped.matches("8 Stopped by order after [0-9]+ of 900 cm.*"), stopped);
     }
 
     @Test
     void motorsOffAbortsWhatIsUnderWayAndTheRobotStandsAtOnce() {
-        phone.say("sms " + Scenario.ROBOT + " ** #**400 **");
+        phone.say("sms " + Scenario.ROBOT + " ** #**900 **");
         robot.expect("status", "value", "Moving");
         robot.say("motors off").expect("status", "value", "No motors");
         ConsoleEvent there = robot.ask("pose", "pose");

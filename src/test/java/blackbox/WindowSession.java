@@ -105,11 +105,8 @@ final class WindowSession {
             click(phone, "key." + key);
         }
         await("tone 3", () -> name(phone, "lcd").contains("executed"));
-        double after = pose(robot, "pose.x");
-        System.out.println("the robot moved from " + before + " to " + after);
-        if (Math.abs(after - before - 0.2) > 0.0015) {
-            throw new AssertionError("expected 0.200 m further, found " + (after - before));
-        }
+        await("the robot 0.200 m further", () -> Math.abs(pose(robot, "pose.x") - before - 0.2) < 0.0015);
+        System.out.println("the robot moved from " + before + " to " + pose(robot, "pose.x"));
 
         System.out.println("the keyboard turns it");
         for (char key : "**#*#90**".toCharArray()) {
