@@ -7,9 +7,9 @@
  * <pre>
  *   modem       -> modem.tools, station, console, dtmf, air
  *   modem.tools -> console, dtmf, speech
- *   station     -> sms, dtmf, speech, air
+ *   station     -> sim, sms, dtmf, speech, air
  *   ui          -> console, dtmf, speech
- *   sms         -> air
+ *   sms, sim    -> air
  *   console, dtmf, speech and air need nothing
  * </pre>
  */
@@ -19,6 +19,7 @@ module simgsm.modem {
 
     exports simgsm.air;
     exports simgsm.sms;
+    exports simgsm.sim;
     exports simgsm.modem;
     exports simgsm.station;
     exports simgsm.dtmf;

@@ -33,8 +33,10 @@ class LayeringTest {
             Map.entry("simgsm.console", Set.of()),
             Map.entry("simgsm.dtmf", Set.of()),
             Map.entry("simgsm.sms", Set.of("simgsm.air")),
+            Map.entry("simgsm.sim", Set.of("simgsm.air")),
             Map.entry("simgsm.speech", Set.of()),
-            Map.entry("simgsm.station", Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.speech")),
+            Map.entry(
+                    "simgsm.station", Set.of("simgsm.air", "simgsm.sim", "simgsm.sms", "simgsm.dtmf", "simgsm.speech")),
             Map.entry(
                     "simgsm.modem",
                     Set.of(
