@@ -1,54 +1,96 @@
 package simgsm.speech;
 
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.SequenceInputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
+import java.util.Optional;
+import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.UnsupportedAudioFileException;
 
 /**
- * A sound file read as speech: whatever javax.sound reads, its channels mixed to one, resampled to 8 kHz. Read front to
- * back, in constant memory.
+ * A sound file read as speech: WAV, and whatever else javax.sound reads, its channels mixed to one, resampled to 8 kHz.
+ * Read front to back, in constant memory, so that a pipe will do for a file.
  */
 public final class SpeechFile implements Closeable {
-    private static final int BLOCK_FRAMES = 2048;
+    /** Read at a time; the head of a WAV file is looked for in so many octets. */
+    private static final int BUFFER_OCTETS = 1 << 16;
 
-    private final AudioInputStream stream;
-    private final PcmFormat format;
-    private final Resampler resampler;
-    private final byte[] octets;
-    private final float[] mixed = new float[BLOCK_FRAMES];
-    private int held;
-    private boolean atEnd;
+    private final FileChannel file;
+    private final Samples samples;
 
-    private SpeechFile(AudioInputStream stream) throws NotAudioException {
-        this.stream = stream;
-        this.format = PcmFormat.of(stream.getFormat());
-        this.octets = new byte[BLOCK_FRAMES * format.octetsPerFrame()];
-        int rate = Math.round(stream.getFormat().getSampleRate());
-        this.resampler =
-                rate == SpeechCodec.SAMPLES_PER_SECOND ? null : new Resampler(rate, SpeechCodec.SAMPLES_PER_SECOND);
+    private SpeechFile(FileChannel file, Samples samples) {
+        this.file = file;
+        this.samples = samples;
     }
 
     /** @throws NotAudioException when the file is there but is no audio */
     public static SpeechFile open(Path path) throws IOException {
-        InputStream file = new BufferedInputStream(Files.newInputStream(path), 1 << 16);
-        try {
-            return new SpeechFile(AudioSystem.getAudioInputStream(file));
-        } catch (UnsupportedAudioFileException | RuntimeException e) {
-            // The JDK's readers answer some damaged headers with unchecked exceptions.
+        FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
+        if (Files.isDirectory(path)) {
             file.close();
-            throw new NotAudioException(path + ": no audio that can be read", e);
+            throw new NotAudioException(path + ": a folder, no audio", null);
+        }
+        try {
+            return new SpeechFile(file, samples(file, path));
         } catch (IOException e) {
             file.close();
-            throw e instanceof NotAudioException
-                    ? new NotAudioException(path + ": " + e.getMessage(), e)
-                    : new NotAudioException(path + ": damaged audio", e);
+            throw e;
         }
+    }
+
+    private static Samples samples(FileChannel file, Path path) throws IOException {
+        ByteBuffer head = ByteBuffer.allocateDirect(BUFFER_OCTETS);
+        while (head.hasRemaining() && file.read(head) >= 0) {}
+        head.flip();
+        Optional<WavHeader> wav = WavHeader.in(head);
+        try {
+            if (wav.isEmpty()) {
+                return foreign(rest(head, file));
+            }
+            AudioFormat format = wav.get().format();
+            head.position(wav.get().dataAt());
+            return isSpeech(format)
+                    ? new PlainSamples(file, head, wav.get().dataOctets())
+                    : new MixedSamples(rest(head, file), format, wav.get().dataOctets());
+        } catch (NotAudioException e) {
+            throw new NotAudioException(path + ": " + e.getMessage(), e);
+        } catch (UnsupportedAudioFileException | RuntimeException e) {
+            // The JDK's readers answer some damaged headers with unchecked exceptions.
+            throw new NotAudioException(path + ": no audio that can be read", e);
+        } catch (IOException e) {
+            throw new NotAudioException(path + ": damaged audio", e);
+        }
+    }
+
+    private static boolean isSpeech(AudioFormat format) {
+        return format.getEncoding().equals(AudioFormat.Encoding.PCM_SIGNED)
+                && format.getSampleRate() == SpeechCodec.SAMPLES_PER_SECOND
+                && format.getChannels() == 1
+                && format.getFrameSize() == 2;
+    }
+
+    /** Audio of a kind that only the JDK knows. */
+    private static Samples foreign(InputStream octets) throws IOException, UnsupportedAudioFileException {
+        AudioInputStream stream = AudioSystem.getAudioInputStream(new BufferedInputStream(octets, BUFFER_OCTETS));
+        return new MixedSamples(stream, stream.getFormat(), Long.MAX_VALUE);
+    }
+
+    private static InputStream rest(ByteBuffer head, FileChannel file) {
+        byte[] read = new byte[head.remaining()];
+        head.get(read);
+        return new SequenceInputStream(new ByteArrayInputStream(read), Channels.newInputStream(file));
     }
 
     /** The whole file. */
@@ -58,67 +100,30 @@ public final class SpeechFile implements Closeable {
             int length = 0;
             for (int n; (n = file.read(all, length, all.length)) >= 0; length += n) {
                 if (length + n == all.length) {
-                    all = java.util.Arrays.copyOf(all, 2 * all.length);
+                    all = Arrays.copyOf(all, 2 * all.length);
                 }
             }
-            return java.util.Arrays.copyOf(all, length);
+            return Arrays.copyOf(all, length);
         }
     }
 
     /** How much later a sample is known than it would be in an 8 kHz file, for the resampling filter looks ahead. */
     public double lookAheadMillis() {
-        return resampler == null ? 0 : resampler.lookAheadSeconds() * 1000;
+        return samples.lookAheadSeconds() * 1000;
     }
 
-    public int read(short[] samples) throws IOException {
-        return read(samples, 0, samples.length);
+    public int read(short[] block) throws IOException {
+        return read(block, 0, block.length);
     }
 
-    /** Fills {@code samples[from..to)} as far as there is sound. @return how many, -1 at the end */
-    public int read(short[] samples, int from, int to) throws IOException {
-        int at = from;
-        while (at < to) {
-            int written = resampler == null ? copy(samples, at, to) : resampler.read(samples, at, to);
-            at += written;
-            if (written == 0 && !fill()) {
-                break;
-            }
-        }
-        return at == from && to > from ? -1 : at - from;
-    }
-
-    private int copy(short[] samples, int from, int to) {
-        int n = Math.min(held, to - from);
-        for (int i = 0; i < n; i++) {
-            samples[from + i] = Resampler.saturate(mixed[i]);
-        }
-        held -= n;
-        System.arraycopy(mixed, n, mixed, 0, held);
-        return n;
-    }
-
-    /** Takes the next block from the file. @return whether anything came of it */
-    private boolean fill() throws IOException {
-        if (atEnd) {
-            return false;
-        }
-        int length = stream.readNBytes(octets, 0, octets.length);
-        int frames = length / format.octetsPerFrame();
-        format.mix(octets, frames, mixed);
-        atEnd = length < octets.length;
-        if (resampler == null) {
-            held = frames;
-            return frames > 0;
-        }
-        resampler.write(mixed, frames);
-        if (atEnd) {
-            resampler.end();
-        }
-        return true;
+    /** Fills {@code block[from..to)} as far as there is sound. @return how many, -1 at the end */
+    public int read(short[] block, int from, int to) throws IOException {
+        int n = samples.read(block, from, to);
+        return n == 0 && to > from ? -1 : n;
     }
 
     @Override
     public void close() throws IOException {
-        stream.close();
+        file.close();
     }
 }

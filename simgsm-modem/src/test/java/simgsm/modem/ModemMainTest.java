@@ -87,6 +87,24 @@ class ModemMainTest {
     }
 
     @Test
+    void manyFilesComeOutInTheOrderInWhichTheyWereNamed() {
+        String keys = "0123456789*#ABCD";
+        String[] words = new String[41];
+        words[0] = "decode";
+        for (int i = 1; i < words.length; i++) {
+            words[i] = file(i + ".wav");
+            run("tones", keys.substring(i % 16).repeat(1 + 7 * (i % 3)), words[i]);
+        }
+        assertEquals(0, run(words));
+        String[] lines = out().split("\n");
+        assertEquals(40, lines.length);
+        for (int i = 1; i < words.length; i++) {
+            String expected = words[i] + "\t" + keys.substring(i % 16).repeat(1 + 7 * (i % 3)) + "\t";
+            assertTrue(lines[i - 1].startsWith(expected), lines[i - 1]);
+        }
+    }
+
+    @Test
     void aMissingFileIsAnInputOutputError() {
         assertEquals(74, run("decode", file("missing.wav")));
         assertEquals(file("missing.wav") + "\t\t\n", out());

@@ -6,9 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -147,6 +149,137 @@ class SpeechFileTest {
         WavWriter.write(file, new short[1000]);
         Files.write(file, Arrays.copyOf(Files.readAllBytes(file), 44 + 501));
         assertEquals(250, SpeechFile.readAll(file).length);
+    }
+
+    @Test
+    void chunksThatDoNotMatterArePassedOver() throws IOException {
+        byte[] list = chunk("LIST", bytes("INFOx"), 5);
+        byte[] large = chunk("JUNK", new byte[200_000], 200_000);
+        byte[] sound = chunk("data", SOUND, SOUND.length);
+        assertRamp(riff(list, SPEECH, list, sound, list));
+        assertRamp(riff(large, SPEECH, sound));
+        assertRamp(riff(SPEECH, chunk("fact", new byte[4], 4), sound, large));
+    }
+
+    @Test
+    void aFormatIsReadInEveryWayThatItIsWritten() throws IOException {
+        byte[] sound = chunk("data", SOUND, SOUND.length);
+        assertRamp(riff(chunk("fmt ", join(FORMAT, new byte[2]), 18), sound));
+        byte[] rest = join(new byte[] {22, 0, 16, 0, 4, 0, 0, 0, 1, 0}, GUID_END);
+        byte[] extensible = join(new byte[] {(byte) 0xFE, (byte) 0xFF}, Arrays.copyOfRange(FORMAT, 2, 16), rest);
+        assertRamp(riff(chunk("fmt ", extensible, 40), sound));
+        byte[] noBlock = FORMAT.clone();
+        noBlock[12] = 0;
+        assertRamp(riff(chunk("fmt ", noBlock, 16), sound));
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {0, 0xFFFF_FFFFL, 0x7FFF_FFFFL, 4001, 1 << 20})
+    void aLengthThatWasNeverFilledInMeansToTheEnd(long length) throws IOException {
+        assertRamp(riff(SPEECH, chunk("data", SOUND, length)));
+        byte[] wide = FORMAT.clone();
+        wide[2] = 2;
+        wide[12] = 4;
+        assertEquals(1000, read(riff(chunk("fmt ", wide, 16), chunk("data", SOUND, length))).length);
+    }
+
+    @Test
+    void aLengthThatIsShorterThanTheFileIsBelieved() throws IOException {
+        byte[] tail = chunk("LIST", bytes("INFO"), 4);
+        assertEquals(500, read(riff(SPEECH, chunk("data", SOUND, 1000))).length);
+        assertEquals(500, read(riff(SPEECH, chunk("data", SOUND, 1001))).length);
+        assertEquals(0, read(riff(SPEECH, chunk("data", new byte[0], 0), tail)).length);
+        assertEquals(0, read(riff(SPEECH, chunk("data", new byte[0], 0))).length);
+    }
+
+    @Test
+    void aRecordingOfMoreThan4GiBHasItsLengthElsewhere() throws IOException {
+        byte[] lengths = ByteBuffer.allocate(28)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .putLong(0)
+                .putLong(SOUND.length)
+                .array();
+        byte[] file = riff(
+                chunk("ds64", lengths, 28),
+                SPEECH,
+                chunk("data", SOUND, 0xFFFF_FFFFL),
+                chunk("LIST", new byte[10], 10));
+        file[1] = 'F';
+        file[2] = '6';
+        file[3] = '4';
+        assertRamp(file);
+    }
+
+    @Test
+    void soundAcrossTheEndOfTheFirstBlockReadIsWhole() throws IOException {
+        for (int length : new int[] {65_490, 65_491, 65_492, 65_493, 131_028, 200_000}) {
+            byte[] sound = new byte[length];
+            new Random(length).nextBytes(sound);
+            short[] samples = new short[length / 2];
+            ByteBuffer.wrap(sound)
+                    .order(ByteOrder.LITTLE_ENDIAN)
+                    .asShortBuffer()
+                    .get(samples);
+            assertArrayEquals(samples, read(riff(SPEECH, chunk("data", sound, length))));
+        }
+    }
+
+    @Test
+    void aFolderIsNoAudio() {
+        assertThrows(NotAudioException.class, () -> SpeechFile.open(folder));
+    }
+
+    private static final byte[] GUID_END = {
+        0, 0, 0, 0, 0x10, 0, (byte) 0x80, 0, 0, (byte) 0xAA, 0, 0x38, (byte) 0x9B, 0x71
+    };
+    /** 8 kHz, 16 bit, mono. */
+    private static final byte[] FORMAT = {1, 0, 1, 0, 0x40, 0x1F, 0, 0, (byte) 0x80, 0x3E, 0, 0, 2, 0, 16, 0};
+
+    private static final byte[] SPEECH = chunk("fmt ", FORMAT, 16);
+    private static final byte[] SOUND = new byte[4000];
+
+    static {
+        for (short i = 0; i < 2000; i++) {
+            ByteBuffer.wrap(SOUND).order(ByteOrder.LITTLE_ENDIAN).putShort(2 * i, (short) (7 * i - 6000));
+        }
+    }
+
+    private void assertRamp(byte[] file) throws IOException {
+        short[] samples = read(file);
+        assertEquals(2000, samples.length);
+        for (int i = 0; i < 2000; i++) {
+            assertEquals(7 * i - 6000, samples[i]);
+        }
+    }
+
+    private short[] read(byte[] file) throws IOException {
+        return SpeechFile.readAll(Files.write(folder.resolve("made.wav"), file));
+    }
+
+    private static byte[] riff(byte[]... chunks) {
+        return join(bytes("RIFF"), new byte[4], bytes("WAVE"), join(chunks));
+    }
+
+    private static byte[] chunk(String id, byte[] content, long length) {
+        byte[] field = Arrays.copyOf(
+                ByteBuffer.allocate(8)
+                        .order(ByteOrder.LITTLE_ENDIAN)
+                        .putLong(length)
+                        .array(),
+                4);
+        return join(bytes(id), field, content, new byte[content.length % 2]);
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
+    private static byte[] join(byte[]... parts) {
+        ByteArrayOutputStream whole = new ByteArrayOutputStream();
+        for (byte[] part : parts) {
+            whole.writeBytes(part);
+        }
+        return whole.toByteArray();
     }
 
     @Test

@@ -1,25 +1,18 @@
 package simgsm.modem.tools;
 
-import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
-import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
-import simgsm.dtmf.DtmfDigit;
-import simgsm.dtmf.DtmfListener;
-import simgsm.dtmf.DtmfReceiver;
-import simgsm.speech.NotAudioException;
-import simgsm.speech.SpeechFile;
 
 /** {@code decode FILE...}: keys out of sound, a line per file. */
 final class DecodeTool implements Tool {
-    private static final int BLOCK_SAMPLES = 4096;
-
     @Override
     public String word() {
         return "decode";
@@ -36,57 +29,37 @@ final class DecodeTool implements Tool {
     }
 
     @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
-        if (arguments.rest().isEmpty()) {
+    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+        List<String> names = arguments.rest();
+        if (names.isEmpty()) {
             throw new UsageException("missing FILE.wav");
         }
-        int status = ExitStatus.OK;
-        for (String name : arguments.rest()) {
-            Heard heard = new Heard();
-            try {
-                decode(Path.of(name), heard);
-            } catch (NotAudioException e) {
-                err.println("simgsm-modem: " + e.getMessage());
-                status = Math.max(status, ExitStatus.FAILED);
-            } catch (IOException | InvalidPathException e) {
-                err.println("simgsm-modem: " + name + ": " + reason(e));
-                status = ExitStatus.INPUT_OUTPUT;
+        if (names.size() == 1) {
+            return say(HeardFile.of(names.get(0)), out, err);
+        }
+        int threads = Math.min(names.size(), Runtime.getRuntime().availableProcessors());
+        ExecutorService ears = Executors.newFixedThreadPool(threads);
+        try {
+            List<Future<HeardFile>> files = new ArrayList<>();
+            for (String name : names) {
+                files.add(ears.submit(() -> HeardFile.of(name)));
             }
-            out.print(name + "\t" + heard.keys + "\t" + heard.millis + "\n");
-            out.flush();
-        }
-        return status;
-    }
-
-    private static String reason(Exception e) {
-        if (e instanceof NoSuchFileException) {
-            return "no such file";
-        }
-        return e instanceof AccessDeniedException ? "access denied" : e.getMessage();
-    }
-
-    private static void decode(Path path, Heard heard) throws IOException {
-        try (SpeechFile file = SpeechFile.open(path)) {
-            heard.lookAheadMillis = file.lookAheadMillis();
-            DtmfReceiver receiver = new DtmfReceiver(heard);
-            short[] block = new short[BLOCK_SAMPLES];
-            for (int n; (n = file.read(block)) >= 0; ) {
-                receiver.accept(block, 0, n);
+            int status = ExitStatus.OK;
+            for (Future<HeardFile> file : files) {
+                status = Math.max(status, say(file.get(), out, err));
             }
-            receiver.finish();
+            return status;
+        } finally {
+            ears.shutdownNow();
         }
     }
 
-    private static final class Heard implements DtmfListener {
-        final StringBuilder keys = new StringBuilder();
-        final StringBuilder millis = new StringBuilder();
-        double lookAheadMillis;
-
-        @Override
-        public void keyDecided(DtmfDigit digit) {
-            long at = Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis);
-            keys.append(digit.key().symbol());
-            millis.append(millis.length() == 0 ? "" : ",").append(at);
+    private static int say(HeardFile heard, PrintStream out, PrintStream err) {
+        if (heard.complaint() != null) {
+            err.println("simgsm-modem: " + heard.complaint());
         }
+        out.print(heard.line());
+        out.flush();
+        return heard.status();
     }
 }
