@@ -8,6 +8,9 @@
  *   modem       -> modem.tools, station, console, dtmf, air
  *   modem.tools -> console, dtmf, speech
  *   station     -> sim, sms, dtmf, speech, air
+ *   modem.tools -> modem.load, console, dtmf, speech
+ *   modem.load  -> station, console, air
+ *   station     -> sms, dtmf, speech, air
  *   ui          -> console, dtmf, speech
  *   sms, sim    -> air
  *   console, dtmf, speech and air need nothing

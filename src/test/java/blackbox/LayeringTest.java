@@ -49,7 +49,14 @@ class LayeringTest {
                             "simgsm.modem.tools")),
             Map.entry(
                     "simgsm.modem.tools",
-                    Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.speech", "simgsm.console")),
+                    Set.of(
+                            "simgsm.air",
+                            "simgsm.sms",
+                            "simgsm.dtmf",
+                            "simgsm.speech",
+                            "simgsm.console",
+                            "simgsm.modem.load")),
+            Map.entry("simgsm.modem.load", Set.of("simgsm.air", "simgsm.station", "simgsm.console")),
             Map.entry("simgsm.ui", Set.of("simgsm.console", "simgsm.dtmf", "simgsm.speech")));
 
     @Test

@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.util.Locale;
 import java.util.random.RandomGenerator;
 
 /**
@@ -24,7 +25,17 @@ public record Imei(String digits) implements MobileIdentity {
 
     /** A new identity of our own type with a random serial number. */
     public static Imei random(RandomGenerator random) {
-        String body = TYPE_ALLOCATION_CODE + String.format("%06d", random.nextInt(1_000_000));
+        return of(TYPE_ALLOCATION_CODE, random.nextInt(1_000_000));
+    }
+
+    /**
+     * The identity of one equipment of a type.
+     *
+     * @param typeAllocationCode 8 digits
+     * @param serialNumber 0 to 999999
+     */
+    public static Imei of(String typeAllocationCode, int serialNumber) {
+        String body = typeAllocationCode + String.format(Locale.ROOT, "%06d", serialNumber);
         return new Imei(body + luhnDigit(body));
     }
 

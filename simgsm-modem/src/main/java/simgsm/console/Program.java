@@ -27,11 +27,18 @@ public final class Program {
 
     private final String name;
     private final Options options;
+    private String logLevel = LogSettings.DEFAULT;
 
     /** @param name as users know it, such as {@code simgsm-phone} */
     public Program(String name, Options options) {
         this.name = name;
         this.options = options;
+    }
+
+    /** For tools: unless the user says otherwise, only warnings are logged. */
+    public Program quiet() {
+        logLevel = "warning";
+        return this;
     }
 
     /** Runs and ends the process with the resulting status. */
@@ -53,7 +60,7 @@ public final class Program {
                 out.flush();
                 return ExitStatus.OK;
             }
-            LogSettings.apply(arguments.text("log-level").orElse(LogSettings.DEFAULT));
+            LogSettings.apply(arguments.text("log-level").orElse(logLevel));
             requireScript(arguments);
             return body.run(arguments);
         } catch (UsageException e) {

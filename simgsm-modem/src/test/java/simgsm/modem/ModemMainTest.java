@@ -209,4 +209,14 @@ class ModemMainTest {
         assertEquals(0, run("-V"));
         assertTrue(out().startsWith("simgsm-modem "), out());
     }
+
+    @Test
+    void impossibleLoadsAreUsageErrors() {
+        assertEquals(2, run("load", "--center", "127.0.0.1:1", "--phones", "3", "--calls", "2"));
+        assertTrue(err().contains("--calls: expected 0 to 1"), err());
+        assertEquals(2, run("load", "--center", "nowhere"));
+        assertTrue(err().contains("--center: expected HOST:PORT"), err());
+        assertEquals(2, run("load", "--sms", "many"));
+        assertTrue(err().contains("--sms: expected a whole number"), err());
+    }
 }

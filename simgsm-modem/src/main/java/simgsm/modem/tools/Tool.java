@@ -8,7 +8,7 @@ import simgsm.console.Options;
 /** One word of the command line: {@code simgsm-modem.jar WORD ...}. */
 public interface Tool {
     /** In the order in which the help lists them. */
-    List<Tool> ALL = List.of(new TonesTool(), new DecodeTool(), new GsmTool(), new SmsTool());
+    List<Tool> ALL = List.of(new TonesTool(), new DecodeTool(), new GsmTool(), new SmsTool(), new LoadTool());
 
     String word();
 
