@@ -6,8 +6,8 @@ import simgsm.air.OctetString;
 
 /**
  * Knows a message that the centre sends a second time because it never saw our acknowledgement: the same octets, so the
- * same originator, time stamp and part. Two messages that were written alike within a second are not that; so only what
- * came over an earlier link, or was never confirmed, can come again.
+ * same originator, time stamp and part. A centre that does not keep the stamps of messages alike apart (ours does) may mean
+ * two messages by them; so only what came over an earlier link, or was never confirmed, can come again.
  */
 final class DuplicateFilter {
     private static final int MOST_REMEMBERED = 1000;
@@ -16,6 +16,11 @@ final class DuplicateFilter {
 
     private final Deque<OctetString> mayComeAgain = new ArrayDeque<>();
     private final Deque<OctetString> ofThisLink = new ArrayDeque<>();
+
+    /** Whether this is one that was received before; asking changes nothing. */
+    boolean mayBeDuplicate(OctetString received) {
+        return mayComeAgain.contains(withoutPrediction(received));
+    }
 
     /** Asked once for each message received. */
     boolean isDuplicate(OctetString received) {

@@ -34,6 +34,9 @@ final class MessageReceiver {
     private Answer answer;
 
     private int retransmissions;
+    private boolean isMemoryFull;
+    /** Whether the network knows of it, and waits to hear that there is room again. */
+    private boolean hasRefused;
 
     MessageReceiver(StationParts parts, DeliveryReports reports) {
         this.parts = parts;
@@ -42,6 +45,19 @@ final class MessageReceiver {
 
     boolean isBusy() {
         return answer != null;
+    }
+
+    /** Messages are refused from now on; status reports are none, and a message taken before is acknowledged again. */
+    void memoryFull() {
+        isMemoryFull = true;
+    }
+
+    /** @return whether the network is to be told */
+    boolean memoryAvailable() {
+        boolean isWaitedFor = isMemoryFull && hasRefused;
+        isMemoryFull = false;
+        hasRefused = false;
+        return isWaitedFor;
     }
 
     void arrived(CpData data) {
@@ -106,6 +122,10 @@ final class MessageReceiver {
     private RelayMessage take(RpData relayed) {
         try {
             Tpdu tpdu = TpduCodec.decode(relayed.tpdu(), Direction.DOWNLINK);
+            if (isMemoryFull && tpdu instanceof DeliverTpdu && !duplicates.mayBeDuplicate(relayed.tpdu())) {
+                hasRefused = true;
+                return new RpError(relayed.reference(), RpCause.MEMORY_CAPACITY_EXCEEDED);
+            }
             if (!duplicates.isDuplicate(relayed.tpdu())) {
                 take(tpdu);
             }

@@ -29,12 +29,20 @@ final class MessageSender implements ServiceRequests.User {
 
     private static final int CP_CONGESTION = 22;
 
-    private record Part(OutgoingMessage message, int reference, UserData data) {}
+    /** What one dialogue carries up. */
+    private sealed interface Item {
+        int reference();
+    }
+
+    private record Part(OutgoingMessage message, int reference, UserData data) implements Item {}
+
+    /** RP-SMMA (TS 24.011, 7.3.2). */
+    private record MemoryAvailable(int reference) implements Item {}
 
     private final StationParts parts;
     private final ServiceRequests services;
     private final DeliveryReports reports;
-    private final Deque<Part> queue = new ArrayDeque<>();
+    private final Deque<Item> queue = new ArrayDeque<>();
     private OutgoingState state = OutgoingState.IDLE;
     private int nextReference;
     private int nextTransaction;
@@ -63,18 +71,26 @@ final class MessageSender implements ServiceRequests.User {
         return id;
     }
 
+    /** There is room for messages again; told once, however often it was asked for. */
+    void tellMemoryAvailable() {
+        if (queue.stream().noneMatch(MemoryAvailable.class::isInstance)) {
+            queue.add(new MemoryAvailable(nextReference));
+            sendNext();
+        }
+    }
+
     void powerOff() {
-        Deque<Part> waiting = new ArrayDeque<>(queue);
-        Part current = state == OutgoingState.IDLE ? null : waiting.peek();
+        Deque<Item> waiting = new ArrayDeque<>(queue);
+        Item current = state == OutgoingState.IDLE ? null : waiting.peek();
         queue.clear();
         failure = RpCause.NETWORK_OUT_OF_ORDER;
-        OutgoingMessage last = current == null ? null : current.message();
+        OutgoingMessage last = current instanceof Part part ? part.message() : null;
         if (current != null) {
             queue.add(current);
             happens(OutgoingEvent.POWER_OFF);
         }
-        for (Part part : waiting) {
-            if (part.message() != last) {
+        for (Item item : waiting) {
+            if (item instanceof Part part && part.message() != last) {
                 last = part.message();
                 last.failed(failure);
             }
@@ -169,7 +185,7 @@ final class MessageSender implements ServiceRequests.User {
             case REQUEST_CONNECTION -> services.request(ServiceType.SHORT_MESSAGE);
             case RELEASE_CONNECTION -> services.release(ServiceType.SHORT_MESSAGE);
             case END_CONNECTION -> services.done(ServiceType.SHORT_MESSAGE);
-            case SEND_CP_DATA -> sendPart();
+            case SEND_CP_DATA -> sendItem();
             case SEND_CP_ACK -> parts.radio().send(new CpAck(transaction));
             case START_WAIT -> parts.timers().start(StationTimer.MESSAGE_WAIT);
             case START_TC1 -> parts.timers().start(StationTimer.TC1_OUTGOING);
@@ -177,18 +193,24 @@ final class MessageSender implements ServiceRequests.User {
             case STOP_TC1 -> parts.timers().stop(StationTimer.TC1_OUTGOING);
             case STOP_TIMERS -> stopTimers();
             case MARK_REPEATED -> repeated = true;
-            case TELL_SENT -> partSent();
-            case TELL_FAILED -> partFailed();
+            case TELL_SENT -> itemSent();
+            case TELL_FAILED -> itemFailed();
             case SEND_NEXT -> sendNext();
         }
     }
 
-    private void sendPart() {
-        Part part = queue.element();
-        SubmitTpdu submit = submit(part);
-        reports.expect(part.reference(), part.message());
-        RpData data = new RpData(part.reference(), parts.identity().serviceCenter(), TpduCodec.encode(submit));
-        parts.radio().send(new CpData(transaction, data));
+    private void sendItem() {
+        Item item = queue.element();
+        if (item instanceof Part part) {
+            reports.expect(part.reference(), part.message());
+        }
+        parts.radio().send(new CpData(transaction, relay(item)));
+    }
+
+    private RelayMessage relay(Item item) {
+        return item instanceof Part part
+                ? new RpData(part.reference(), parts.identity().serviceCenter(), TpduCodec.encode(submit(part)))
+                : new RelayMessage.RpSmma(item.reference());
     }
 
     private SubmitTpdu submit(Part part) {
@@ -205,18 +227,21 @@ final class MessageSender implements ServiceRequests.User {
                 plain.userData());
     }
 
-    private void partSent() {
-        queue.remove().message().partAcknowledged();
+    private void itemSent() {
+        if (queue.remove() instanceof Part part) {
+            part.message().partAcknowledged();
+        }
         repeated = false;
         losses = 0;
     }
 
-    /** Without one of its parts the whole message is lost. */
-    private void partFailed() {
-        Part part = queue.remove();
-        reports.cancel(part.reference(), part.message());
-        queue.removeIf(other -> other.message() == part.message());
-        part.message().failed(failure);
+    /** Without one of its parts the whole message is lost. A network that does not hear of memory tries by its schedule. */
+    private void itemFailed() {
+        if (queue.remove() instanceof Part part) {
+            reports.cancel(part.reference(), part.message());
+            queue.removeIf(item -> item instanceof Part other && other.message() == part.message());
+            part.message().failed(failure);
+        }
         repeated = false;
         losses = 0;
     }

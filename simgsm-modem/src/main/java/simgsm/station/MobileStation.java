@@ -7,6 +7,7 @@ import simgsm.air.IpaFrame;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.sms.ChannelList;
 
 /**
  * A mobile station as a deterministic core: frames, acts and time in; frames and {@link StationListener} calls out. It has
@@ -199,6 +200,22 @@ public final class MobileStation {
         }
         settle();
         return id;
+    }
+
+    /** No room for messages: the network is told so (RP cause 22) when it brings one, and keeps it. */
+    public void memoryFull() {
+        messages.memoryFull();
+    }
+
+    /** Room again: if the network has been refused, it is told (RP-SMMA) and brings what it has kept. */
+    public void memoryAvailable() {
+        messages.memoryAvailable();
+        settle();
+    }
+
+    /** Broadcasts on other channels are discarded from now on; at first all are wanted. */
+    public void wantBroadcasts(ChannelList channels) {
+        messages.wantBroadcasts(channels);
     }
 
     /** The time that the owner told last. */

@@ -10,6 +10,7 @@ import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
 import simgsm.sms.BroadcastCollector;
 import simgsm.sms.CellBroadcastPage;
+import simgsm.sms.ChannelList;
 
 /** Short messages both ways, and cell broadcast. */
 final class ShortMessages {
@@ -20,6 +21,7 @@ final class ShortMessages {
     private final MessageSender sender;
     private final MessageReceiver receiver;
     private final BroadcastCollector broadcasts = new BroadcastCollector();
+    private ChannelList wanted = ChannelList.ALL;
 
     ShortMessages(StationParts parts, ServiceRequests services, int firstReference) {
         this.parts = parts;
@@ -38,6 +40,20 @@ final class ShortMessages {
 
     void powerOff() {
         sender.powerOff();
+    }
+
+    void wantBroadcasts(ChannelList channels) {
+        wanted = channels;
+    }
+
+    void memoryFull() {
+        receiver.memoryFull();
+    }
+
+    void memoryAvailable() {
+        if (receiver.memoryAvailable()) {
+            sender.tellMemoryAvailable();
+        }
     }
 
     void radioLost() {
@@ -93,11 +109,14 @@ final class ShortMessages {
 
     void broadcastArrived(OctetString page) {
         try {
-            broadcasts
-                    .accept(CellBroadcastPage.decode(page))
-                    .ifPresent(message -> parts.notifications()
-                            .add(listener -> listener.broadcastReceived(
-                                    message.messageIdentifier(), message.pages(), message.text())));
+            CellBroadcastPage received = CellBroadcastPage.decode(page);
+            if (wanted.contains(received.messageIdentifier())) {
+                broadcasts
+                        .accept(received)
+                        .ifPresent(message -> parts.notifications()
+                                .add(listener -> listener.broadcastReceived(
+                                        message.messageIdentifier(), message.pages(), message.text())));
+            }
         } catch (ProtocolViolation e) {
             parts.log().trace(Level.WARNING, "broadcast page dropped: {0}", e.getMessage());
         }
