@@ -70,6 +70,7 @@ final class DeliveryReports {
                     report.reference(),
                     message.to(),
                     DeliveryStatus.title(report.status()));
+            message.partUndelivered(report.status());
         }
     }
 

@@ -11,6 +11,7 @@ final class OutgoingMessage {
     private final Notifications notifications;
     private int acknowledged;
     private int delivered;
+    private boolean isUndelivered;
 
     OutgoingMessage(int id, Msisdn to, int parts, Notifications notifications) {
         this.id = id;
@@ -36,6 +37,14 @@ final class OutgoingMessage {
         delivered++;
         if (acknowledged == parts) {
             tellDelivered();
+        }
+    }
+
+    /** Told once, whichever part it was. @param status TP-ST */
+    void partUndelivered(int status) {
+        if (!isUndelivered) {
+            isUndelivered = true;
+            notifications.add(listener -> listener.messageUndelivered(id, to, status));
         }
     }
 

@@ -57,6 +57,9 @@ public interface StationListener {
     /** The status report of the last part has come. */
     default void messageDelivered(int id, Msisdn to) {}
 
+    /** The status report says that it will not be delivered. @param status TP-ST, see {@link simgsm.sms.DeliveryStatus} */
+    default void messageUndelivered(int id, Msisdn to, int status) {}
+
     default void broadcastReceived(int channel, int pages, String text) {}
 
     /** Half a minute has passed since {@link MobileStation#remind}. */

@@ -47,7 +47,7 @@ class MessageReportsTest extends MessageStage {
     }
 
     @Test
-    void aReportForSomebodyElseOrOfFailureTellsNothing() {
+    void aReportForSomebodyElseTellsNothingAndOneOfFailureIsTheLast() {
         int id = scene.station.sendMessage(new Msisdn("5550777"), "hello");
         scene.acceptService();
         acknowledge(expectSubmit());
@@ -61,6 +61,22 @@ class MessageReportsTest extends MessageStage {
         scene.told.clear();
         delivered(2, report(other, 0x46));
         delivered(3, report(other, 0x00));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of("undelivered " + other + " to 5550200, status 70"), scene.told.lines());
+    }
+
+    @Test
+    void aMessageOfManyPartsIsUndeliveredOnce() {
+        int id = scene.station.sendMessage(Scene.OTHER, "x".repeat(300));
+        scene.acceptService();
+        acknowledge(expectSubmit());
+        scene.expect(CmServiceRequest.class);
+        scene.expect(CpAck.class);
+        scene.down(new CmServiceAccept());
+        acknowledge(expectSubmit());
+        scene.expect(CpAck.class);
+        scene.told.clear();
+        delivered(1, report(id, 0x46));
+        delivered(2, report((id + 1) % 256, 0x46));
+        assertEquals(List.of("undelivered " + id + " to 5550200, status 70"), scene.told.lines());
     }
 }

@@ -103,6 +103,11 @@ final class Told implements StationListener {
     }
 
     @Override
+    public void messageUndelivered(int id, Msisdn to, int status) {
+        lines.add("undelivered " + id + " to " + to + ", status " + status);
+    }
+
+    @Override
     public void messageDelivered(int id, Msisdn to) {
         lines.add("delivered " + id + " to " + to);
     }

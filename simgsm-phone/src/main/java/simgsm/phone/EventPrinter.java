@@ -10,6 +10,7 @@ import simgsm.console.Event;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.ToneMeaning;
+import simgsm.sms.DeliveryStatus;
 import simgsm.ui.Texts;
 
 /** Prints what the handset tells, field by field as the console's contract has it. */
@@ -97,6 +98,15 @@ final class EventPrinter implements HandsetListener {
     @Override
     public void messageDelivered(Msisdn to, int id) {
         console.emit(Event.of("sms-delivered").with("to", to).with("id", id));
+    }
+
+    @Override
+    public void messageUndelivered(Msisdn to, int id, int status) {
+        console.emit(Event.of("sms-undelivered")
+                .with("to", to)
+                .with("id", id)
+                .with("status", status)
+                .with("text", DeliveryStatus.title(status)));
     }
 
     @Override

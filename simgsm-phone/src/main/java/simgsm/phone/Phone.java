@@ -46,6 +46,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 handset.mouth(),
                 handset.ears());
         handset.attach(StationSide.of(station));
+        handset.wantBroadcasts(settings.channels());
     }
 
     /** Begins to look for the centre. */

@@ -13,6 +13,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.Refusal;
 import simgsm.phone.handset.StoredMessage;
+import simgsm.sms.ChannelList;
 
 /** The console's commands. Each is done by the owner thread before the next is read, so errors stand in their order. */
 final class PhoneCommands implements Console.Commands {
@@ -39,10 +40,12 @@ final class PhoneCommands implements Console.Commands {
             case "press" -> press(command);
             case "sms" -> sms(command);
             case "inbox" -> inbox(command);
+            case "channels" -> channels(command);
+            case "memory" -> memory(command);
             case "power" -> power(command);
             default ->
                 throw new CommandException("unknown command " + command.name()
-                        + ", expected dial, answer, hangup, press, sms, inbox, wait, power or quit");
+                        + ", expected dial, answer, hangup, press, sms, inbox, channels, memory, wait, power or quit");
         }
     }
 
@@ -116,6 +119,25 @@ final class PhoneCommands implements Console.Commands {
             case "off" -> run(Handset::powerOff);
             default -> throw new CommandException("power: expected on or off, found " + state);
         }
+    }
+
+    private void channels(Command command) throws CommandException {
+        ChannelList channels;
+        try {
+            channels = ChannelList.parse(command.rest());
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("channels: " + e.getMessage());
+        }
+        run(handset -> handset.wantBroadcasts(channels));
+    }
+
+    /** For who wants to see what the network does with a phone that has no room. */
+    private void memory(Command command) throws CommandException {
+        String state = command.words(1, "memory full or memory free").get(0);
+        if (!state.equals("full") && !state.equals("free")) {
+            throw new CommandException("memory: expected full or free, found " + state);
+        }
+        run(handset -> handset.memory(state.equals("free")));
     }
 
     private static Msisdn number(String command, String text) throws CommandException {

@@ -47,6 +47,10 @@ public final class PhoneMain {
                         "FILE.wav",
                         "record all calls in one file, left what is sent and right what is received,"
                                 + "\nwith 0.5 s of silence between calls; a file that is there is overwritten")
+                .value(
+                        "channels",
+                        "LIST",
+                        "the broadcast channels that are shown, as 50,919,4370-4399; all or none (all)")
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 

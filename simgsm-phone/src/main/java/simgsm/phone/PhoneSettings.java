@@ -8,6 +8,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.phone.handset.KeyMode;
+import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationIdentity;
 
@@ -15,14 +16,24 @@ import simgsm.station.StationIdentity;
  * What a command line makes of a phone.
  *
  * @param recording where its calls are recorded, if they are
+ * @param channels the broadcasts that it shows
  */
-record PhoneSettings(StationIdentity identity, SpeechCodec.Kind codec, KeyMode keyMode, Optional<Path> recording) {
+record PhoneSettings(
+        StationIdentity identity,
+        SpeechCodec.Kind codec,
+        KeyMode keyMode,
+        Optional<Path> recording,
+        ChannelList channels) {
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
 
     static PhoneSettings of(Arguments arguments) throws UsageException {
         return new PhoneSettings(
-                identity(arguments), codec(arguments), keyMode(arguments), arguments.path("record-audio"));
+                identity(arguments),
+                codec(arguments),
+                keyMode(arguments),
+                arguments.path("record-audio"),
+                arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));
     }
 
     private static StationIdentity identity(Arguments arguments) throws UsageException {

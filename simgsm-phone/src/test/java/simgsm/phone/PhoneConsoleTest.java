@@ -207,6 +207,24 @@ class PhoneConsoleTest {
     }
 
     @Test
+    void memoryAndChannelsAreTheStations() throws Exception {
+        assertEquals(List.of(), after("memory full", "memory free", "channels 50, 919-921", "channels none"));
+        assertEquals(List.of("memory full", "memory free", "channels 50,919-921", "channels none"), station.asked);
+    }
+
+    @Test
+    void aMessageThatIsGivenUpIsToldWithItsStatus() throws Exception {
+        after("sms 5550200 hello");
+        ears.messageSent(0, ROBOT, 1);
+        ears.messageUndelivered(0, ROBOT, 0x46);
+        assertEquals(
+                List.of(
+                        "sms-sent to=5550200 parts=1 id=0",
+                        "sms-undelivered to=5550200 id=0 status=70 text=\"validity period expired\""),
+                lines());
+    }
+
+    @Test
     void powerGoesOffAndOn() throws Exception {
         after("power off");
         assertEquals(false, station.snapshot().powered());
@@ -238,6 +256,10 @@ class PhoneConsoleTest {
                 "inbox all | expected inbox and nothing after it",
                 "power | expected power on or power off",
                 "power up | expected on or off, found up",
+                "memory | expected memory full or memory free",
+                "memory half | memory: expected full or free, found half",
+                "channels | channels: expected all, none, or channels",
+                "channels 50,x | 50,919,4370-4399, found x",
                 "jump | unknown command jump, expected dial",
             })
     void aMalformedLineIsAnErrorThatSaysWhatWasExpected(String command, String expected) throws Exception {

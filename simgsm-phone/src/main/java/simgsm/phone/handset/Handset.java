@@ -10,6 +10,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Screen.Note;
+import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
 import simgsm.station.SpeechSource;
 import simgsm.station.StationListener;
@@ -157,6 +158,16 @@ public final class Handset {
         sounds.supervise(SupervisoryTone.NONE);
         home.clear();
         changed();
+    }
+
+    /** Whether there is room for messages; without it the network keeps them. */
+    public void memory(boolean isAvailable) {
+        station.memory(isAvailable);
+    }
+
+    /** Broadcasts on other channels are discarded. */
+    public void wantBroadcasts(ChannelList channels) {
+        station.wantBroadcasts(channels);
     }
 
     /** The messages that have come, oldest first, as they are before this call marks them as read. */
@@ -391,6 +402,11 @@ public final class Handset {
 
     void messageDelivered(int id) {
         mailbox.delivered(id);
+        changed();
+    }
+
+    void messageUndelivered(int id) {
+        mailbox.undelivered(id);
         changed();
     }
 

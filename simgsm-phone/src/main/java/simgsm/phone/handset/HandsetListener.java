@@ -38,6 +38,9 @@ public interface HandsetListener {
 
     default void messageDelivered(Msisdn to, int id) {}
 
+    /** @param status TP-ST of the status report */
+    default void messageUndelivered(Msisdn to, int id, int status) {}
+
     default void messageReceived(String from, String text) {}
 
     default void broadcastReceived(int channel, int pages, String text) {}

@@ -57,6 +57,11 @@ final class Mailbox {
         replaceOpen(id, message -> message.advanced(Delivery.DELIVERED, message.parts()));
     }
 
+    /** The network has given it up after all. */
+    void undelivered(int id) {
+        replaceOpen(id, message -> message.advanced(Delivery.FAILED, message.parts()));
+    }
+
     /** @return whether the message lies here */
     boolean failed(int id, RpCause cause) {
         return replaceOpen(id, message -> message.failed(cause));

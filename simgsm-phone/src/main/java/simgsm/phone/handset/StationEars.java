@@ -116,6 +116,12 @@ final class StationEars implements StationListener {
     }
 
     @Override
+    public void messageUndelivered(int id, Msisdn to, int status) {
+        handset.messageUndelivered(id);
+        listener.messageUndelivered(to, id, status);
+    }
+
+    @Override
     public void broadcastReceived(int channel, int pages, String text) {
         handset.broadcastReceived(channel, pages, text);
         listener.broadcastReceived(channel, pages, text);

@@ -2,6 +2,7 @@ package simgsm.phone.handset;
 
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.sms.ChannelList;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
 
@@ -26,6 +27,10 @@ public interface StationSide {
 
     /** @return the message reference of the first part */
     int sendMessage(Msisdn to, String text);
+
+    void memory(boolean isAvailable);
+
+    void wantBroadcasts(ChannelList channels);
 
     void powerOn();
 
@@ -69,6 +74,20 @@ public interface StationSide {
             @Override
             public int sendMessage(Msisdn to, String text) {
                 return station.sendMessage(to, text);
+            }
+
+            @Override
+            public void memory(boolean isAvailable) {
+                if (isAvailable) {
+                    station.memoryAvailable();
+                } else {
+                    station.memoryFull();
+                }
+            }
+
+            @Override
+            public void wantBroadcasts(ChannelList channels) {
+                station.wantBroadcasts(channels);
             }
 
             @Override

@@ -6,6 +6,7 @@ import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.CallState;
 import simgsm.station.StationListener;
@@ -94,6 +95,16 @@ public final class FakeStation implements StationSide {
     public int sendMessage(Msisdn to, String text) {
         asked.add("sms " + to + " " + text);
         return nextId++;
+    }
+
+    @Override
+    public void memory(boolean isAvailable) {
+        asked.add(isAvailable ? "memory free" : "memory full");
+    }
+
+    @Override
+    public void wantBroadcasts(ChannelList channels) {
+        asked.add("channels " + channels);
     }
 
     @Override
