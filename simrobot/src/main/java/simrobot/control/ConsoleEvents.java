@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import simgsm.console.Event;
+import simrobot.camera.Camera;
 import vericommand.Pose;
 import vericommand.Reply;
 import vericommand.ReplyTone;
@@ -85,6 +86,12 @@ public final class ConsoleEvents implements ControlListener {
     public void pose(Pose pose) {
         out.accept(
                 event("pose").with("x", pose.xText(4)).with("y", pose.yText(4)).with("heading", pose.headingText(2)));
+    }
+
+    /** A picture has been written. */
+    void camera(String file) {
+        out.accept(
+                event("camera").with("file", file).with("width", Camera.WIDTH).with("height", Camera.HEIGHT));
     }
 
     void sonar(int[] rangesMillimeters) {

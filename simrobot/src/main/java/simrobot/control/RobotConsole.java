@@ -1,13 +1,22 @@
 package simrobot.control;
 
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import simgsm.console.Command;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simrobot.camera.Camera;
+import simrobot.camera.PictureFile;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
 import vericommand.RobotStatus;
 
 /** SimRobot's console commands; {@code @NAME} in front says which robot is meant, without it the first. */
@@ -17,6 +26,7 @@ public final class RobotConsole implements Console.Commands {
 
     private final SimRobot simRobot;
     private final Consumer<Event> out;
+    private final Camera camera = new Camera();
 
     /** @param out any thread may call it */
     public RobotConsole(SimRobot simRobot, Consumer<Event> out) {
@@ -67,10 +77,11 @@ public final class RobotConsole implements Console.Commands {
             case "power" -> power(robot, isOn(command), events);
             case "motors" -> motors(robot, isOn(command), events);
             case "place" -> place(robot, command, events);
+            case "camera" -> camera(meant, command, events);
             default ->
                 throw new CommandException("unknown command "
                         + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
-                        + ", expected status, pose, sonar, power, motors, place, wait or quit");
+                        + ", expected status, pose, sonar, camera, power, motors, place, wait or quit");
         }
     }
 
@@ -116,6 +127,38 @@ public final class RobotConsole implements Console.Commands {
             }
             events.pose(robot.pose());
         });
+    }
+
+    /** The picture is drawn and written here, not on the simulation's thread. */
+    private void camera(TelephoneRobot robot, Command command, ConsoleEvents events) throws CommandException {
+        Path file = pictureFile(command);
+        AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
+        onSimulation(() -> scene.set(simRobot.scene()));
+        RobotSnapshot seer = scene.get()
+                .robot(robot.name())
+                .orElseThrow(() -> new CommandException("camera: " + robot.name() + " has none"));
+        try {
+            PictureFile.write(camera.picture(scene.get(), seer), file);
+        } catch (NoSuchFileException e) {
+            throw new CommandException("camera: " + file + " cannot be written, expected a folder that is there");
+        } catch (IOException e) {
+            throw new CommandException("camera: " + file + " cannot be written: " + e.getMessage());
+        }
+        events.camera(file.toString());
+    }
+
+    private static Path pictureFile(Command command) throws CommandException {
+        String text = command.text();
+        try {
+            Path file = Path.of(text);
+            if (PictureFile.isNamedWell(file)) {
+                return file;
+            }
+        } catch (InvalidPathException e) {
+            // said below, as for any other name
+        }
+        throw new CommandException("camera: expected a file that ends in .png, .jpg or .jpeg, found "
+                + (text.isEmpty() ? "nothing after it" : text));
     }
 
     private static double number(String what, String word, double most) throws CommandException {

@@ -20,6 +20,7 @@ import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationSnapshot;
 import simrobot.simulation.SimulationThread;
 import vericommand.Settings;
 
@@ -31,6 +32,7 @@ public final class SimRobot implements AutoCloseable {
     /** An act is done within milliseconds; a simulation that has ended does none. */
     private static final Duration PATIENCE = Duration.ofSeconds(5);
 
+    private final Simulation simulation;
     private final SimulationThread simulationThread;
     private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
     private final InetSocketAddress center;
@@ -56,6 +58,7 @@ public final class SimRobot implements AutoCloseable {
         this.center = center;
         this.settings = settings;
         this.patience = patience;
+        this.simulation = simulation;
         simulationThread = new SimulationThread(simulation);
         drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
     }
@@ -91,6 +94,11 @@ public final class SimRobot implements AutoCloseable {
     /** Pace, pause and pictures of the world; acts on robots are posted to it. */
     public SimulationThread simulation() {
         return simulationThread;
+    }
+
+    /** The simulation as it is at this moment; for the simulation's thread only. */
+    public SimulationSnapshot scene() {
+        return simulation.snapshot();
     }
 
     /**

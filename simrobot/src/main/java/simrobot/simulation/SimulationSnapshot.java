@@ -2,6 +2,7 @@ package simrobot.simulation;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import simrobot.world.World;
 
 /**
@@ -13,5 +14,9 @@ public record SimulationSnapshot(long timeNanos, World world, List<RobotSnapshot
     public SimulationSnapshot {
         Objects.requireNonNull(world);
         robots = List.copyOf(robots);
+    }
+
+    public Optional<RobotSnapshot> robot(String name) {
+        return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
     }
 }

@@ -14,6 +14,7 @@ import simgsm.ui.Card;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
 
 /** The column beside the floor: which robots there are, and all about the selected one. */
 final class Inspector extends JPanel {
@@ -25,6 +26,7 @@ final class Inspector extends JPanel {
     private final Reading speed;
     private final Reading turn;
     private final SonarRose sonar;
+    private final CameraView camera;
 
     Inspector(Texts texts, Consumer<String> selection) {
         super(new BorderLayout());
@@ -37,10 +39,13 @@ final class Inspector extends JPanel {
         speed = new Reading("pose.speed", texts.of("pose.speed"), "m/s");
         turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
         sonar = new SonarRose(texts);
+        camera = new CameraView(texts);
         Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        JScrollPane all = new RoomForItsBar(new Column(Arrange.column(Theme.GRID, list, pose, Arrange.growing(rose))));
+        Card view = new Card(texts.of("camera.title"), camera);
+        JScrollPane all =
+                new RoomForItsBar(new Column(Arrange.column(Theme.GRID, list, pose, view, Arrange.growing(rose))));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);
@@ -97,10 +102,11 @@ final class Inspector extends JPanel {
         }
     }
 
-    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected) {
+    void show(List<RobotList.Row> rows, SimulationSnapshot scene, Optional<RobotSnapshot> selected) {
         robots.show(rows, selected.map(RobotSnapshot::name).orElse(null));
         statuses.show(selected.map(RobotSnapshot::status).orElse(null));
         selected.ifPresent(this::show);
+        selected.ifPresent(robot -> camera.show(scene, robot));
     }
 
     private void show(RobotSnapshot robot) {

@@ -67,7 +67,7 @@ public final class SimRobotPanel extends JPanel {
         world.select(selected);
         world.show(newest.simulation());
         tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
-        inspector.show(rows(), robot);
+        inspector.show(rows(), newest.simulation(), robot);
         modem.setVisible(line.isPresent());
         orders.setVisible(line.isPresent());
         line.ifPresent(modem::show);

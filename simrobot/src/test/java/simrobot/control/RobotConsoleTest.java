@@ -8,15 +8,20 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.io.StringReader;
 import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Imei;
@@ -104,10 +109,24 @@ class RobotConsoleTest {
         assertEquals(List.of("pose robot=r0 x=-1.5000 y=0.2500 heading=270.00"), answers("place -1.5 .25 -90"));
     }
 
+    @Test
+    void cameraWritesWhatTheRobotSeesAsItsFilesNameSays(@TempDir Path folder) throws Exception {
+        Path png = folder.resolve("a view.png");
+        Path jpeg = folder.resolve("view.JPG");
+        List<String> answers = answers("camera " + png, "@r1 camera \"" + jpeg + "\"");
+        assertEquals("camera robot=r0 file=\"" + png + "\" width=320 height=240", answers.get(0));
+        assertTrue(answers.get(1).startsWith("camera robot=r1 file="), answers.get(1));
+        assertEquals(240, ImageIO.read(png.toFile()).getHeight());
+        assertEquals(0xFFD8, ByteBuffer.wrap(Files.readAllBytes(jpeg)).getShort() & 0xFFFF);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             value = {
+                "camera|expected a file that ends in .png, .jpg or .jpeg, found nothing after it",
+                "camera view.gif|found view.gif",
+                "camera nowhere-at-all/view.png|expected a folder that is there",
                 "place 1 0 0|in the way",
                 "place 0 1 0|in the way",
                 "place 0 0|expected X Y HEADING",

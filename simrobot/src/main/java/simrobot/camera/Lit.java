@@ -1,0 +1,17 @@
+package simrobot.camera;
+
+/** How light falls on the side of a face that is seen. */
+final class Lit {
+    private Lit() {}
+
+    static double towards(Eye eye, double x1, double y1, double x2, double y2) {
+        double nx = y2 - y1;
+        double ny = x1 - x2;
+        double length = Math.sqrt(nx * nx + ny * ny);
+        if (length == 0) {
+            return Light.on(0, 0);
+        }
+        double sense = (eye.x() - x1) * nx + (eye.y() - y1) * ny < 0 ? -1 / length : 1 / length;
+        return Light.on(nx * sense, ny * sense);
+    }
+}
