@@ -26,6 +26,7 @@ import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simgsm.ui.ProgramWindow;
+import simrobot.behaviour.BehaviourKind;
 import simrobot.control.ConsoleEvents;
 import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
@@ -71,6 +72,7 @@ public final class SimRobotMain {
                 .value("on-hangup", "stop|finish", "what becomes of a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
+                .value("behaviour", "KIND", "wander, wall-follow or none: an autonomous process in every robot (none)")
                 .value("speed", "N", "simulated seconds per second (1)")
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
                 .value("bind", "ADDRESS", "address that P2OS ports listen on; default loopback only")
@@ -117,6 +119,8 @@ public final class SimRobotMain {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         boolean power = arguments.choice("power", "on", "off").equals("on");
+        BehaviourKind behaviour =
+                arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         long seed = seed(arguments);
         SpeechCodec.Kind codec = codec(arguments);
@@ -131,6 +135,7 @@ public final class SimRobotMain {
             SimulatedRobot robot = simulation.addRobot(name.name());
             robot.setMotors(motors);
             robot.setPower(power);
+            robot.autonomy().begin(behaviour);
             // With the number, or the robots of one seed would be one piece of equipment.
             Imei imei =
                     Imei.random(new Random(seed * 31 + name.number().digits().hashCode()));

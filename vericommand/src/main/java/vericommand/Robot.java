@@ -17,6 +17,20 @@ public interface Robot {
     /** Brakes with the robot's deceleration; the motion under way ends when the robot stands. Standing: no effect. */
     void brake();
 
+    /** Whether a process of its own moves it; the status is Moving then, unless it has just touched something. */
+    default boolean isAutonomous() {
+        return false;
+    }
+
+    /**
+     * Ends that process; the robot slows down to a stand.
+     *
+     * @param stands told exactly once, on the owner thread, when the robot stands; perhaps before this returns
+     */
+    default void endAutonomy(Runnable stands) {
+        stands.run();
+    }
+
     /** The true pose. */
     Pose pose();
 }

@@ -21,6 +21,9 @@ public final class VeriCommand {
     private final List<Execution> stops = new ArrayList<>();
 
     private Source call;
+    /** Waits for the robot to stand, whose own process it has ended; null when none does. */
+    private HeldOrder held;
+
     private Execution running;
     private boolean toldUnderWay;
 
@@ -90,7 +93,7 @@ public final class VeriCommand {
 
     /** The robot's status has changed by itself; stop orders that waited for standstill are answered. */
     public void statusChanged() {
-        if (running == null && robot.status() != RobotStatus.MOVING) {
+        if (running == null && held == null && robot.status() != RobotStatus.MOVING) {
             answerStops();
         }
         listener.changed();
@@ -98,7 +101,7 @@ public final class VeriCommand {
 
     /** Whether an order is being executed. */
     public boolean isUnderWay() {
-        return running != null || !stops.isEmpty();
+        return running != null || held != null || !stops.isEmpty();
     }
 
     /** What a window shows, immutable. */
@@ -110,6 +113,47 @@ public final class VeriCommand {
         if (recognition instanceof Recognition.Pending) {
             return false;
         }
+        if (recognition instanceof Recognition.Complete complete && endsAutonomy(complete.order())) {
+            hold(complete, source);
+        } else {
+            judge(recognition, source);
+        }
+        return true;
+    }
+
+    /** Who asks only for the status disturbs nobody. */
+    private boolean endsAutonomy(Order order) {
+        return robot.isAutonomous() && (order.moves() || order.stops());
+    }
+
+    private void hold(Recognition.Complete complete, Source source) {
+        held = new HeldOrder(complete, source);
+        tellUnderWay();
+        robot.endAutonomy(this::judgeHeld);
+    }
+
+    private void judgeHeld() {
+        HeldOrder over = held;
+        held = null;
+        if (over.isStopOrdered()) {
+            stopHeld(over);
+        } else if (!over.source().isGone()) {
+            judge(over.recognition(), over.source());
+        }
+        answerStops();
+        tellUnderWay();
+        listener.changed();
+    }
+
+    /** What kept it from moving has been ordered after it. */
+    private void stopHeld(HeldOrder over) {
+        Verdict verdict = Verdict.of(over.recognition(), robot.status());
+        display.verdict(verdict);
+        listener.order(verdict.keys(), verdict);
+        over.firstProgress().ifPresent(progress -> answer(over.source(), texts.stopped(progress), false));
+    }
+
+    private void judge(Recognition recognition, Source source) {
         Verdict verdict = Verdict.of(recognition, robot.status());
         display.verdict(verdict);
         listener.order(verdict.keys(), verdict);
@@ -120,7 +164,6 @@ public final class VeriCommand {
         } else {
             begin(new Execution(((Verdict.Accepted) verdict).order(), source));
         }
-        return true;
     }
 
     private void begin(Execution execution) {
@@ -145,6 +188,9 @@ public final class VeriCommand {
     private void stopRobot() {
         if (running != null) {
             running.orderStop();
+        }
+        if (held != null) {
+            held.orderStop();
         }
         robot.brake();
     }

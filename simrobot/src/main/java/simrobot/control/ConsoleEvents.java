@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import simgsm.console.Event;
+import simrobot.behaviour.BehaviourKind;
 import simrobot.camera.Camera;
 import vericommand.Pose;
 import vericommand.Reply;
@@ -80,6 +81,11 @@ public final class ConsoleEvents implements ControlListener {
     @Override
     public void status(RobotStatus status) {
         out.accept(event("status").with("value", status.text()));
+    }
+
+    @Override
+    public void behaviour(BehaviourKind kind) {
+        out.accept(event("behaviour").with("value", kind.text()));
     }
 
     @Override

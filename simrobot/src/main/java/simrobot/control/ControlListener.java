@@ -1,5 +1,6 @@
 package simrobot.control;
 
+import simrobot.behaviour.BehaviourKind;
 import vericommand.Pose;
 import vericommand.Reply;
 import vericommand.ReplyTone;
@@ -34,6 +35,9 @@ public interface ControlListener {
     default void released(int cause) {}
 
     default void status(RobotStatus status) {}
+
+    /** Another autonomous process runs, or none any more. */
+    default void behaviour(BehaviourKind kind) {}
 
     /** Where the robot is after an instruction. */
     default void pose(Pose pose) {}

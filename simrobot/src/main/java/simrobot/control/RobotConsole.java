@@ -11,6 +11,7 @@ import simgsm.console.Command;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simrobot.behaviour.BehaviourKind;
 import simrobot.camera.Camera;
 import simrobot.camera.PictureFile;
 import simrobot.robot.Placement;
@@ -78,10 +79,11 @@ public final class RobotConsole implements Console.Commands {
             case "motors" -> motors(robot, isOn(command), events);
             case "place" -> place(robot, command, events);
             case "camera" -> camera(meant, command, events);
+            case "behaviour" -> behaviour(robot, command, events);
             default ->
                 throw new CommandException("unknown command "
                         + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
-                        + ", expected status, pose, sonar, camera, power, motors, place, wait or quit");
+                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, wait or quit");
         }
     }
 
@@ -112,6 +114,33 @@ public final class RobotConsole implements Console.Commands {
         act.run();
         if (robot.status() == before) {
             events.status(before);
+        }
+    }
+
+    /** A change tells itself; without a name, or without a change, the answer has still to come. */
+    private void behaviour(SimulatedRobot robot, Command command, ConsoleEvents events) throws CommandException {
+        if (command.rest().isEmpty()) {
+            onSimulation(() -> events.behaviour(robot.autonomy().kind()));
+            return;
+        }
+        BehaviourKind kind = kind(command.words(1, "a behaviour's name").get(0));
+        onSimulation(() -> {
+            BehaviourKind before = robot.autonomy().kind();
+            if (!robot.autonomy().begin(kind)) {
+                throw new CommandException("behaviour " + kind.text() + ": not possible in "
+                        + robot.status().text());
+            }
+            if (before == kind) {
+                events.behaviour(kind);
+            }
+        });
+    }
+
+    private static BehaviourKind kind(String word) throws CommandException {
+        try {
+            return BehaviourKind.ofText(word);
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("behaviour: " + e.getMessage());
         }
     }
 

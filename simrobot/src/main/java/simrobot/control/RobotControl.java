@@ -41,6 +41,7 @@ final class RobotControl {
         snapshot = veriCommand.snapshot();
         robot.addStatusListener(this::statusChanged);
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
+        robot.autonomy().addListener(kind -> listener.behaviour(kind));
     }
 
     /** The first tone for a caller; any thread may ask, the answer goes by the newest status. */

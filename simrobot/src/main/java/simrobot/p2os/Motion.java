@@ -25,13 +25,13 @@ final class Motion {
 
     /** Nobody holds the robot any more: what was commanded here ends. */
     void end() {
-        if (!robot.isUnderOrder()) {
+        if (!robot.isUnderOrder() && !robot.isAutonomous()) {
             drive.stop();
         }
     }
 
     void setSuspended(boolean suspend) {
-        drive.setSuspended(suspend);
+        drive.setSuspended(suspend && !robot.isAutonomous());
     }
 
     /** Does what the command says, if it is one of motion. */
@@ -41,6 +41,7 @@ final class Motion {
         } else if (command instanceof Command.EmergencyStop) {
             robot.brakeAtOnce();
         } else if (!limit(command) && robot.hasMotors() && !robot.isUnderOrder()) {
+            robot.autonomy().end();
             steer(command);
         }
     }

@@ -5,7 +5,6 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.world.Contact;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
@@ -29,7 +28,6 @@ public final class SimulatedRobot implements Robot {
     private final Floor floor;
     private final StatusMachine machine = new StatusMachine(RobotStatus.STOPPED);
     private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
-    private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
     private final Trail trail = new Trail();
     private double x;
     private double y;
@@ -41,21 +39,26 @@ public final class SimulatedRobot implements Robot {
     /** Of the wheels: radians per second clockwise. */
     private double turnSpeed;
 
-    private Errand errand;
-    private boolean errandHasMoved;
-
+    private final OrderedMotion ordered;
     private final DrivenMotion driven;
+    private final Autonomy autonomy;
     private final Odometry odometry = new Odometry();
     private Touch touch = Touch.NONE;
 
-    /** A robot that stands there with power and motors on. */
-    public SimulatedRobot(String name, Floor floor, double xMeters, double yMeters, double headingRadians) {
+    /**
+     * A robot that stands there with power and motors on.
+     *
+     * @param number of the robots in their order, the first is 0
+     */
+    public SimulatedRobot(String name, int number, Floor floor, double xMeters, double yMeters, double headingRadians) {
         this.name = Objects.requireNonNull(name);
         this.floor = Objects.requireNonNull(floor);
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
+        ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
+        autonomy = new Autonomy(this, number);
     }
 
     public String name() {
@@ -74,7 +77,7 @@ public final class SimulatedRobot implements Robot {
 
     /** Told at the end of the step in which the wheels first move for a motion, on the owner thread. */
     public void addFirstMotionListener(Runnable listener) {
-        firstMotionListeners.add(listener);
+        ordered.addFirstMotionListener(listener);
     }
 
     // ---- switches ------------------------------------------------------------------------------------------------
@@ -102,11 +105,8 @@ public final class SimulatedRobot implements Robot {
     }
 
     private void cut(StatusEvent event) {
-        Errand cutShort = takeErrand();
-        change(event);
-        if (cutShort != null) {
-            cutShort.end(MotionOutcome.Kind.ABORTED);
-        }
+        autonomy.end();
+        ordered.finish(event, MotionOutcome.Kind.ABORTED);
     }
 
     // ---- motion --------------------------------------------------------------------------------------------------
@@ -117,35 +117,31 @@ public final class SimulatedRobot implements Robot {
         if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
-        boolean inCollision = status() == RobotStatus.COLLISION;
-        errand = new Errand(motion, ended, inCollision, x, y, heading);
-        errandHasMoved = false;
-        change(StatusEvent.MOTION_STARTED);
+        autonomy.end();
+        ordered.begin(motion, ended);
     }
 
     @Override
     public void brake() {
-        if (errand != null) {
-            errand.brake();
-        }
+        autonomy.end();
+        ordered.brake();
         driven.drive().stop();
     }
 
     /** Stands still at once, without slowing down; an order under way ends as one that was braked. */
     public void brakeAtOnce() {
-        Errand under = errand;
+        autonomy.end();
         stand();
-        if (under != null) {
-            under.brake();
-            rest(under);
+        if (ordered.isUnderWay()) {
+            ordered.endBraked();
         } else if (status() == RobotStatus.MOVING) {
             driven.rest();
         }
     }
 
-    /** True while it executes an instruction; its drive is not to be touched then. */
+    /** True while it executes an instruction, or comes to a stand for one; its drive is not to be touched then. */
     public boolean isUnderOrder() {
-        return errand != null;
+        return ordered.isUnderWay() || autonomy.isAwaited();
     }
 
     /** For whoever steers directly: targets hold from the next step, if it has motors and is under no order. */
@@ -153,21 +149,31 @@ public final class SimulatedRobot implements Robot {
         return driven.drive();
     }
 
+    /** The autonomous process in it. */
+    public Autonomy autonomy() {
+        return autonomy;
+    }
+
+    @Override
+    public boolean isAutonomous() {
+        return autonomy.isActive();
+    }
+
+    @Override
+    public void endAutonomy(Runnable stands) {
+        autonomy.endFor(stands);
+    }
+
     /** Moves the robot through a step of simulated time. */
     public void step(long nanos) {
+        autonomy.step(nanos);
         double seconds = nanos * 1e-9;
         double beltX = floor.beltVelocityX(x, y) * seconds;
         double beltY = floor.beltVelocityY(x, y) * seconds;
-        if (errand == null) {
-            driven.step(seconds, beltX, beltY);
-        } else if (errand.isForward()) {
-            goForward(errand, seconds, beltX, beltY);
+        if (ordered.isUnderWay()) {
+            ordered.step(nanos, beltX, beltY);
         } else {
-            turn(errand, seconds, beltX, beltY);
-        }
-        if (errand != null) {
-            tellFirstMotion();
-            judge(errand, nanos);
+            driven.step(seconds, beltX, beltY);
         }
     }
 
@@ -175,23 +181,6 @@ public final class SimulatedRobot implements Robot {
     void carry(double dx, double dy) {
         if (dx != 0 || dy != 0) {
             advance(dx, dy, floor.sweep(this, dx, dy).contact().fraction());
-        }
-    }
-
-    private void goForward(Errand under, double seconds, double beltX, double beltY) {
-        Trapezoid.Stretch stretch = under.next(speed, seconds);
-        double wheelX = stretch.way() * under.aheadX();
-        double wheelY = stretch.way() * under.aheadY();
-        Floor.Encounter encounter = floor.sweep(this, wheelX + beltX, wheelY + beltY);
-        Contact contact = encounter.contact();
-        advance(wheelX + beltX, wheelY + beltY, contact.fraction());
-        under.isAt(x, y);
-        speed = stretch.speed();
-        boolean wheelsPush = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
-        boolean stopped = contact.touches() && wheelsPush;
-        odometry.roll(stretch.way() * (stopped ? contact.fraction() : 1), 0);
-        if (stopped) {
-            touch(encounter);
         }
     }
 
@@ -203,15 +192,6 @@ public final class SimulatedRobot implements Robot {
         }
     }
 
-    private void turn(Errand under, double seconds, double beltX, double beltY) {
-        Trapezoid.Stretch stretch = under.next(turnSpeed, seconds);
-        under.hasTurnedBy(stretch.way());
-        odometry.roll(0, -stretch.way());
-        heading = stretch.speed() == 0 && under.isAtGoal() ? under.goalHeading() : heading - stretch.way();
-        turnSpeed = stretch.speed();
-        carry(beltX, beltY);
-    }
-
     void advance(double dx, double dy, double share) {
         x += dx * share;
         y += dy * share;
@@ -221,42 +201,18 @@ public final class SimulatedRobot implements Robot {
     /** A moving robot that touches something stands still at once. */
     private void touch(Touch here) {
         touch = here;
-        if (errand != null) {
-            finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION);
+        if (ordered.isUnderWay()) {
+            ordered.finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION);
         } else if (status() == RobotStatus.MOVING) {
             stand();
             change(StatusEvent.TOUCHED);
         }
     }
 
-    private void stand() {
+    void stand() {
         driven.halt();
         speed = 0;
         turnSpeed = 0;
-    }
-
-    private void tellFirstMotion() {
-        if (!errandHasMoved && (speed != 0 || turnSpeed != 0)) {
-            errandHasMoved = true;
-            firstMotionListeners.forEach(Runnable::run);
-        }
-    }
-
-    private void judge(Errand under, long nanos) {
-        boolean stands = speed == 0 && turnSpeed == 0;
-        if (stands && (under.isAtGoal() || under.isBraking())) {
-            rest(under);
-        } else if (under.isOverdueAfter(nanos)) {
-            finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP);
-        }
-    }
-
-    private void rest(Errand under) {
-        boolean blocked = under.begunInCollision() && isWayBlocked();
-        MotionOutcome.Kind well = under.isAtGoal() ? MotionOutcome.Kind.DONE : MotionOutcome.Kind.BRAKED;
-        finish(
-                blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
-                blocked && well == MotionOutcome.Kind.DONE ? MotionOutcome.Kind.COLLISION : well);
     }
 
     boolean isWayBlocked() {
@@ -270,21 +226,12 @@ public final class SimulatedRobot implements Robot {
                 .touches();
     }
 
-    private void finish(StatusEvent event, MotionOutcome.Kind kind) {
-        Errand over = takeErrand();
-        change(event);
-        over.end(kind);
-    }
-
-    private Errand takeErrand() {
-        Errand taken = errand;
-        errand = null;
-        stand();
-        return taken;
-    }
-
     void turnBy(double radians) {
         heading += radians;
+    }
+
+    void turnTo(double radians) {
+        heading = radians;
     }
 
     void runsAt(double metersPerSecond, double radiansPerSecond) {
@@ -304,8 +251,8 @@ public final class SimulatedRobot implements Robot {
 
     /** Stands still at once, the motion under way aborted; for a world that changes under the wheels. */
     public void halt() {
-        if (errand != null) {
-            finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.ABORTED);
+        if (ordered.isUnderWay()) {
+            ordered.finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.ABORTED);
         } else if (status() == RobotStatus.MOVING) {
             stand();
             change(StatusEvent.MOTION_ENDED);

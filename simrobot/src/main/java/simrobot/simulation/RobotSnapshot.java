@@ -1,5 +1,6 @@
 package simrobot.simulation;
 
+import simrobot.behaviour.BehaviourKind;
 import simrobot.robot.Trail;
 import vericommand.RobotStatus;
 
@@ -21,4 +22,5 @@ public record RobotSnapshot(
         double speedMetersPerSecond,
         double turnRadiansPerSecond,
         double[] sonarRangesMeters,
-        Trail.Crumbs trail) {}
+        Trail.Crumbs trail,
+        BehaviourKind behaviour) {}

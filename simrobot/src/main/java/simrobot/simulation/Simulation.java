@@ -83,7 +83,8 @@ public final class Simulation {
         if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
             throw new IllegalArgumentException("no free place for robot " + name + " at " + position);
         }
-        SimulatedRobot robot = new SimulatedRobot(name, crowd, position.xMeters(), position.yMeters(), headingRadians);
+        SimulatedRobot robot =
+                new SimulatedRobot(name, robots.size(), crowd, position.xMeters(), position.yMeters(), headingRadians);
         byName.put(name, robot);
         robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
         crowd.moved(robot);
@@ -167,6 +168,7 @@ public final class Simulation {
                 robot.speedMetersPerSecond(),
                 robot.turnRadiansPerSecond(),
                 sonars ? robot.sonarRangesMeters() : new double[0],
-                robot.trail().crumbs());
+                robot.trail().crumbs(),
+                robot.autonomy().kind());
     }
 }

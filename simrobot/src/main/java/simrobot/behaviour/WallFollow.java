@@ -1,0 +1,60 @@
+package simrobot.behaviour;
+
+/**
+ * Keeps a wall to its right. Ahead blocked: turns left on the spot. Else it goes on, bending towards the distance that it
+ * keeps: by the nearest echo on the right, and by how that changes from one decision to the next. Where the wall ends it
+ * bends round the corner; with nothing on the right from the beginning it goes straight until it finds something.
+ */
+public final class WallFollow implements Behaviour {
+    /** From the sonars' mouths, about 0.14 m out: half a metre from the robot's middle. */
+    static final double KEPT_METERS = 0.4;
+
+    private static final double BLOCKED_METERS = 0.45;
+    private static final double CLEAR_METERS = 0.7;
+    private static final double LOST_METERS = 1.2;
+    private static final double METERS_PER_SECOND = 0.25;
+    private static final double SPIN_RADIANS_PER_SECOND = Math.toRadians(40);
+    private static final double BEND_RADIANS_PER_SECOND = Math.toRadians(30);
+    private static final double BEND_PER_METER = 1.2;
+    private static final double BEND_PER_METER_PER_TICK = 14;
+
+    private static final Steering SPIN_LEFT = new Steering(0, SPIN_RADIANS_PER_SECOND);
+    private static final Steering STRAIGHT = new Steering(METERS_PER_SECOND, 0);
+    private static final Steering ROUND_THE_CORNER = new Steering(METERS_PER_SECOND * 0.7, -BEND_RADIANS_PER_SECOND);
+
+    private boolean hasFound;
+    private boolean spins;
+    private double last = Double.NaN;
+
+    /** A process that has found no wall yet. */
+    public WallFollow() {}
+
+    @Override
+    public Steering decide(double[] sonarMeters, boolean blocked) {
+        double ahead = least(sonarMeters, 2, 5);
+        double right = least(sonarMeters, 6, 8);
+        double change = Double.isNaN(last) ? 0 : right - last;
+        last = right;
+        spins = blocked || ahead < (spins ? CLEAR_METERS : BLOCKED_METERS);
+        if (spins) {
+            hasFound = true;
+            last = Double.NaN;
+            return SPIN_LEFT;
+        }
+        if (right > LOST_METERS) {
+            return hasFound ? ROUND_THE_CORNER : STRAIGHT;
+        }
+        hasFound = true;
+        double bend = (KEPT_METERS - right) * BEND_PER_METER - change * BEND_PER_METER_PER_TICK;
+        double within = Math.max(-BEND_RADIANS_PER_SECOND, Math.min(BEND_RADIANS_PER_SECOND, bend));
+        return new Steering(METERS_PER_SECOND, within);
+    }
+
+    private static double least(double[] sonarMeters, int first, int last) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = first; i <= last; i++) {
+            least = Math.min(least, sonarMeters[i]);
+        }
+        return least;
+    }
+}
