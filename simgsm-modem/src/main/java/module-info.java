@@ -12,7 +12,8 @@
  *   modem.load  -> station, console, air
  *   station     -> sms, dtmf, speech, air
  *   ui          -> console, dtmf, speech
- *   sms, sim    -> air
+ *   sim         -> console, air
+ *   sms         -> air
  *   console, dtmf, speech and air need nothing
  * </pre>
  */

@@ -33,7 +33,7 @@ class LayeringTest {
             Map.entry("simgsm.console", Set.of()),
             Map.entry("simgsm.dtmf", Set.of()),
             Map.entry("simgsm.sms", Set.of("simgsm.air")),
-            Map.entry("simgsm.sim", Set.of("simgsm.air")),
+            Map.entry("simgsm.sim", Set.of("simgsm.air", "simgsm.console")),
             Map.entry("simgsm.speech", Set.of()),
             Map.entry(
                     "simgsm.station", Set.of("simgsm.air", "simgsm.sim", "simgsm.sms", "simgsm.dtmf", "simgsm.speech")),

@@ -14,6 +14,7 @@ import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.smsc.MemoryStore;
 import simgsm.station.MobileStation;
+import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simrobot.control.ConsoleEvents;
@@ -57,6 +58,7 @@ final class VirtualSuite {
         TelephoneRobot telephone = new TelephoneRobot(
                 robot,
                 identity(ROBOT, "SimGSM robot"),
+                Sim.WITHOUT_KEY,
                 StationOptions.STANDARD,
                 new Settings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new Drivers(underWay::add, underWay::add, () -> nowNanos));

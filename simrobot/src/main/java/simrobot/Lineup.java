@@ -3,11 +3,13 @@ package simrobot;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.sim.SimSlot;
 import simrobot.control.RobotName;
 import simrobot.world.Home;
 import simrobot.world.World;
@@ -19,9 +21,13 @@ final class Lineup {
 
     private Lineup() {}
 
-    /** At least one robot; names and numbers are all different. */
-    static List<RobotName> of(Arguments arguments, World world) throws UsageException {
-        Msisdn number = arguments.value("number", Lineup::number).orElse(DEFAULT_NUMBER);
+    /**
+     * At least one robot; names and numbers are all different.
+     *
+     * @param slot if it holds just one card, that one's number is the single robot's
+     */
+    static List<RobotName> of(Arguments arguments, SimSlot slot, World world) throws UsageException {
+        Msisdn number = firstNumber(arguments, slot);
         if (arguments.has("robots")) {
             arguments.choice("robots", "all");
             return onAllHomes(world, number);
@@ -41,6 +47,14 @@ final class Lineup {
         }
         requireDifferent(robots);
         return robots;
+    }
+
+    private static Msisdn firstNumber(Arguments arguments, SimSlot slot) throws UsageException {
+        Optional<Msisdn> given = arguments.value("number", Lineup::number);
+        if (given.isPresent() || slot.isEmpty() || arguments.has("robot")) {
+            return given.orElse(DEFAULT_NUMBER);
+        }
+        return slot.card(Optional.empty()).orElseThrow().number();
     }
 
     /** @throws IllegalArgumentException also for a number from which the open network can make no IMSI */

@@ -20,6 +20,8 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.sim.SimCard;
+import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallRecorder;
 import simgsm.speech.CallTap;
@@ -59,6 +61,11 @@ public final class SimRobotMain {
                 .value("number", "N", "the modem's number (5550200)")
                 .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")
+                .value(
+                        "sim",
+                        "FILE",
+                        "the robots' SIMs, for a closed network: IMSI, number and key; each robot takes the one of"
+                                + "\nits number")
                 .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")
@@ -125,7 +132,8 @@ public final class SimRobotMain {
         long seed = seed(arguments);
         SpeechCodec.Kind codec = codec(arguments);
         Optional<Path> recording = arguments.path("record-audio");
-        List<RobotName> names = Lineup.of(arguments, world);
+        SimSlot slot = SimSlot.of(arguments);
+        List<RobotName> names = Lineup.of(arguments, slot, world);
         Simulation simulation = new Simulation(world, seed);
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
@@ -142,7 +150,13 @@ public final class SimRobotMain {
             CallTap recorder = recording.isPresent()
                     ? CallRecorder.open(Recordings.pathOf(recording.get(), name.name(), names.size()))
                     : CallTap.NONE;
-            simRobot.add(robot, name.number(), imei, new StationOptions(codec, recorder));
+            StationOptions options = new StationOptions(codec, recorder);
+            Optional<SimCard> card = slot.card(Optional.of(name.number()));
+            if (card.isPresent()) {
+                simRobot.add(robot, card.get(), imei, options);
+            } else {
+                simRobot.add(robot, name.number(), imei, options);
+            }
         }
         return simRobot;
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.sim.SimSlot;
 import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
@@ -23,9 +25,9 @@ class LineupTest {
         return new World("w", List.of(), List.of(), 0.02, List.of(), homes, List.of(), List.of(), List.of(), List.of());
     }
 
-    private static List<String> lineup(World world, String... options) throws UsageException {
+    private static List<String> lineup(World world, String... options) throws UsageException, IOException {
         Arguments arguments = SimRobotMain.options().parse(List.of(options));
-        return Lineup.of(arguments, world).stream()
+        return Lineup.of(arguments, SimSlot.of(arguments), world).stream()
                 .map(robot -> robot.name() + "=" + robot.number())
                 .toList();
     }

@@ -304,6 +304,7 @@ public final class MobileStation {
                 linkUp,
                 registration.isRegistered(),
                 registration.rejectCause(),
+                registration.isCardRefused(),
                 mobility.networkName(),
                 call.state(),
                 call.peer(),

@@ -1,7 +1,9 @@
 package simgsm.station;
 
 import java.lang.System.Logger.Level;
+import java.util.EnumSet;
 import java.util.Optional;
+import java.util.Set;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
@@ -21,6 +23,10 @@ final class Registration {
     /** Ours: the pause after the fifth refusal and all further ones, in first pauses. */
     private static final int LONGEST_PAUSE = 16;
 
+    /** After these the card or the equipment counts as invalid here (TS 24.008, 4.4.4.7). Cause 3 is not among them: it also says that a number is in use, which passes. */
+    private static final Set<RejectCause> FINAL =
+            EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_ME, RejectCause.PLMN_NOT_ALLOWED);
+
     private final StationParts parts;
     private RegistrationState state = RegistrationState.NO_CELL_AVAILABLE;
     private boolean cellFound;
@@ -30,6 +36,7 @@ final class Registration {
     private LocationArea area = LocationArea.TEST;
     private Optional<MobileIdentity> offeredIdentity = Optional.empty();
     private Optional<RejectCause> rejectCause = Optional.empty();
+    private boolean cardRefused;
     /** What the user was told last; empty before the first word. */
     private Optional<String> told = Optional.empty();
 
@@ -45,9 +52,10 @@ final class Registration {
         return state == RegistrationState.NORMAL_SERVICE;
     }
 
-    /** Whether the network has said no; after a pause it is asked again, and then it may say yes. */
+    /** Whether the network has said no; it may be asked again after a pause, and then say yes. */
     boolean isRefused() {
-        return state == RegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
+        return state == RegistrationState.LIMITED_SERVICE
+                || state == RegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
     }
 
     boolean isPowered() {
@@ -62,6 +70,16 @@ final class Registration {
 
     Optional<RejectCause> rejectCause() {
         return rejectCause;
+    }
+
+    /** Whether the network has refused because the card could not prove itself. */
+    boolean isCardRefused() {
+        return cardRefused;
+    }
+
+    private void notRefused() {
+        rejectCause = Optional.empty();
+        cardRefused = false;
     }
 
     /** How the station names itself on the air: by the temporary identity, if it has one. */
@@ -96,7 +114,7 @@ final class Registration {
 
     void linkLost() {
         cellFound = false;
-        rejectCause = Optional.empty();
+        notRefused();
         happens(RegistrationEvent.LINK_LOST);
     }
 
@@ -105,7 +123,7 @@ final class Registration {
     }
 
     void powerOff() {
-        rejectCause = Optional.empty();
+        notRefused();
         happens(RegistrationEvent.POWER_OFF);
     }
 
@@ -113,7 +131,7 @@ final class Registration {
         if (state == RegistrationState.LOCATION_UPDATING_INITIATED) {
             area = accept.area();
             offeredIdentity = accept.newIdentity();
-            rejectCause = Optional.empty();
+            notRefused();
             pause = 1;
         }
         happens(RegistrationEvent.LOCATION_UPDATING_ACCEPTED);
@@ -123,12 +141,16 @@ final class Registration {
         if (state == RegistrationState.LOCATION_UPDATING_INITIATED) {
             rejectCause = Optional.of(cause);
         }
-        happens(RegistrationEvent.LOCATION_UPDATING_REJECTED);
+        happens(
+                FINAL.contains(cause)
+                        ? RegistrationEvent.LOCATION_UPDATING_FORBIDDEN
+                        : RegistrationEvent.LOCATION_UPDATING_REJECTED);
     }
 
     /** The network does not believe our card (TS 24.008, 4.3.2.5). */
     void authenticationRejected() {
         rejectCause = Optional.of(RejectCause.ILLEGAL_MS);
+        cardRefused = true;
         happens(RegistrationEvent.AUTHENTICATION_REJECTED);
     }
 

@@ -7,6 +7,8 @@ enum RegistrationEvent {
     LINK_LOST,
     LOCATION_UPDATING_ACCEPTED,
     LOCATION_UPDATING_REJECTED,
+    /** As before, for a reason that another try would only meet again. */
+    LOCATION_UPDATING_FORBIDDEN,
     AUTHENTICATION_REJECTED,
     /** A service was refused because the network does not know us: it has forgotten what it had registered. */
     FORGOTTEN_BY_NETWORK,

@@ -9,6 +9,8 @@ enum RegistrationState {
     LOCATION_UPDATING_INITIATED,
     /** Refused or unheard; tries again after a pause. */
     ATTEMPTING_TO_UPDATE,
+    /** Refused for good: nothing is tried again before the mobile is switched on anew, or finds another cell. */
+    LIMITED_SERVICE,
     /** Registered. */
     NORMAL_SERVICE,
     IMSI_DETACH_INITIATED

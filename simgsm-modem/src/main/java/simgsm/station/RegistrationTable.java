@@ -28,13 +28,19 @@ final class RegistrationTable {
                     TELL_UNREGISTERED,
                     PAUSE)
             .on(
-                    EnumSet.of(LOCATION_UPDATING_INITIATED, NORMAL_SERVICE),
-                    AUTHENTICATION_REJECTED,
-                    ATTEMPTING_TO_UPDATE,
+                    EnumSet.of(LOCATION_UPDATING_INITIATED),
+                    LOCATION_UPDATING_FORBIDDEN,
+                    LIMITED_SERVICE,
                     STOP_TIMERS,
                     FORGET_IDENTITY,
-                    TELL_UNREGISTERED,
-                    PAUSE)
+                    TELL_UNREGISTERED)
+            .on(
+                    EnumSet.of(LOCATION_UPDATING_INITIATED, NORMAL_SERVICE),
+                    AUTHENTICATION_REJECTED,
+                    LIMITED_SERVICE,
+                    STOP_TIMERS,
+                    FORGET_IDENTITY,
+                    TELL_UNREGISTERED)
             .on(
                     EnumSet.of(LOCATION_UPDATING_INITIATED),
                     T3210_EXPIRED,
@@ -60,7 +66,7 @@ final class RegistrationTable {
                     LOCATION_UPDATING_INITIATED,
                     FORGET_IDENTITY,
                     SEND_LOCATION_UPDATING_REQUEST)
-            .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, NORMAL_SERVICE), CHANNEL_RELEASED)
+            .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, LIMITED_SERVICE, NORMAL_SERVICE), CHANNEL_RELEASED)
             .on(
                     EnumSet.range(NO_CELL_AVAILABLE, NORMAL_SERVICE),
                     LINK_LOST,
@@ -70,7 +76,7 @@ final class RegistrationTable {
                     TELL_UNREGISTERED)
             .stay(EnumSet.of(NULL), LINK_LOST)
             .on(
-                    EnumSet.of(NO_CELL_AVAILABLE, LOCATION_UPDATING_INITIATED, ATTEMPTING_TO_UPDATE),
+                    EnumSet.of(NO_CELL_AVAILABLE, LOCATION_UPDATING_INITIATED, ATTEMPTING_TO_UPDATE, LIMITED_SERVICE),
                     POWER_OFF,
                     NULL,
                     STOP_TIMERS,

@@ -3,12 +3,18 @@ package simgsm.station;
 import java.util.Optional;
 import simgsm.air.OctetString;
 import simgsm.air.RejectCause;
+import simgsm.sim.SimCard;
 
 /** The card's answer to the network's challenge (TS 24.008, 4.3.2). */
 @FunctionalInterface
 public interface Sim {
     /** A card without a key: it cannot prove anything. */
     Sim WITHOUT_KEY = (rand, autn) -> Answer.failure(RejectCause.MAC_FAILURE, Optional.empty());
+
+    /** A card with a key. */
+    static Sim of(SimCard card) {
+        return new KeyedSim(card);
+    }
 
     /**
      * @param rand 16 octets

@@ -3,6 +3,7 @@ package simgsm.station;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
+import simgsm.sim.SimCard;
 
 /**
  * Who a station is: what its SIM and its equipment say.
@@ -13,6 +14,11 @@ import simgsm.air.Msisdn;
 public record StationIdentity(Imsi imsi, Imei imei, Msisdn number, String unitName, Msisdn serviceCenter) {
     /** The service centre's number in the test network. */
     public static final Msisdn TEST_SERVICE_CENTER = new Msisdn("5550000");
+
+    /** The subscriber whose card is in the slot. */
+    public static StationIdentity ofCard(SimCard card, Imei imei, String unitName) {
+        return new StationIdentity(card.imsi(), imei, card.number(), unitName, TEST_SERVICE_CENTER);
+    }
 
     /** A subscriber of an open network, where the number gives the IMSI. */
     public static StationIdentity ofOpenNumber(Msisdn number, Imei imei, String unitName) {

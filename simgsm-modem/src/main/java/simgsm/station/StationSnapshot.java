@@ -10,6 +10,7 @@ import simgsm.speech.SpeechCodec;
  *
  * @param linkUp whether there is a connection to the centre
  * @param rejectCause why the network refused registration, if it did
+ * @param cardRefused whether that was because the card could not prove itself
  * @param networkName the operator's name for the display, empty until the network tells it
  * @param peer the other party of the present call, if there is one and its number is known
  * @param codec of the speech that the station sends
@@ -20,6 +21,7 @@ public record StationSnapshot(
         boolean linkUp,
         boolean registered,
         Optional<RejectCause> rejectCause,
+        boolean cardRefused,
         String networkName,
         CallState callState,
         Optional<Msisdn> peer,

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.air.CcmMessage;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
@@ -172,6 +174,63 @@ class RegistrationTest {
         scene.releaseChannel();
         assertEquals(List.of("unregistered 3"), scene.told.lines());
         assertFalse(scene.station.snapshot().registered());
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"IMSI_UNKNOWN_IN_HLR", "ILLEGAL_ME", "PLMN_NOT_ALLOWED"})
+    void whatAnotherTryWouldOnlyMeetAgainIsNotTriedAgain(RejectCause cause) {
+        Scene scene = new Scene();
+        scene.linkUp();
+        scene.identify();
+        scene.expectFirst(LocationUpdatingRequest.class);
+        scene.down(new LocationUpdatingReject(cause));
+        scene.releaseChannel();
+        scene.pass(3_600 * Scene.SECOND);
+        scene.expectNothing();
+        assertEquals(List.of("unregistered " + cause.code()), scene.told.lines());
+        assertEquals(Optional.of(cause), scene.station.snapshot().rejectCause());
+        assertFalse(scene.station.snapshot().cardRefused());
+    }
+
+    @Test
+    void aRejectedCardIsTriedAgainOnlyAfterSwitchingOnOrInAnotherCell() {
+        Scene scene = new Scene();
+        scene.linkUp();
+        scene.identify();
+        rejectCard(scene);
+        assertTrue(scene.station.snapshot().cardRefused());
+        scene.pass(3_600 * Scene.SECOND);
+        scene.expectNothing();
+        scene.station.powerOff();
+        assertFalse(scene.station.snapshot().cardRefused());
+        scene.station.powerOn();
+        rejectCard(scene);
+        scene.linkDown();
+        scene.linkUp();
+        scene.identify();
+        scene.acceptLocationUpdating();
+        assertTrue(scene.station.snapshot().registered());
+        assertFalse(scene.station.snapshot().cardRefused());
+    }
+
+    private static void rejectCard(Scene scene) {
+        scene.expectFirst(LocationUpdatingRequest.class);
+        scene.down(new AuthenticationRequest(0, RAND, Optional.empty()));
+        scene.up.poll();
+        scene.down(new AuthenticationReject());
+        scene.releaseChannel();
+    }
+
+    @Test
+    void aCallWithARejectedCardEndsAtOnce() {
+        Scene scene = new Scene();
+        scene.linkUp();
+        scene.identify();
+        rejectCard(scene);
+        scene.told.clear();
+        scene.station.dial(Scene.OTHER);
+        assertEquals(List.of("calling 5550200", "released 38"), scene.told.lines());
+        scene.expectNothing();
     }
 
     @Test

@@ -16,7 +16,6 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.CallRecorder;
 import simgsm.speech.CallTap;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 
@@ -41,7 +40,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 new Handset(settings.identity().number(), settings.keyMode(), listener, output, InstantSource.system());
         station = new MobileStation(
                 settings.identity(),
-                Sim.WITHOUT_KEY,
+                settings.sim(),
                 new StationOptions(settings.codec(), recorder),
                 handset.mouth(),
                 handset.ears());

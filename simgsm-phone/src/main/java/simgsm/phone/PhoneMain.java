@@ -51,6 +51,11 @@ public final class PhoneMain {
                         "channels",
                         "LIST",
                         "the broadcast channels that are shown, as 50,919,4370-4399; all or none (all)")
+                .value(
+                        "sim",
+                        "FILE",
+                        "the SIM, for a closed network: IMSI, number and key; of a file with several SIMs"
+                                + "\nthe one of --number")
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 

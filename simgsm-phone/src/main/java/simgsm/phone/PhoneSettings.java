@@ -1,5 +1,6 @@
 package simgsm.phone;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Random;
@@ -8,18 +9,23 @@ import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.phone.handset.KeyMode;
+import simgsm.sim.SimCard;
+import simgsm.sim.SimSlot;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 
 /**
  * What a command line makes of a phone.
  *
+ * @param sim proves the identity to a closed network
  * @param recording where its calls are recorded, if they are
  * @param channels the broadcasts that it shows
  */
 record PhoneSettings(
         StationIdentity identity,
+        Sim sim,
         SpeechCodec.Kind codec,
         KeyMode keyMode,
         Optional<Path> recording,
@@ -27,25 +33,31 @@ record PhoneSettings(
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
 
-    static PhoneSettings of(Arguments arguments) throws UsageException {
+    /** @throws IOException naming the file of SIMs that cannot be read */
+    static PhoneSettings of(Arguments arguments) throws UsageException, IOException {
+        SimSlot slot = SimSlot.of(arguments);
+        Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneSettings::ownNumber : Msisdn::parse);
+        Optional<SimCard> card = slot.card(given);
+        Msisdn number = card.map(SimCard::number).or(() -> given).orElse(new Msisdn(DEFAULT_NUMBER));
+        Imei imei = imei(arguments, number);
         return new PhoneSettings(
-                identity(arguments),
+                card.map(inserted -> StationIdentity.ofCard(inserted, imei, UNIT_NAME))
+                        .orElseGet(() -> StationIdentity.ofOpenNumber(number, imei, UNIT_NAME)),
+                card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
                 codec(arguments),
                 keyMode(arguments),
                 arguments.path("record-audio"),
                 arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));
     }
 
-    private static StationIdentity identity(Arguments arguments) throws UsageException {
-        Msisdn number = arguments.value("number", PhoneSettings::ownNumber).orElse(new Msisdn(DEFAULT_NUMBER));
+    private static Imei imei(Arguments arguments, Msisdn number) throws UsageException {
         Random random = new Random();
         if (arguments.has("seed")) {
             // With the number, or two phones of one seed would be one piece of equipment.
             random = new Random(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE) * 31
                     + number.digits().hashCode());
         }
-        Imei imei = arguments.value("imei", Imei::new).orElse(Imei.random(random));
-        return StationIdentity.ofOpenNumber(number, imei, UNIT_NAME);
+        return arguments.value("imei", Imei::new).orElse(Imei.random(random));
     }
 
     /** Only a number of this form makes an identity in the open network. */

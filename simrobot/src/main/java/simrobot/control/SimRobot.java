@@ -12,9 +12,11 @@ import java.util.concurrent.TimeoutException;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Collapse;
+import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallTap;
 import simgsm.speech.Loudspeaker;
+import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
@@ -31,6 +33,8 @@ import vericommand.Settings;
 public final class SimRobot implements AutoCloseable {
     /** An act is done within milliseconds; a simulation that has ended does none. */
     private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+    private static final String UNIT_NAME = "SimGSM robot";
 
     private final Simulation simulation;
     private final SimulationThread simulationThread;
@@ -63,12 +67,20 @@ public final class SimRobot implements AutoCloseable {
         drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
     }
 
-    /** Gives a robot its modem and its verifier; before the start. */
+    /** Gives a robot its modem, for an open network, and its verifier; before the start. */
     public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
+        return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
+    }
+
+    /** As before, with a card in the modem's slot. */
+    public TelephoneRobot add(SimulatedRobot robot, SimCard card, Imei imei, StationOptions options) {
+        return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
+    }
+
+    private TelephoneRobot add(SimulatedRobot robot, StationIdentity identity, Sim sim, StationOptions options) {
         CallTap tap = CallTap.both(options.tap(), loudspeaker.tap(robot.name()));
-        StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM robot");
         StationOptions heard = new StationOptions(options.codec(), tap);
-        TelephoneRobot added = new TelephoneRobot(robot, identity, heard, settings, drivers);
+        TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
         robots.add(added);
         taps.add(options.tap());
         return added;

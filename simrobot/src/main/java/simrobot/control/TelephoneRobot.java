@@ -21,11 +21,12 @@ public final class TelephoneRobot {
     public TelephoneRobot(
             SimulatedRobot robot,
             StationIdentity identity,
+            Sim sim,
             StationOptions options,
             Settings settings,
             Drivers drivers) {
         number = identity.number();
-        link = new ModemLink(identity, Sim.WITHOUT_KEY, options, drivers);
+        link = new ModemLink(identity, sim, options, drivers);
         control = new RobotControl(robot, settings, link, drivers.clockNanos());
         link.serve(control);
     }

@@ -145,6 +145,7 @@ final class WindowBench implements Operator {
                 registered,
                 registered,
                 Optional.empty(),
+                false,
                 "SimGSM",
                 inCall ? CallState.ACTIVE : CallState.NULL,
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),

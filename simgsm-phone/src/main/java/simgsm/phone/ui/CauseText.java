@@ -17,11 +17,18 @@ final class CauseText {
     }
 
     /** Why the network does not register the phone. */
-    static String ofRefusal(Texts texts, RejectCause cause, Msisdn own) {
-        // The centre says "illegal MS" to a second phone that claims a number in use.
-        return cause == RejectCause.ILLEGAL_MS
-                ? texts.of("lcd.refused.taken", own.digits())
-                : texts.of("lcd.refused", cause.title());
+    static String ofRefusal(Texts texts, RejectCause cause, boolean cardRefused, Msisdn own) {
+        if (cardRefused) {
+            return texts.of("lcd.refused.card");
+        }
+        return switch (cause) {
+            // The centre says "illegal MS" to a second phone that claims a number in use.
+            case ILLEGAL_MS -> texts.of("lcd.refused.taken", own.digits());
+            case IMSI_UNKNOWN_IN_HLR -> texts.of("lcd.refused.unknown");
+            case ILLEGAL_ME -> texts.of("lcd.refused.equipment");
+            case PLMN_NOT_ALLOWED -> texts.of("lcd.refused.barred");
+            default -> texts.of("lcd.refused", cause.title());
+        };
     }
 
     /** How far a message of one's own has got, and why it failed. */

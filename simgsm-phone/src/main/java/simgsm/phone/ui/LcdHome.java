@@ -77,7 +77,7 @@ final class LcdHome {
     private String reason(HandsetSnapshot phone) {
         return phone.station()
                 .rejectCause()
-                .map(cause -> CauseText.ofRefusal(texts, cause, phone.own()))
+                .map(cause -> CauseText.ofRefusal(texts, cause, phone.station().cardRefused(), phone.own()))
                 .orElseGet(() -> texts.of(phone.station().linkUp() ? "lcd.registering" : "lcd.nocenter"));
     }
 

@@ -126,6 +126,7 @@ public final class FakeStation implements StationSide {
                 true,
                 powered,
                 Optional.empty(),
+                false,
                 "SIMGSM",
                 CallState.NULL,
                 Optional.empty(),

@@ -13,16 +13,21 @@ import simgsm.ui.Texts;
 class CauseTextTest {
     @ParameterizedTest
     @CsvSource({
-        "en, 3, 5550100 is in use by another phone",
-        "es, 3, otro tel\u00e9fono ya usa el 5550100",
-        "en, 2, refused by the network: IMSI unknown in HLR"
+        "en, 3, false, 5550100 is in use by another phone",
+        "es, 3, false, otro tel\u00e9fono ya usa el 5550100",
+        "en, 3, true, the network does not accept this SIM",
+        "es, 3, true, la red no acepta esta SIM",
+        "en, 2, false, the network does not know this SIM",
+        "en, 6, false, the network has barred this phone",
+        "es, 11, false, la red ha bloqueado esta SIM",
+        "en, 22, false, refused by the network: congestion"
     })
-    void whyTheNetworkRefusesThePhoneIsSaidInWords(String language, int code, String words) {
+    void whyTheNetworkRefusesThePhoneIsSaidInWords(String language, int code, boolean cardRefused, String words) {
         Locale locale = Texts.bundleLocale(Locale.forLanguageTag(language));
         Texts texts = new Texts(ResourceBundle.getBundle("simgsm.phone.messages", locale), Locale.ROOT);
         assertEquals(
                 words.toLowerCase(Locale.ROOT),
-                CauseText.ofRefusal(texts, RejectCause.ofCode(code), new Msisdn("5550100"))
+                CauseText.ofRefusal(texts, RejectCause.ofCode(code), cardRefused, new Msisdn("5550100"))
                         .toLowerCase(Locale.ROOT));
     }
 }

@@ -1,0 +1,78 @@
+package simgsm.sim;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+
+/**
+ * A file of cards: what a network's operator lists ({@code --hlr}), and, with one or a few of its lines, what a terminal
+ * has in its slot ({@code --sim}). UTF-8 text; {@code #} begins a comment; each line is one of
+ *
+ * <pre>
+ *   sim number=5550100 imsi=001010005550100 k=HEX opc=HEX [barred]
+ *   sim number=5550100 imsi=001010005550100 k=HEX op=HEX  [barred]
+ *   barred-imei 490154203237518
+ * </pre>
+ *
+ * where HEX is 32 hexadecimal digits. No number and no IMSI may stand twice.
+ *
+ * @param barredEquipment terminals that nobody may register with
+ */
+public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipment) {
+    /** A class or a campus; a file that says more is not one of ours. */
+    public static final int MAX_SUBSCRIPTIONS = 100_000;
+
+    /** No card at all. */
+    public static final SimFile EMPTY = new SimFile(List.of(), Set.of());
+
+    private static final int SHOWN = 5;
+
+    public SimFile {
+        subscriptions = List.copyOf(subscriptions);
+        barredEquipment = Set.copyOf(barredEquipment);
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws IOException naming the file, and the line and what was expected there if it holds something else
+     */
+    public static SimFile read(Path file) throws IOException {
+        List<String> lines;
+        try {
+            lines = Files.readAllLines(file, StandardCharsets.UTF_8);
+        } catch (CharacterCodingException e) {
+            throw new IOException(file + ": expected UTF-8 text", e);
+        }
+        return new SimFileReader(file.toString()).read(lines);
+    }
+
+    public Optional<SimCard> cardOf(Msisdn number) {
+        return subscriptions.stream()
+                .map(Subscription::card)
+                .filter(card -> card.number().equals(number))
+                .findFirst();
+    }
+
+    /** The only card that there is; empty if there are none or several. */
+    public Optional<SimCard> onlyCard() {
+        return subscriptions.size() == 1 ? Optional.of(subscriptions.get(0).card()) : Optional.empty();
+    }
+
+    /** The numbers for an error's text: the first few. */
+    public String numbers() {
+        String shown = subscriptions.stream()
+                .limit(SHOWN)
+                .map(subscription -> subscription.card().number().digits())
+                .collect(Collectors.joining(", "));
+        return subscriptions.size() > SHOWN ? shown + " ..." : shown;
+    }
+}
