@@ -35,6 +35,7 @@ import simrobot.control.RobotConsole;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.SimRobotWindow;
@@ -81,6 +82,11 @@ public final class SimRobotMain {
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
                 .value("behaviour", "KIND", "wander, wall-follow or none: an autonomous process in every robot (none)")
                 .value("speed", "N", "simulated seconds per second (1)")
+                .value(
+                        "noise",
+                        "N",
+                        "errors of wheels and sonars: 0 none (the default), 1 as MobileSim's, at most 10;"
+                                + "\nwith --seed they repeat")
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
                 .value("bind", "ADDRESS", "address that P2OS ports listen on; default loopback only")
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
@@ -135,6 +141,7 @@ public final class SimRobotMain {
         SimSlot slot = SimSlot.of(arguments);
         List<RobotName> names = Lineup.of(arguments, slot, world);
         Simulation simulation = new Simulation(world, seed);
+        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);

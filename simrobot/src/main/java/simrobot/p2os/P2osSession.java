@@ -37,7 +37,7 @@ public final class P2osSession {
     private final PacketReader reader = new PacketReader(this::heard);
     private final Motion motion;
     private final Report report;
-    private final Bumpers bumpers;
+    private final Stall stall;
     private Stage stage = Stage.HANDSHAKE;
     private Told encoders = Told.NEVER;
     private Told simulator = Told.NEVER;
@@ -57,8 +57,8 @@ public final class P2osSession {
         this.start = start;
         this.wire = wire;
         motion = new Motion(robot);
-        bumpers = new Bumpers(robot);
-        report = new Report(robot, bumpers);
+        stall = new Stall(robot);
+        report = new Report(robot, stall);
         heardNanos = nanos;
     }
 
@@ -105,7 +105,7 @@ public final class P2osSession {
     private void setTime(long nowSimulatedNanos, long nowNanos) {
         simulatedNanos = nowSimulatedNanos;
         nanos = nowNanos;
-        bumpers.watch(simulatedNanos);
+        stall.watch(simulatedNanos);
     }
 
     private void heard(byte[] data) {
@@ -181,9 +181,9 @@ public final class P2osSession {
         } else if (command instanceof Command.Polling polling) {
             report.setPolled(polling.sonars());
         } else if (command instanceof Command.BumpStall sides) {
-            bumpers.setStalls(sides);
+            stall.setBumpers(sides);
         } else if (command instanceof Command.Battery battery) {
-            report.setBattery(battery.decivolts());
+            robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
         } else if (command instanceof Command.SimPose pose) {
             place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
         } else if (command instanceof Command.SimReset) {

@@ -1,6 +1,7 @@
 package simrobot.p2os;
 
 import java.util.List;
+import simrobot.robot.Bumpers;
 import simrobot.robot.Odometry;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
@@ -16,18 +17,14 @@ final class Report {
     /** Player has room for 19 bytes. */
     private static final int NAME_LENGTH = 19;
 
-    /** A full battery of 12 V. */
-    private static final int FULL_DECIVOLTS = 127;
-
     private final SimulatedRobot robot;
-    private final Bumpers bumpers;
+    private final Stall stall;
     private boolean sonarOn = true;
     private List<Integer> polled = P2osSession.allSonars();
-    private int decivolts = FULL_DECIVOLTS;
 
-    Report(SimulatedRobot robot, Bumpers bumpers) {
+    Report(SimulatedRobot robot, Stall stall) {
         this.robot = robot;
-        this.bumpers = bumpers;
+        this.stall = stall;
     }
 
     void setSonar(boolean on) {
@@ -39,10 +36,6 @@ final class Report {
         polled = sonars.isEmpty()
                 ? P2osSession.allSonars()
                 : sonars.stream().distinct().sorted().toList();
-    }
-
-    void setBattery(int newDecivolts) {
-        decivolts = Math.max(0, Math.min(0xFF, newDecivolts));
     }
 
     /** The robot's name as its clients can take it. */
@@ -66,6 +59,7 @@ final class Report {
         double turn = robot.turnRadiansPerSecond();
         double half = turn * Pioneer2Dx.EFFECTIVE_TRACK_METERS / 2;
         int[] sonars = sonarOn ? polled.stream().mapToInt(Integer::intValue).toArray() : new int[0];
+        Bumpers bumpers = robot.bumpers();
         return new StandardSip(
                         speed != 0 || turn != 0,
                         Scale.place(odometry.xMeters()),
@@ -73,8 +67,8 @@ final class Report {
                         Scale.angle(odometry.headingRadians()),
                         Scale.millimeters(speed - half),
                         Scale.millimeters(speed + half),
-                        decivolts,
-                        bumpers.isStalled(simulatedNanos),
+                        (int) Math.round(robot.battery().volts() * 10),
+                        stall.isNoticed(bumpers, simulatedNanos),
                         bumpers.front(),
                         bumpers.rear(),
                         Scale.angle(odometry.headingRadians() + robot.drive().remainingTurn()),

@@ -71,8 +71,10 @@ final class DrivenMotion {
     /** Goes along an arc in small chords; false when something has stopped it. */
     private boolean roll(double meters, double radians, double beltX, double beltY) {
         int chords = Arc.chords(meters, radians);
-        double turn = radians / chords;
-        double way = meters / chords;
+        double wheelTurn = radians / chords;
+        double wheelWay = meters / chords;
+        double turn = wheelTurn * robot.noise().turn();
+        double way = wheelWay * robot.noise().way();
         double chord = way * Arc.chordShare(turn);
         for (int i = 0; i < chords; i++) {
             double direction = robot.headingRadians() + turn / 2;
@@ -85,7 +87,7 @@ final class DrivenMotion {
             boolean stopped = contact.touches() && wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
             double share = stopped ? contact.fraction() : 1;
             robot.turnBy(turn * share);
-            robot.odometry().roll(way * share, turn * share);
+            robot.odometry().roll(wheelWay * share, wheelTurn * share);
             robot.advance(dx, dy, contact.fraction());
             if (stopped) {
                 robot.touch(encounter);

@@ -75,7 +75,12 @@ final class OrderedMotion {
         robot.runsAt(stretch.speed(), robot.turnRadiansPerSecond());
         boolean wheelsPush = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
         boolean stopped = contact.touches() && wheelsPush;
-        robot.odometry().roll(stretch.way() * (stopped ? contact.fraction() : 1), 0);
+        robot.odometry()
+                .roll(
+                        stretch.way()
+                                * (stopped ? contact.fraction() : 1)
+                                / robot.noise().way(),
+                        0);
         if (stopped) {
             robot.touch(encounter);
         }
@@ -84,7 +89,7 @@ final class OrderedMotion {
     private void turn(double seconds, double beltX, double beltY) {
         Trapezoid.Stretch stretch = errand.next(0 - robot.turnRadiansPerSecond(), seconds);
         errand.hasTurnedBy(stretch.way());
-        robot.odometry().roll(0, -stretch.way());
+        robot.odometry().roll(0, -stretch.way() / robot.noise().turn());
         if (stretch.speed() == 0 && errand.isAtGoal()) {
             robot.turnTo(errand.goalHeading());
         } else {

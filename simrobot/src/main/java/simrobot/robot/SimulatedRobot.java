@@ -1,8 +1,8 @@
 package simrobot.robot;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import vericommand.Instruction;
@@ -43,7 +43,10 @@ public final class SimulatedRobot implements Robot {
     private final DrivenMotion driven;
     private final Autonomy autonomy;
     private final Odometry odometry = new Odometry();
+    private final Battery battery = new Battery();
     private Touch touch = Touch.NONE;
+    private Noise noise = Noise.NONE;
+    private long steps;
 
     /**
      * A robot that stands there with power and motors on.
@@ -93,6 +96,7 @@ public final class SimulatedRobot implements Robot {
     /** Throws the power switch; on leaves the motors off. Off ends a motion at once. */
     public void setPower(boolean on) {
         if (on != isPowered()) {
+            battery.refill();
             cut(on ? StatusEvent.POWER_ON : StatusEvent.POWER_OFF);
         }
     }
@@ -168,6 +172,10 @@ public final class SimulatedRobot implements Robot {
     public void step(long nanos) {
         autonomy.step(nanos);
         double seconds = nanos * 1e-9;
+        steps++;
+        if (isPowered()) {
+            battery.drain(seconds, speed, turnSpeed);
+        }
         double beltX = floor.beltVelocityX(x, y) * seconds;
         double beltY = floor.beltVelocityY(x, y) * seconds;
         if (ordered.isUnderWay()) {
@@ -321,9 +329,32 @@ public final class SimulatedRobot implements Robot {
         return odometry;
     }
 
-    /** Where something presses on its body, anticlockwise from ahead, in (-pi, pi]; empty when nothing does. */
-    public OptionalDouble touchBearingRadians() {
-        return isTouching() ? OptionalDouble.of(touch.bearing(heading)) : OptionalDouble.empty();
+    /** What presses on its body. */
+    public Bumpers bumpers() {
+        return Bumpers.pressed(this, floor, touch);
+    }
+
+    public Battery battery() {
+        return battery;
+    }
+
+    /** What its controller knows of itself. */
+    public Condition condition() {
+        return new Condition(
+                battery.volts(),
+                battery.isLow(),
+                status() == RobotStatus.COLLISION,
+                bumpers(),
+                Cleaned.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()));
+    }
+
+    Noise noise() {
+        return noise;
+    }
+
+    /** From now on wheels and sonars err so. */
+    public void setNoise(Noise newNoise) {
+        noise = newNoise;
     }
 
     /** The way that it has come, for drawing. */
@@ -335,11 +366,17 @@ public final class SimulatedRobot implements Robot {
 
     /** What the sixteen sonars hear now, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {
-        return Sonars.rangesMeters(this, floor);
+        double[] ranges = Sonars.rangesMeters(this, floor);
+        for (int i = 0; i < ranges.length; i++) {
+            ranges[i] = noise.sonar(ranges[i], i, steps);
+        }
+        return ranges;
     }
 
     /** The same in whole millimetres, 100 to 5000. */
     public int[] sonarRangesMillimeters() {
-        return Sonars.rangesMillimeters(this, floor);
+        return Arrays.stream(sonarRangesMeters())
+                .mapToInt(meters -> (int) Math.round(meters * 1000))
+                .toArray();
     }
 }

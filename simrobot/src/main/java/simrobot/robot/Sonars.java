@@ -19,15 +19,6 @@ final class Sonars {
         return ranges;
     }
 
-    static int[] rangesMillimeters(SimulatedRobot robot, Floor floor) {
-        double[] meters = rangesMeters(robot, floor);
-        int[] millimeters = new int[meters.length];
-        for (int i = 0; i < meters.length; i++) {
-            millimeters[i] = (int) Math.round(meters[i] * 1000);
-        }
-        return millimeters;
-    }
-
     /**
      * One sonar whose mouth is at this offset. The rear mouths stick out of the collision circle, so a wall may stand
      * between the robot and a mouth; the sonar then presses against it and does not look through it.

@@ -17,13 +17,17 @@ record Touch(double normalX, double normalY) {
         return new Touch(contact.normalX(), contact.normalY());
     }
 
+    boolean isSomething() {
+        return normalX != 0 || normalY != 0;
+    }
+
     Touch opposite() {
         return new Touch(-normalX, -normalY);
     }
 
     /** Whether something is still there. */
     boolean holds(SimulatedRobot robot, Floor floor) {
-        return this != NONE
+        return isSomething()
                 && floor.sweep(robot, -normalX * GRIP_METERS, -normalY * GRIP_METERS)
                         .contact()
                         .touches();

@@ -1,6 +1,7 @@
 package simrobot.simulation;
 
 import simrobot.behaviour.BehaviourKind;
+import simrobot.robot.Condition;
 import simrobot.robot.Trail;
 import vericommand.RobotStatus;
 
@@ -22,5 +23,6 @@ public record RobotSnapshot(
         double speedMetersPerSecond,
         double turnRadiansPerSecond,
         double[] sonarRangesMeters,
+        Condition condition,
         Trail.Crumbs trail,
         BehaviourKind behaviour) {}

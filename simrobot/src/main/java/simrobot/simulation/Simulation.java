@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.LongConsumer;
 import java.util.stream.Stream;
+import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;
 import simrobot.world.Position;
@@ -31,6 +32,8 @@ public final class Simulation {
     /** In the order in which they were added; a new list at every change, so that who walks it may add and remove. */
     private List<SimulatedRobot> robots = List.of();
 
+    private final long seed;
+    private double noise;
     private World world;
     private SimulatedRobot watched;
     private long timeNanos;
@@ -40,6 +43,7 @@ public final class Simulation {
         this.world = world;
         crowd = new Crowd(world);
         random = new Random(seed);
+        this.seed = seed;
     }
 
     public World world() {
@@ -54,6 +58,11 @@ public final class Simulation {
     /** The one source of chance, so that a seed repeats a run. */
     public Random random() {
         return random;
+    }
+
+    /** Wheels and sonars of robots that are added from now on err so much: 0 not at all, 1 as MobileSim's, at most 10. */
+    public void setNoise(double scale) {
+        noise = scale;
     }
 
     // ---- robots --------------------------------------------------------------------------------------------------
@@ -85,6 +94,7 @@ public final class Simulation {
         }
         SimulatedRobot robot =
                 new SimulatedRobot(name, robots.size(), crowd, position.xMeters(), position.yMeters(), headingRadians);
+        robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
         byName.put(name, robot);
         robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
         crowd.moved(robot);
@@ -168,6 +178,7 @@ public final class Simulation {
                 robot.speedMetersPerSecond(),
                 robot.turnRadiansPerSecond(),
                 sonars ? robot.sonarRangesMeters() : new double[0],
+                robot.condition(),
                 robot.trail().crumbs(),
                 robot.autonomy().kind());
     }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simrobot.robot.Bumpers;
 import simrobot.robot.Placement;
 import simrobot.robot.Trapezoid;
 import simrobot.world.ObstacleGrid;
@@ -129,8 +130,7 @@ class DriveTest {
         assertTouching(Math.abs(end) - Math.abs(bench.robot.xMeters()));
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.COLLISION), bench.statuses);
         assertEquals(0, bench.robot.speedMetersPerSecond());
-        double bearing = bench.robot.touchBearingRadians().orElseThrow();
-        assertEquals(way > 0 ? 0 : Math.PI, Math.abs(bearing), 1e-9);
+        assertEquals(way > 0 ? new Bumpers(0b00100, 0) : new Bumpers(0, 0b00100), bench.robot.bumpers());
     }
 
     @Test
@@ -172,7 +172,7 @@ class DriveTest {
         bench.seconds(5);
         assertEquals(0.55, bench.robot.xMeters(), 1e-6);
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.STOPPED), bench.statuses);
-        assertTrue(bench.robot.touchBearingRadians().isEmpty());
+        assertFalse(bench.robot.bumpers().isPressed());
     }
 
     @Test
@@ -198,7 +198,7 @@ class DriveTest {
         bench.robot.drive().turn(Math.toRadians(30));
         bench.seconds(5);
         assertEquals(RobotStatus.COLLISION, bench.robot.status());
-        assertEquals(-30, Math.toDegrees(bench.robot.touchBearingRadians().orElseThrow()), 1e-6);
+        assertEquals(new Bumpers(0b01000, 0), bench.robot.bumpers());
         bench.robot.drive().turn(Math.toRadians(90));
         bench.seconds(5);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());

@@ -1,0 +1,216 @@
+package simrobot.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simrobot.robot.Battery;
+import simrobot.robot.Bumpers;
+import simrobot.robot.SimulatedRobot;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.World;
+import vericommand.Instruction;
+import vericommand.RobotStatus;
+
+/** Bumpers, battery, and what wheels and sonars get wrong. */
+class SensesTest {
+    private static final World CORNER =
+            World.ofSegments("corner", List.of(new Segment(2, -5, 2, 5), new Segment(-5, 1, 5, 1)));
+
+    private static Simulation simulation(World world, double noise, long seed) {
+        Simulation simulation = new Simulation(world, seed);
+        simulation.setNoise(noise);
+        return simulation;
+    }
+
+    private static SimulatedRobot robot(Simulation simulation) {
+        return simulation.addRobot("robot", new Position(0, 0), 0);
+    }
+
+    // ---- bumpers ---------------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @CsvSource({
+        "90, 1, 0",
+        "54.1, 1, 0",
+        "53.9, 2, 0",
+        "18.1, 2, 0",
+        "17.9, 4, 0",
+        "0, 4, 0",
+        "-17.9, 4, 0",
+        "-18.1, 8, 0",
+        "-54.1, 16, 0",
+        "-89.9, 16, 0",
+        "-90.1, 0, 1",
+        "-126.1, 0, 2",
+        "-162.1, 0, 4",
+        "180, 0, 4",
+        "162.1, 0, 4",
+        "161.9, 0, 8",
+        "125.9, 0, 16",
+        "90.1, 0, 16"
+    })
+    void theBumperWhereItTouchesIsPressed(double bearingDegrees, int front, int rear) {
+        Simulation simulation = simulation(World.ofSegments("wall", List.of(new Segment(1, -5, 1, 5))), 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        robot.drive().move(3);
+        simulation.run(1000);
+        robot.drive().turn(Math.toRadians(-bearingDegrees));
+        simulation.run(1000);
+        assertEquals(new Bumpers(front, rear), robot.bumpers());
+        assertEquals(
+                robot.bumpers(),
+                simulation.snapshot().robots().get(0).condition().bumpers());
+    }
+
+    @Test
+    void inACornerBothWallsPress() {
+        Simulation simulation = simulation(CORNER, 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        robot.place(1, 0.7499, 0);
+        robot.drive().move(3);
+        simulation.run(1000);
+        assertEquals(RobotStatus.COLLISION, robot.status());
+        assertEquals(new Bumpers(0b00101, 0), new Bumpers(robot.bumpers().front() | 1, 0));
+        assertTrue(
+                robot.bumpers().front() != 0b00100 || robot.bumpers().rear() != 0, "the wall beside it presses, too");
+    }
+
+    @Test
+    void aRobotThatStandsBesideAWallAndHasTouchedNothingPressesNothing() {
+        Simulation simulation = simulation(CORNER, 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        robot.place(0, 0.7495, 0);
+        assertFalse(robot.bumpers().isPressed());
+    }
+
+    @Test
+    void bothRobotsFeelThatTheyHaveMet() {
+        Simulation simulation = simulation(World.bare(), 0, 1);
+        SimulatedRobot one = robot(simulation);
+        SimulatedRobot other = simulation.addRobot("other", new Position(2, 0), Math.PI / 2);
+        one.drive().move(3);
+        simulation.run(1000);
+        assertEquals(new Bumpers(0b00100, 0), one.bumpers());
+        assertEquals(
+                1, Integer.bitCount(other.bumpers().front() | other.bumpers().rear() << 5));
+    }
+
+    // ---- battery ---------------------------------------------------------------------------------------------------
+
+    @Test
+    void theBatteryDrainsFasterWhileItDrivesAndIsFullWhenSwitchedOnAgain() {
+        Simulation simulation = simulation(World.bare(), 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        assertEquals(Battery.FULL_VOLTS, robot.battery().volts());
+        simulation.run(10_000);
+        double standing = Battery.FULL_VOLTS - robot.battery().volts();
+        robot.drive().setTurnSpeed(2);
+        simulation.run(10_000);
+        double turning = Battery.FULL_VOLTS - standing - robot.battery().volts();
+        assertTrue(standing > 0 && turning > 2 * standing, standing + " and " + turning);
+        robot.setPower(false);
+        simulation.run(100);
+        robot.setPower(true);
+        assertEquals(Battery.FULL_VOLTS, robot.battery().volts());
+    }
+
+    @Test
+    void aDayOfStandingLeavesItLowButNotDead() {
+        Simulation simulation = simulation(World.bare(), 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        for (int i = 0; i < 24 * 60; i++) {
+            robot.step(60_000_000_000L);
+        }
+        assertTrue(robot.battery().isLow());
+        assertEquals(10.5, robot.battery().volts(), 1e-9);
+        robot.start(new Instruction.Forward(20), outcome -> {});
+        simulation.run(500);
+        assertEquals(0.2, robot.xMeters(), 1e-9);
+    }
+
+    // ---- noise -----------------------------------------------------------------------------------------------------
+
+    @Test
+    void withoutNoiseTheOdometryIsTheTruth() {
+        Simulation simulation = simulation(World.bare(), 0, 5);
+        SimulatedRobot robot = robot(simulation);
+        robot.start(new Instruction.Forward(300), outcome -> {});
+        simulation.run(2000);
+        assertEquals(3, robot.xMeters(), 1e-9);
+        assertEquals(3, robot.odometry().xMeters(), 1e-9);
+    }
+
+    @Test
+    void withNoiseAnOrderIsStillExactInTruthAndTheOdometryErrsAtMostThatMuch() {
+        int wrong = 0;
+        for (long seed = 0; seed < 20; seed++) {
+            Simulation simulation = simulation(World.bare(), 1, seed);
+            SimulatedRobot robot = robot(simulation);
+            robot.start(new Instruction.Forward(300), outcome -> {});
+            simulation.run(2000);
+            assertEquals(3, robot.xMeters(), 1e-9);
+            double error = robot.odometry().xMeters() - 3;
+            assertTrue(Math.abs(error) <= 3 * 0.0076, "error " + error);
+            wrong += Math.abs(error) > 0.001 ? 1 : 0;
+        }
+        assertTrue(wrong > 10, wrong + " of 20 robots err by more than a millimetre");
+    }
+
+    @Test
+    void aDrivenRobotCountsByItsWheelsAndErrsInTruth() {
+        Simulation simulation = simulation(World.bare(), 4, 3);
+        SimulatedRobot robot = robot(simulation);
+        robot.drive().move(2);
+        simulation.run(2000);
+        assertEquals(2, robot.odometry().xMeters(), 1e-9);
+        assertNotEquals(2, robot.xMeters(), 1e-4);
+        assertEquals(2, robot.xMeters(), 2 * 0.031);
+    }
+
+    @Test
+    void theSameSeedErrsInTheSameWayHoweverOftenTheSonarsAreLookedAt() {
+        double[][] heard = new double[2][];
+        double[] odometry = new double[2];
+        for (int run = 0; run < 2; run++) {
+            Simulation simulation = simulation(CORNER, 1, 9);
+            SimulatedRobot robot = robot(simulation);
+            robot.drive().move(0.5);
+            for (int i = 0; i < 500; i++) {
+                simulation.step();
+                for (int look = 0; look < run; look++) {
+                    robot.sonarRangesMeters();
+                }
+            }
+            heard[run] = robot.sonarRangesMeters();
+            odometry[run] = robot.xMeters();
+        }
+        assertArrayEquals(heard[0], heard[1]);
+        assertEquals(odometry[0], odometry[1]);
+    }
+
+    @Test
+    void noisySonarsScatterAboutTheTruthAndNoEchoStaysNone() {
+        Simulation simulation = simulation(CORNER, 1, 2);
+        SimulatedRobot robot = robot(simulation);
+        double[] exact = robot(simulation(CORNER, 0, 2)).sonarRangesMeters();
+        double sum = 0;
+        double most = 0;
+        for (int i = 0; i < 400; i++) {
+            simulation.step();
+            double error = robot.sonarRangesMeters()[3] - exact[3];
+            sum += error;
+            most = Math.max(most, Math.abs(error));
+            assertEquals(5, robot.sonarRangesMeters()[11]);
+        }
+        assertTrue(most > 0.003 && most < 0.025, "most " + most);
+        assertEquals(0, sum / 400, 0.002);
+    }
+}
