@@ -6,11 +6,13 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import simgsm.center.capture.Capture;
 import simgsm.center.journal.FileDisk;
 import simgsm.center.journal.Journal;
 import simgsm.center.journal.JournalThread;
@@ -39,6 +41,7 @@ final class Center implements AutoCloseable {
 
     private final OptionalInt smppPort;
     private final SmppUsers smppUsers;
+    private final Optional<Capture> capture;
 
     private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
         this.data = data;
@@ -50,6 +53,10 @@ final class Center implements AutoCloseable {
         smppPort = settings.smppPort().isPresent()
                 ? OptionalInt.of(loop.openSmpp(address, settings.smppPort().getAsInt()))
                 : OptionalInt.empty();
+        capture = settings.capture().isPresent()
+                ? Optional.of(Capture.start(settings.capture().get()))
+                : Optional.empty();
+        capture.ifPresent(loop::captureTo);
     }
 
     /**
@@ -153,6 +160,7 @@ final class Center implements AutoCloseable {
     @Override
     public void close() {
         loop.close();
+        capture.ifPresent(Capture::close);
         store.close();
         data.close();
     }

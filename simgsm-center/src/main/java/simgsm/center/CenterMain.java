@@ -2,6 +2,7 @@ package simgsm.center;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import simgsm.center.capture.CapturePlan;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
@@ -39,7 +40,16 @@ public final class CenterMain {
                                 + "\nsmpp-users.properties in the data directory, id=password a line; without that file"
                                 + "\nany application of this machine")
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
-                .value("data", "DIR", "where messages and subscribers are kept; one process at a time");
+                .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
+                .value(
+                        "capture",
+                        "FILE.pcap",
+                        "write what crosses the wire, speech too, for Wireshark; port 3003 there whatever --port says")
+                .value(
+                        "capture-limit",
+                        "MIB",
+                        "put the capture aside as FILE.1.pcap when it is so large, and begin anew; default "
+                                + CapturePlan.DEFAULT_LIMIT_MIB);
     }
 
     private static int run(Arguments arguments) throws Exception {

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
+import simgsm.center.capture.CapturePlan;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 
@@ -16,9 +17,16 @@ import simgsm.console.UsageException;
  * @param port empty for the usual one
  * @param smppPort empty for no SMPP
  * @param data empty for the usual place
+ * @param capture empty for none
  */
 record CenterSettings(
-        InetAddress address, OptionalInt port, OptionalInt smppPort, Optional<Path> data, long seed, Locale language) {
+        InetAddress address,
+        OptionalInt port,
+        OptionalInt smppPort,
+        Optional<Path> data,
+        Optional<CapturePlan> capture,
+        long seed,
+        Locale language) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -28,8 +36,18 @@ record CenterSettings(
                 port(arguments, "port"),
                 port(arguments, "smpp"),
                 arguments.path("data"),
+                capture(arguments),
                 arguments.integer("seed", new Random().nextLong(), Long.MIN_VALUE, Long.MAX_VALUE),
                 arguments.language());
+    }
+
+    private static Optional<CapturePlan> capture(Arguments arguments) throws UsageException {
+        if (arguments.has("capture-limit") && !arguments.has("capture")) {
+            throw new UsageException("--capture-limit needs --capture FILE.pcap");
+        }
+        long limitMib =
+                arguments.integer("capture-limit", CapturePlan.DEFAULT_LIMIT_MIB, 1, CapturePlan.LARGEST_LIMIT_MIB);
+        return arguments.path("capture").map(file -> CapturePlan.of(file, limitMib));
     }
 
     private static OptionalInt port(Arguments arguments, String option) throws UsageException {

@@ -38,6 +38,7 @@ class CenterConsoleTest {
                 OptionalInt.empty(),
                 OptionalInt.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 1,
                 Locale.ENGLISH);
         center = Center.open(settings, temporary, 0);

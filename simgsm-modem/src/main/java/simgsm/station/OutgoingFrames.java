@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
 import java.util.ArrayDeque;
 import java.util.Iterator;
+import java.util.function.Consumer;
 import simgsm.air.IpaFrame;
 import simgsm.air.IpaFramer;
 
@@ -17,6 +18,7 @@ public final class OutgoingFrames {
     static final int MOST_SPEECH_FRAMES = 10;
 
     private final int mostSignallingFrames;
+    private final Consumer<byte[]> written;
 
     private record Waiting(ByteBuffer octets, boolean isSpeech) {}
 
@@ -26,7 +28,13 @@ public final class OutgoingFrames {
 
     /** @param mostSignallingFrames a peer that has not taken so many is not reading any more */
     public OutgoingFrames(int mostSignallingFrames) {
+        this(mostSignallingFrames, wire -> {});
+    }
+
+    /** @param written told of each frame, as it is on the wire, once it has left whole */
+    public OutgoingFrames(int mostSignallingFrames, Consumer<byte[]> written) {
         this.mostSignallingFrames = mostSignallingFrames;
+        this.written = written;
     }
 
     /**
@@ -39,6 +47,7 @@ public final class OutgoingFrames {
         if (queue.isEmpty()) {
             channel.write(octets);
             if (!octets.hasRemaining()) {
+                written.accept(octets.array());
                 return true;
             }
         }
@@ -61,6 +70,7 @@ public final class OutgoingFrames {
             }
             queue.removeFirst();
             speechFrames -= first.isSpeech ? 1 : 0;
+            written.accept(first.octets.array());
         }
     }
 

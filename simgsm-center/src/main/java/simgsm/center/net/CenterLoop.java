@@ -9,12 +9,15 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayDeque;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import simgsm.air.IpaFrame;
+import simgsm.center.capture.Capture;
+import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Exchange;
 
 /**
@@ -34,6 +37,7 @@ public final class CenterLoop implements AutoCloseable {
     private final Selector selector;
     private final Door terminals;
     private Door applications;
+    private Optional<Capture> capture = Optional.empty();
     private final Queue<Consumer<Exchange>> mailbox = new ConcurrentLinkedQueue<>();
     private final ArrayDeque<Broken> brokenConnections = new ArrayDeque<>();
     private final ByteBuffer readBuffer = ByteBuffer.allocateDirect(READ_BUFFER_OCTETS);
@@ -116,9 +120,20 @@ public final class CenterLoop implements AutoCloseable {
         return applications.port();
     }
 
+    /** Has everything that terminals and centre say to each other written down. To be called before {@link #start}. */
+    public void captureTo(Capture running) {
+        capture = Optional.of(running);
+    }
+
     private Peer terminal(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
-        Connection connection = new Connection(channel, key, host);
+        Connection connection = new Connection(channel, key, host, tap(channel, address));
         return welcomed(connection, () -> connection.link = exchange.linkOpened(nowNanos(), connection, text(address)));
+    }
+
+    private WireTap tap(SocketChannel channel, InetSocketAddress peer) {
+        return capture.map(running -> running.conversation(
+                        peer, (InetSocketAddress) channel.socket().getLocalSocketAddress()))
+                .orElse(WireTap.NONE);
     }
 
     private Peer application(SocketChannel channel, SelectionKey key, InetSocketAddress address) {

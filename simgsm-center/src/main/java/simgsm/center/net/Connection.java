@@ -9,6 +9,7 @@ import java.util.Optional;
 import simgsm.air.IpaFrame;
 import simgsm.air.IpaFramer;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
 import simgsm.station.OutgoingFrames;
@@ -30,17 +31,21 @@ final class Connection implements Peer, LinkPort {
     private final SelectionKey key;
     private final Host host;
     private final IpaFramer framer = new IpaFramer();
-    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
+    private final WireTap tap;
+    private final OutgoingFrames outgoing;
 
     /** What this connection is to the exchange. */
     Link link;
 
     private boolean isOpen = true;
+    private boolean hasPeerLeft;
 
-    Connection(SocketChannel channel, SelectionKey key, Host host) {
+    Connection(SocketChannel channel, SelectionKey key, Host host, WireTap tap) {
         this.channel = channel;
         this.key = key;
         this.host = host;
+        this.tap = tap;
+        this.outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES, tap::sent);
     }
 
     @Override
@@ -53,12 +58,14 @@ final class Connection implements Peer, LinkPort {
         try {
             buffer.clear();
             if (channel.read(buffer) < 0) {
+                hasPeerLeft = true;
                 host.broken(this, "closed by the peer");
                 return;
             }
             buffer.flip();
             framer.accept(buffer);
             for (Optional<IpaFrame> frame = framer.next(); frame.isPresent() && isOpen; frame = framer.next()) {
+                tap.received(frame.get());
                 host.frameArrived(this, frame.get());
             }
         } catch (IOException e) {
@@ -119,6 +126,7 @@ final class Connection implements Peer, LinkPort {
         if (outgoing.droppedSpeechFrames() > 0) {
             LOG.log(Level.INFO, "{0}: too slow for {1} speech frames", link, outgoing.droppedSpeechFrames());
         }
+        tap.closed(hasPeerLeft);
         host.closed(this);
         key.cancel();
         try {

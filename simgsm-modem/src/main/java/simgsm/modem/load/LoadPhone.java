@@ -110,7 +110,7 @@ final class LoadPhone implements StationListener, SpeechSource {
     /** The next frame leaves now. */
     @Override
     public void read(short[] frame) {
-        if (!host.isCounting()) {
+        if (partner == null || !host.isCounting()) {
             Arrays.fill(frame, (short) 0);
             return;
         }
@@ -123,7 +123,7 @@ final class LoadPhone implements StationListener, SpeechSource {
     @Override
     public void speechReceived(short[] samples) {
         int mark = FrameMark.read(samples);
-        if (mark != FrameMark.NONE && partner != null) {
+        if (partner != null && mark != FrameMark.NONE) {
             host.heard(System.nanoTime() - partner.sentNanos[mark % REMEMBERED_FRAMES]);
         }
     }

@@ -1,0 +1,147 @@
+package simgsm.center.capture;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.time.Instant;
+
+/**
+ * A capture that is running. The loop hands in packets and never waits for the disk: a thread of its own writes what has
+ * come while it was busy. With the disk full, capturing stops; with a disk too slow, packets are left out. Both are said
+ * in the log, and the centre goes on.
+ */
+public final class Capture implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Capture.class.getName());
+    /** Packets that wait for the disk; two such buffers exist at most. */
+    private static final int MOST_WAITING_OCTETS = 16 * 1024 * 1024;
+
+    /** Packets are written together, so that a busy loop does not make a busy disk. */
+    private static final int GATHERING_MILLIS = 50;
+
+    private static final long NANOS_PER_MICRO = 1_000;
+    private static final long NANOS_PER_SECOND = 1_000_000_000;
+
+    private final CapturePlan plan;
+    private final Instant startedAt = Instant.now();
+    private final long startNanos = System.nanoTime();
+    private final Thread thread = new Thread(this::run, "capture");
+    private final Object lock = new Object();
+    private PcapFile file;
+    private PacketBuffer filling = new PacketBuffer(MOST_WAITING_OCTETS);
+    private PacketBuffer writing = new PacketBuffer(MOST_WAITING_OCTETS);
+    private long leftOut;
+    private boolean isEnded;
+
+    private Capture(CapturePlan plan) throws IOException {
+        this.plan = plan;
+        this.file = PcapFile.create(plan.file());
+        // A program that ends by a signal does not wait for it: what it writes is whole at any time.
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
+     * Begins a capture.
+     *
+     * @throws IOException naming the file that cannot be written
+     */
+    public static Capture start(CapturePlan plan) throws IOException {
+        try {
+            return new Capture(plan);
+        } catch (IOException e) {
+            throw new IOException("cannot capture to " + plan.file() + ": " + reason(e), e);
+        }
+    }
+
+    private static String reason(IOException e) {
+        if (e instanceof java.nio.file.NoSuchFileException) {
+            return "no such folder";
+        }
+        return e instanceof java.nio.file.AccessDeniedException ? "access denied" : e.getMessage();
+    }
+
+    /** A peer has connected: its packets from now on. */
+    public WireTap conversation(InetSocketAddress peer, InetSocketAddress center) {
+        return new Conversation(this, IpHeader.between(peer.getAddress(), center.getAddress()), peer.getPort());
+    }
+
+    /** Takes one IP packet, header and all. */
+    void packet(byte[] packet) {
+        long nanos = startedAt.getNano() + (System.nanoTime() - startNanos);
+        long seconds = startedAt.getEpochSecond() + nanos / NANOS_PER_SECOND;
+        synchronized (lock) {
+            if (isEnded) {
+                return;
+            }
+            if (filling.isEmpty()) {
+                lock.notifyAll();
+            }
+            boolean isTaken = filling.add((int) seconds, (int) (nanos % NANOS_PER_SECOND / NANOS_PER_MICRO), packet);
+            if (!isTaken && leftOut++ == 0) {
+                LOG.log(Level.WARNING, "capture {0}: the disk is too slow, packets are left out", plan.file());
+            }
+        }
+    }
+
+    private void run() {
+        try {
+            while (takeTurn()) {
+                write();
+            }
+            file.close();
+        } catch (IOException e) {
+            end();
+            LOG.log(Level.WARNING, "capture {0} has stopped: {1}", plan.file(), reason(e));
+            file.abandon();
+        }
+    }
+
+    /** Waits for packets. @return false once there are none and no more will come */
+    private boolean takeTurn() {
+        synchronized (lock) {
+            try {
+                while (filling.isEmpty() && !isEnded) {
+                    lock.wait();
+                }
+                if (!isEnded) {
+                    lock.wait(GATHERING_MILLIS);
+                }
+            } catch (InterruptedException e) {
+                isEnded = true;
+            }
+            PacketBuffer full = filling;
+            filling = writing;
+            writing = full;
+            return !full.isEmpty();
+        }
+    }
+
+    private void write() throws IOException {
+        if (file.size() + writing.length() > plan.limitOctets()) {
+            file = file.startAnew(plan.previous());
+        }
+        file.write(writing);
+        writing.clear();
+    }
+
+    private void end() {
+        synchronized (lock) {
+            isEnded = true;
+            lock.notifyAll();
+        }
+    }
+
+    /** Writes what is still to be written. */
+    @Override
+    public void close() {
+        end();
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (leftOut > 0) {
+            LOG.log(Level.WARNING, "capture {0}: {1} packets were left out", plan.file(), leftOut);
+        }
+    }
+}
