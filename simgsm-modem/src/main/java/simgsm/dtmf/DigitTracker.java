@@ -8,9 +8,11 @@ final class DigitTracker {
      */
     private static final double LEAST_HOPS = 10.2;
     /** A key must have stood out so often before it is worth a closer look. */
-    private static final int LEAST_RUN = 4;
+    private static final int LEAST_RUN = 2;
     /** One that has stood out for longer and is no key yet is looked at every fourth hop only. */
-    private static final int OFTEN = 12;
+    private static final int OFTEN = 10;
+    /** 6 dB in each tone: something else, which has the same two tones, begins. */
+    private static final float LOUDER = 16;
     /** Hops without its standing out that a run survives. */
     private static final int MOST_MISSED = 2;
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
@@ -21,11 +23,12 @@ final class DigitTracker {
     private final ToneBank bank;
     private final short[] recent;
     private final DtmfListener listener;
-    final ToneFit fit = new ToneFit();
-    final ToneJudge judge = new ToneJudge();
+    private final ToneFit fit = new ToneFit();
+    private final ToneJudge judge = new ToneJudge();
 
     private int runKey;
     private int run;
+    private float quietest;
     private int missed;
 
     private DtmfDigit current;
@@ -49,8 +52,9 @@ final class DigitTracker {
      * @param at the hop's index in the bank
      * @param end index just behind the hop's last sample
      * @param key that stands out, as its ordinal, or -1
+     * @param loudness product of the powers of its tones
      */
-    void accept(long hop, int at, int end, int key) {
+    void accept(long hop, int at, int end, int key, float loudness) {
         if (current != null) {
             follow(hop, at);
         }
@@ -60,7 +64,8 @@ final class DigitTracker {
             }
             return;
         }
-        run = key == runKey ? run + 1 : 1;
+        run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
+        quietest = run == 1 ? loudness : Math.min(quietest, loudness);
         runKey = key;
         missed = 0;
         boolean due = run >= LEAST_RUN && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
@@ -73,23 +78,19 @@ final class DigitTracker {
         int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
         DtmfKey rival = current == null ? null : current.key();
         if (fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS)) {
-            if (!isTail(hop) && judge.accepts(fit, recent, end, followsKey(hop))) {
+            if (!isTail(hop) && judge.judge(fit, recent, end, followsKey(hop)) != null) {
                 decide(hop);
             }
         }
     }
 
-    boolean followsKey(long hop) {
+    private boolean followsKey(long hop) {
         return current != null || ended != null && hop - fit.sinceOnset - barrier < SOON_HOPS;
     }
 
     /** An echo: the key that ended last goes on, weaker, without a pause. */
     private boolean isTail(long hop) {
         return current == null && ended != null && ended.ordinal() == runKey && fit.open;
-    }
-
-    short[] recent() {
-        return recent;
     }
 
     private void decide(long hop) {

@@ -16,7 +16,7 @@ public final class DtmfReceiver {
     private final short[] recent = new short[KEPT + ToneBank.HOP * ToneBank.MOST_HOPS];
     private final ToneBank bank = new ToneBank();
     private final ToneGate gate = new ToneGate();
-    final DigitTracker tracker;
+    private final DigitTracker tracker;
     private int waiting;
     private long hopsDone;
 
@@ -46,7 +46,8 @@ public final class DtmfReceiver {
         bank.accept(recent, KEPT, hops);
         gate.accept(bank, hopsDone, hops);
         for (int b = 0; b < hops; b++) {
-            tracker.accept(hopsDone + b, ToneBank.HISTORY + b, KEPT + ToneBank.HOP * (b + 1), gate.key(b));
+            int end = KEPT + ToneBank.HOP * (b + 1);
+            tracker.accept(hopsDone + b, ToneBank.HISTORY + b, end, gate.key(b), gate.loudness(b));
         }
         bank.shift(hops);
         hopsDone += hops;

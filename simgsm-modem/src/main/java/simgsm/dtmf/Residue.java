@@ -1,39 +1,55 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+
 /**
  * What else sounds between 560 and 3500 Hz beside two tones: the spectrum of the 28 ms up to now, and for comparison that
  * of the 28 ms before the tones began. Both come from one Fourier transform, the later as its real, the earlier as its
- * imaginary part.
+ * imaginary part. Powers are on the scale of squared amplitudes.
  */
 final class Residue {
+    /** Samples in either window. */
     static final int LENGTH = 224;
+
     private static final int SIZE = 256;
     private static final double BIN_HERTZ = 8000.0 / SIZE;
     private static final int LOWEST = (int) Math.ceil(560 / BIN_HERTZ);
     private static final int HIGHEST = (int) (3500 / BIN_HERTZ);
     /** A line under this window is so wide to either side. */
     private static final double HALF_LINE_HERTZ = 75;
+    /** What a line shows in all its bins against the highest of them. */
+    private static final double LINE_OVER_PEAK = 1.5;
+    /** Bins whose evenness is looked at together. */
+    private static final int STRETCH = 8;
+    /** Far below any sample's step; keeps logarithms finite. */
+    private static final double TINY = 1e-12;
+
+    /** Beside the tones, now. */
+    double rest;
+    /** Beside the tones, before they began. */
+    double restBefore;
+    /** At the row's tone, before it began. */
+    double rowBefore;
+    /** At the column's tone, before it began. */
+    double columnBefore;
+    /** The strongest single line beside the tones, now. */
+    double line;
+
+    double lineHertz;
+    /** The strongest line that stands out from twice what was there before. */
+    double newLine;
 
     private final double[] window = new double[LENGTH];
     private final double[] re = new double[SIZE];
     private final double[] im = new double[SIZE];
+    private final double[] during = new double[SIZE / 2];
+    private final double[] before = new double[SIZE / 2];
     private final double[] cosine = new double[SIZE / 2];
     private final double[] sine = new double[SIZE / 2];
     private final int[] reversed = new int[SIZE];
     private final double scale;
-
-    final double[] during = new double[SIZE / 2];
-    final double[] before = new double[SIZE / 2];
-    /** Squared amplitudes: what lies outside the two lines now, and what lay there before. */
-    double rest;
-
-    double restBefore;
-    double tonesBefore;
-    double rowBefore;
-    double columnBefore;
-    double strongest;
-    double strongestHertz;
-    double newLine;
+    private double row;
+    private double column;
 
     Residue() {
         double squares = 0;
@@ -51,25 +67,24 @@ final class Residue {
         }
     }
 
-    /** @param end just behind the newest sample @param onset the first sample of the tones */
+    /**
+     * Measures all fields anew.
+     *
+     * @param end just behind the newest sample
+     * @param onset the first sample of the tones, or a little before
+     */
     void measure(short[] samples, int end, int onset, double rowHertz, double columnHertz) {
         int late = end - LENGTH;
         int early = Math.max(0, onset - LENGTH);
-        java.util.Arrays.fill(re, 0);
-        java.util.Arrays.fill(im, 0);
+        Arrays.fill(re, 0);
+        Arrays.fill(im, 0);
         for (int i = 0; i < LENGTH; i++) {
             re[reversed[i]] = window[i] * samples[late + i];
             im[reversed[i]] = window[i] * samples[early + i];
         }
         transform();
-        rest = 0;
-        restBefore = 0;
-        tonesBefore = 0;
-        rowBefore = 0;
-        columnBefore = 0;
-        strongest = 0;
-        newLine = 0;
-        int bins = 0;
+        row = rowHertz;
+        column = columnHertz;
         for (int k = LOWEST - 1; k <= HIGHEST + 1; k++) {
             double a = (re[k] + re[SIZE - k]) / 2;
             double b = (im[k] - im[SIZE - k]) / 2;
@@ -78,32 +93,91 @@ final class Residue {
             during[k] = scale * (a * a + b * b);
             before[k] = scale * (c * c + d * d);
         }
+        sum(rowHertz, columnHertz);
+    }
+
+    private void sum(double rowHertz, double columnHertz) {
+        rest = 0;
+        restBefore = 0;
+        rowBefore = 0;
+        columnBefore = 0;
+        line = 0;
+        lineHertz = 0;
+        newLine = 0;
+        int bins = 0;
         for (int k = LOWEST; k <= HIGHEST; k++) {
             double hertz = k * BIN_HERTZ;
-            if (Math.abs(hertz - rowHertz) < HALF_LINE_HERTZ || Math.abs(hertz - columnHertz) < HALF_LINE_HERTZ) {
-                tonesBefore += before[k];
-                if (Math.abs(hertz - rowHertz) < HALF_LINE_HERTZ) {
-                    rowBefore += before[k];
-                } else {
-                    columnBefore += before[k];
-                }
-                continue;
-            }
-            bins++;
-            rest += during[k];
-            restBefore += before[k];
-            double old = Math.max(before[k], Math.max(before[k - 1], before[k + 1]));
-            newLine = Math.max(newLine, 1.5 * (during[k] - 2 * old));
-            if (during[k] > strongest && during[k] >= during[k - 1] && during[k] >= during[k + 1]) {
-                strongest = during[k];
-                strongestHertz = hertz;
+            if (Math.abs(hertz - rowHertz) < HALF_LINE_HERTZ) {
+                rowBefore += before[k];
+            } else if (Math.abs(hertz - columnHertz) < HALF_LINE_HERTZ) {
+                columnBefore += before[k];
+            } else {
+                bins++;
+                rest += during[k];
+                restBefore += before[k];
+                findLine(k);
             }
         }
+        // As if the tones' own bins held as much of the rest as the others.
         double fill = (HIGHEST - LOWEST + 1.0) / bins;
         rest *= fill;
         restBefore *= fill;
     }
 
+    private void findLine(int k) {
+        double peak = LINE_OVER_PEAK * during[k];
+        if (peak > line && during[k] >= during[k - 1] && during[k] >= during[k + 1]) {
+            line = peak;
+            lineHertz = k * BIN_HERTZ;
+        }
+        double old = Math.max(before[k], Math.max(before[k - 1], before[k + 1]));
+        newLine = Math.max(newLine, peak - 2 * LINE_OVER_PEAK * old);
+    }
+
+    /**
+     * How even the spectrum beside the tones is now: geometric over arithmetic mean of its bins, in stretches of 250 Hz so
+     * that colour does not count. Noise has about 0.6, anything made of lines much less.
+     */
+    double evenness() {
+        double logarithms = 0;
+        int bins = 0;
+        for (int from = LOWEST; from + STRETCH <= HIGHEST + 1; from += STRETCH) {
+            double sum = 0;
+            double product = 1;
+            int n = 0;
+            for (int k = from; k < from + STRETCH; k++) {
+                if (!isTones(k)) {
+                    sum += during[k];
+                    product *= during[k] + TINY;
+                    n++;
+                }
+            }
+            if (n > STRETCH / 2) {
+                logarithms += Math.log(product) - n * Math.log(sum / n + TINY);
+                bins += n;
+            }
+        }
+        return Math.exp(logarithms / bins);
+    }
+
+    /** The strongest line now near any multiple but the row's and the column's of a fundamental. */
+    double family(double hertz, int rowMultiple, int columnMultiple) {
+        double most = 0;
+        for (int multiple = 1; multiple * hertz < BIN_HERTZ * HIGHEST; multiple++) {
+            int k = (int) Math.round(multiple * hertz / BIN_HERTZ);
+            if (multiple != rowMultiple && multiple != columnMultiple && k >= LOWEST && !isTones(k)) {
+                most = Math.max(most, LINE_OVER_PEAK * during[k]);
+            }
+        }
+        return most;
+    }
+
+    private boolean isTones(int k) {
+        double hertz = k * BIN_HERTZ;
+        return Math.abs(hertz - row) < HALF_LINE_HERTZ || Math.abs(hertz - column) < HALF_LINE_HERTZ;
+    }
+
+    /** In place; the input comes in bit-reversed order. */
     private void transform() {
         double[] x = re;
         double[] y = im;

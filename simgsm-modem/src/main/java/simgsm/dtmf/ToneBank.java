@@ -25,6 +25,9 @@ final class ToneBank {
     static final int MOST_HOPS = 128;
     static final int HISTORY = 64;
     static final int TONES = 8;
+    /** Of white noise from 0 to 3 kHz so much falls into one tone's window, 267 Hz wide. */
+    static final double NOISE_SHARE = 0.088;
+
     static final double[] HERTZ = {697, 770, 852, 941, 1209, 1336, 1477, 1633};
 
     private static final double[][] LEAKS = new double[TONES][TONES];

@@ -296,12 +296,4 @@ final class ToneFit {
     double twist() {
         return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
     }
-
-    double worstError() {
-        return Math.max(Math.abs(error[ROW]), Math.abs(error[COLUMN]));
-    }
-
-    double worstCoherence() {
-        return Math.min(coherence[ROW], coherence[COLUMN]);
-    }
 }

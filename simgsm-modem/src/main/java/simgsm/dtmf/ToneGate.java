@@ -24,6 +24,7 @@ final class ToneGate {
     private int first;
     private int looks;
     private int lastKey = -1;
+    private float lastLoudness;
     private final float[] cosines = new float[ToneBank.TONES * ARM];
     private final float[] sines = new float[ToneBank.TONES * ARM];
     private final float[][] power = new float[ToneBank.TONES][MOST_LOOKS];
@@ -33,6 +34,8 @@ final class ToneGate {
     private final float[] columnMargin = new float[MOST_LOOKS];
     /** Positive where two tones stand out. */
     private final float[] margin = new float[MOST_LOOKS];
+
+    private final int[] keys = new int[MOST_LOOKS];
 
     ToneGate() {
         for (int k = 0; k < ToneBank.TONES; k++) {
@@ -51,7 +54,10 @@ final class ToneGate {
 
     /** Looks at the newest hops of the bank, at those whose number is a multiple of {@link #EVERY}. */
     void accept(ToneBank bank, long firstHop, int hops) {
-        lastKey = looks == 0 ? lastKey : keyAt(looks - 1);
+        if (looks > 0) {
+            lastKey = keys[looks - 1];
+            lastLoudness = row[looks - 1] * column[looks - 1];
+        }
         first = (int) (-firstHop & EVERY - 1);
         looks = (hops - first + EVERY - 1) / EVERY;
         for (int k = 0; k < ToneBank.TONES; k++) {
@@ -62,11 +68,20 @@ final class ToneGate {
         spread(power[0], power[1], power[2], power[3], row, rowMargin, looks);
         spread(power[4], power[5], power[6], power[7], column, columnMargin, looks);
         margin(row, column, rowMargin, columnMargin, margin, looks);
+        for (int look = 0; look < looks; look++) {
+            keys[look] = keyAt(look);
+        }
     }
 
     /** The key, as its ordinal, whose tones stood out at the last look up to hop b, or -1. */
     int key(int b) {
-        return b < first ? lastKey : keyAt((b - first) / EVERY);
+        return b < first ? lastKey : keys[(b - first) / EVERY];
+    }
+
+    /** How loud that key's tones were then: the product of their powers. */
+    float loudness(int b) {
+        int look = (b - first) / EVERY;
+        return b < first ? lastLoudness : row[look] * column[look];
     }
 
     private int keyAt(int look) {

@@ -1,0 +1,88 @@
+package simgsm.dtmf;
+
+/** What keeps two tones that stand out from being a key's, whatever speaks for them. */
+enum ToneVeto {
+    /** They wander in phase as noise does, not as tones do. */
+    INCOHERENT(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.coherence < 0.35;
+        }
+    },
+
+    /** They sounded before all that is remembered, so nobody heard them begin. */
+    BEGAN_UNSEEN(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.fit.open && e.fit.sinceOnset >= ToneFit.SPAN - 2;
+        }
+    },
+
+    /** Noise blurs their beginning, so that a tone too short for a key could be taken for a longer one. */
+    TOO_EARLY_IN_NOISE(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.coherence < 0.9 && e.fit.sinceOnset < 11
+                    || e.coherence < 0.75 && e.fit.sinceOnset < 12
+                    || e.coherence < 0.6 && e.fit.sinceOnset < 14;
+        }
+    },
+
+    /** One is the other's octave: a string or a voice. No key comes nearer than 0.65 %, 1.8 % off either way. */
+    OCTAVE(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return Math.abs(e.fit.hertz[1] / e.fit.hertz[0] - 2) < 0.003;
+        }
+    },
+
+    /** Twice a tone's frequency is there, too. Strings and voices have overtones, keys have none. */
+    OVERTONE(true) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            double hertz = e.residue.lineHertz;
+            return e.line > -11
+                    && (Math.abs(hertz - 2 * e.fit.hertz[0]) < OCTAVE_HERTZ
+                            || Math.abs(hertz - 2 * e.fit.hertz[1]) < OCTAVE_HERTZ);
+        }
+    },
+
+    /**
+     * They are the third and seventh, or fourth and seventh, harmonic of a voice near 232 Hz or 190 to 235 Hz, and others
+     * of its harmonics are there, too. A's tones lie only 0.4 % beside that, those of 1, 5, 9 and D 0.9 %.
+     */
+    HARMONICS(true) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            double ratio = e.fit.hertz[1] / e.fit.hertz[0];
+            return Math.abs(3 * ratio / 7 - 1) < SAME_VOICE && e.family(3, 7) > -20
+                    || Math.abs(4 * ratio / 7 - 1) < SAME_VOICE && e.family(4, 7) > -20;
+        }
+    };
+
+    /** Share by which the ratio of two harmonics' frequencies, as measured, may miss that of their numbers. */
+    private static final double SAME_VOICE = 0.002;
+
+    /** Hertz by which a line may miss twice a tone's frequency and still be its octave. */
+    private static final double OCTAVE_HERTZ = 35;
+
+    private static final ToneVeto[] ALL = values();
+
+    private final boolean needsSpectrum;
+
+    ToneVeto(boolean needsSpectrum) {
+        this.needsSpectrum = needsSpectrum;
+    }
+
+    abstract boolean holds(ToneEvidence evidence);
+
+    /** Does any hold of those that need, or do not need, the spectrum? */
+    static boolean any(ToneEvidence evidence, boolean withSpectrum) {
+        for (ToneVeto veto : ALL) {
+            if (veto.needsSpectrum == withSpectrum && veto.holds(evidence)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
