@@ -1,11 +1,15 @@
 package simrobot;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
@@ -16,10 +20,11 @@ import simrobot.p2os.P2osServer;
 
 /** The robots' P2OS ports, if the command line asks for them. */
 final class PioneerPorts implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(PioneerPorts.class.getName());
     private static final int MAX_PORT = 0xffff;
 
     private final Optional<P2osServer> server;
-    private final List<Integer> ports = new ArrayList<>();
+    private final Map<String, Integer> ports = Collections.synchronizedMap(new LinkedHashMap<>());
 
     private PioneerPorts(Optional<P2osServer> server) {
         this.server = server;
@@ -40,12 +45,18 @@ final class PioneerPorts implements AutoCloseable {
         PioneerPorts opened = new PioneerPorts(Optional.of(server));
         try {
             for (TelephoneRobot robot : simRobot.robots()) {
-                opened.ports.add(server.add(robot.robot()));
+                opened.ports.put(robot.name(), server.add(robot.robot()));
             }
         } catch (IOException e) {
             opened.close();
             throw e;
         }
+        simRobot.onAdded(robot -> {
+            if (opened.of(robot.name()).isEmpty()) {
+                opened.come(robot);
+            }
+        });
+        simRobot.onRemoved(opened::gone);
         return opened;
     }
 
@@ -61,11 +72,33 @@ final class PioneerPorts implements AutoCloseable {
     Event with(Event ready) {
         return ports.isEmpty()
                 ? ready
-                : ready.with("p2os", ports.stream().map(String::valueOf).collect(Collectors.joining(",")));
+                : ready.with(
+                        "p2os", ports.values().stream().map(String::valueOf).collect(Collectors.joining(",")));
     }
 
     void start() {
         server.ifPresent(P2osServer::start);
+    }
+
+    /** A robot that comes later gets a port, too, if robots have any. */
+    private void come(TelephoneRobot robot) {
+        try {
+            ports.put(robot.name(), server.orElseThrow().add(robot.robot()));
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, robot.name() + " has no P2OS port: " + e.getMessage());
+        }
+    }
+
+    private void gone(TelephoneRobot robot) {
+        if (ports.remove(robot.name()) != null) {
+            server.orElseThrow().remove(robot.robot());
+        }
+    }
+
+    /** A robot's port, if it has one; any thread may ask. */
+    OptionalInt of(String robot) {
+        Integer port = ports.get(robot);
+        return port == null ? OptionalInt.empty() : OptionalInt.of(port);
     }
 
     @Override

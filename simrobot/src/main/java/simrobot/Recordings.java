@@ -1,14 +1,36 @@
 package simrobot;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
+import simgsm.speech.CallRecorder;
+import simgsm.speech.CallTap;
+import simrobot.control.Fleet;
 
 /** Where each robot's calls are recorded. */
-final class Recordings {
-    private Recordings() {}
+final class Recordings implements Fleet.Recording {
+    private final Optional<Path> file;
+    private boolean named;
 
-    /** The file itself for a robot alone; of several robots each has its name before the ending. */
-    static Path pathOf(Path file, String robot, int robots) {
-        if (robots == 1 || file.getFileName() == null) {
+    /** @param alone the first robot's calls go into the file itself; of several robots each has its name before the ending */
+    Recordings(Optional<Path> file, boolean alone) {
+        this.file = file;
+        named = !alone;
+    }
+
+    @Override
+    public synchronized CallTap of(String robot) throws IOException {
+        if (file.isEmpty()) {
+            return CallTap.NONE;
+        }
+        Path path = named ? pathOf(file.get(), robot) : file.get();
+        named = true;
+        return CallRecorder.open(path);
+    }
+
+    /** With the robot's name before the ending. */
+    static Path pathOf(Path file, String robot) {
+        if (file.getFileName() == null) {
             return file;
         }
         String name = file.getFileName().toString();

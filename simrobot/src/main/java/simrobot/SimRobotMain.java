@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
-import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
@@ -20,23 +19,19 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
-import simgsm.sim.SimCard;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallRecorder;
-import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.StationOptions;
 import simgsm.ui.ProgramWindow;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.ConsoleEvents;
+import simrobot.control.Fleet;
 import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.Noise;
-import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.SimRobotWindow;
 import simrobot.world.World;
@@ -100,25 +95,26 @@ public final class SimRobotMain {
             return ExitStatus.OK;
         }
         // Reads the rest of the command line, so before anything is said about a display.
-        SimRobot simRobot = build(arguments, settings, world);
-        PioneerPorts ports = PioneerPorts.open(arguments, simRobot);
+        Built built = build(arguments, settings, world);
+        PioneerPorts ports = PioneerPorts.open(arguments, built.simRobot());
         return arguments.has("headless")
-                ? headless(arguments, simRobot, ports)
+                ? headless(arguments, built, ports)
                 : windowed(
                         ProgramWindow.of(arguments, Optional.empty()),
                         arguments.language(),
-                        simRobot,
+                        built,
                         ports,
                         WorldFile.find(arguments.path("world")));
     }
 
-    private static int windowed(
-            ProgramWindow window, Locale language, SimRobot built, PioneerPorts opened, Path worldFile)
+    private record Built(SimRobot simRobot, Fleet fleet) {}
+
+    private static int windowed(ProgramWindow window, Locale language, Built built, PioneerPorts opened, Path worldFile)
             throws InterruptedException {
-        try (SimRobot simRobot = built;
+        try (SimRobot simRobot = built.simRobot();
                 PioneerPorts ports = opened) {
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
-            WindowModel model = new WindowModel(simRobot, worldFile);
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile);
             simRobot.start();
             ports.start();
             window.show(
@@ -127,45 +123,40 @@ public final class SimRobotMain {
         return ExitStatus.OK;
     }
 
-    private static SimRobot build(Arguments arguments, Settings settings, World world)
-            throws UsageException, IOException {
+    private static Built build(Arguments arguments, Settings settings, World world) throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
-        boolean power = arguments.choice("power", "on", "off").equals("on");
-        BehaviourKind behaviour =
-                arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
-        boolean motors = arguments.choice("motors", "on", "off").equals("on");
-        long seed = seed(arguments);
-        SpeechCodec.Kind codec = codec(arguments);
-        Optional<Path> recording = arguments.path("record-audio");
         SimSlot slot = SimSlot.of(arguments);
         List<RobotName> names = Lineup.of(arguments, slot, world);
-        Simulation simulation = new Simulation(world, seed);
+        Fleet.Kit kit = kit(arguments, slot, names.size() == 1);
+        Simulation simulation = new Simulation(world, kit.seed());
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);
         simRobot.simulation().onFailure(SimRobotMain::endFailed);
+        Fleet fleet = new Fleet(simRobot, kit);
         for (RobotName name : names) {
-            SimulatedRobot robot = simulation.addRobot(name.name());
-            robot.setMotors(motors);
-            robot.setPower(power);
-            robot.autonomy().begin(behaviour);
-            // With the number, or the robots of one seed would be one piece of equipment.
-            Imei imei =
-                    Imei.random(new Random(seed * 31 + name.number().digits().hashCode()));
-            CallTap recorder = recording.isPresent()
-                    ? CallRecorder.open(Recordings.pathOf(recording.get(), name.name(), names.size()))
-                    : CallTap.NONE;
-            StationOptions options = new StationOptions(codec, recorder);
-            Optional<SimCard> card = slot.card(Optional.of(name.number()));
-            if (card.isPresent()) {
-                simRobot.add(robot, card.get(), imei, options);
-            } else {
-                simRobot.add(robot, name.number(), imei, options);
-            }
+            fleet.addFirst(name, simulation);
         }
-        return simRobot;
+        return new Built(simRobot, fleet);
+    }
+
+    /** @param alone whether the command line names a single robot, whose calls go into the very file that it names */
+    private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean alone) throws UsageException {
+        boolean power = arguments.choice("power", "on", "off").equals("on");
+        boolean motors = arguments.choice("motors", "on", "off").equals("on");
+        Recordings recordings = new Recordings(arguments.path("record-audio"), alone);
+        BehaviourKind behaviour =
+                arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
+        return new Fleet.Kit(
+                seed(arguments),
+                power,
+                motors,
+                behaviour,
+                codec(arguments),
+                recordings,
+                number -> slot.card(Optional.of(number)));
     }
 
     /** From a thread of its own: the program's end waits for the simulation's. */
@@ -194,17 +185,17 @@ public final class SimRobotMain {
                 : new Random().nextLong();
     }
 
-    private static int headless(Arguments arguments, SimRobot built, PioneerPorts opened)
+    private static int headless(Arguments arguments, Built built, PioneerPorts opened)
             throws UsageException, IOException, InterruptedException {
         try (Console console = Console.onStandardOutput();
-                SimRobot simRobot = built;
+                SimRobot simRobot = built.simRobot();
                 PioneerPorts ports = opened) {
-            simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
+            simRobot.onAdded(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
-            Program.runConsole(console, arguments, new RobotConsole(simRobot, console::emit));
+            Program.runConsole(console, arguments, new RobotConsole(simRobot, built.fleet(), console::emit));
             return console.exitStatus();
         }
     }

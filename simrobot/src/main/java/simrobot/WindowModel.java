@@ -3,18 +3,30 @@ package simrobot;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.air.Msisdn;
 import simgsm.speech.Loudspeaker;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.EventLog;
+import simrobot.control.Fleet;
+import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.SimulationThread;
 import simrobot.ui.LineSnapshot;
+import simrobot.ui.OpenPort;
 import simrobot.ui.Operator;
 import simrobot.ui.WindowSnapshot;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
+import vericommand.Pose;
 
 /** The program as its window sees it: pictures from every thread's newest snapshots, acts to the threads that own things. */
 final class WindowModel implements Operator {
@@ -22,24 +34,48 @@ final class WindowModel implements Operator {
 
     private final SimulationThread simulation;
     private final Loudspeaker loudspeaker;
+    private final Fleet fleet;
+    private final PioneerPorts ports;
+    private final EventLog log;
+    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private volatile Path worldFile;
     private volatile String notice = "";
     private volatile long noticeNanos;
-    private final List<Line> lines;
     private WindowSnapshot newest;
 
     /** A robot with its telephone, and what it has answered. */
     private record Line(TelephoneRobot robot, SentTones sent) {}
 
     /** To be made before the start, for it listens to the robots. */
-    WindowModel(SimRobot simRobot, Path worldFile) {
+    WindowModel(SimRobot simRobot, Fleet fleet, PioneerPorts ports, Path worldFile) {
         this.worldFile = worldFile;
+        this.fleet = fleet;
+        this.ports = ports;
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
-        lines = simRobot.robots().stream()
-                .map(robot -> new Line(robot, new SentTones()))
-                .toList();
-        lines.forEach(line -> line.robot().listen(line.sent()));
+        log = new EventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
+        simRobot.onAdded(this::come);
+        simRobot.onRemoved(this::gone);
+    }
+
+    private static Thread daemon(Runnable acts) {
+        Thread thread = new Thread(acts, "window acts");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private void come(TelephoneRobot robot) {
+        Line line = new Line(robot, new SentTones());
+        robot.listen(line.sent());
+        robot.listen(log.of(robot.name()));
+        log.added(robot);
+        lines.add(line);
+    }
+
+    private void gone(TelephoneRobot robot) {
+        lines.removeIf(line -> line.robot() == robot);
+        log.removed(robot);
     }
 
     /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
@@ -50,11 +86,20 @@ final class WindowModel implements Operator {
                 simulation.speed(),
                 simulation.isPaused(),
                 worldFile,
-                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : "");
+                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : "",
+                openPorts(),
+                log.newest());
         if (!now.equals(newest)) {
             newest = now;
         }
         return newest;
+    }
+
+    private List<OpenPort> openPorts() {
+        return lines.stream()
+                .map(line -> line.robot().name())
+                .flatMap(name -> ports.of(name).stream().mapToObj(port -> new OpenPort("P2OS", name, port)))
+                .toList();
     }
 
     private LineSnapshot picture(Line line) {
@@ -85,13 +130,54 @@ final class WindowModel implements Operator {
     }
 
     @Override
-    public void place(String robot, double xMeters, double yMeters, double headingRadians) {
-        act(robot, owned -> owned.place(xMeters, yMeters, headingRadians));
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
+        act(robot, owned -> answer.accept(owned.place(xMeters, yMeters, headingRadians)));
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        slowActs.execute(() -> answer.accept(add(name, number, place)));
+    }
+
+    private Optional<String> add(String name, String number, Optional<Pose> place) {
+        try {
+            fleet.add(new RobotName(name, Msisdn.parse(number)), place);
+            return Optional.empty();
+        } catch (Fleet.Refusal | IllegalArgumentException refusal) {
+            return Optional.of(refusal.getMessage());
+        } catch (IOException unwritable) {
+            return Optional.of(String.valueOf(unwritable.getMessage()));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return Optional.of("interrupted");
+        }
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        slowActs.execute(() -> {
+            try {
+                fleet.remove(robot);
+            } catch (IllegalStateException e) {
+                tell(e.getMessage());
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
     }
 
     @Override
     public void brake(String robot) {
         act(robot, SimulatedRobot::brake);
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        act(robot, owned -> {
+            if (!owned.autonomy().begin(kind)) {
+                tell(robot + ": " + kind.text() + " - " + owned.status().text());
+            }
+        });
     }
 
     @Override
@@ -117,9 +203,7 @@ final class WindowModel implements Operator {
 
     @Override
     public void load(Path file) {
-        Thread reader = new Thread(() -> read(file), "world reader");
-        reader.setDaemon(true);
-        reader.start();
+        slowActs.execute(() -> read(file));
     }
 
     /** A file that is no world leaves everything as it was, and says why. */

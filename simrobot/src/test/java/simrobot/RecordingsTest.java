@@ -1,16 +1,34 @@
 package simrobot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.speech.CallTap;
 
 class RecordingsTest {
+    @TempDir
+    Path folder;
+
     @Test
-    void aRobotAloneIsRecordedInTheFileThatWasNamed() {
-        assertEquals(Path.of("a", "calls.wav"), Recordings.pathOf(Path.of("a", "calls.wav"), "robot", 1));
+    void aRobotAloneIsRecordedInTheFileThatWasNamedAndWhoComesLaterBesideIt() throws Exception {
+        Recordings recordings = new Recordings(Optional.of(folder.resolve("calls.wav")), true);
+        recordings.of("robot").close();
+        recordings.of("anna").close();
+        assertTrue(Files.exists(folder.resolve("calls.wav")));
+        assertTrue(Files.exists(folder.resolve("calls-anna.wav")));
+    }
+
+    @Test
+    void withoutAFileNothingIsRecorded() throws Exception {
+        assertSame(CallTap.NONE, new Recordings(Optional.empty(), true).of("robot"));
     }
 
     @ParameterizedTest
@@ -22,6 +40,6 @@ class RecordingsTest {
         ".wav, .wav-anna"
     })
     void ofSeveralRobotsEachHasItsNameBeforeTheEnding(String file, String expected) {
-        assertEquals(Path.of(expected), Recordings.pathOf(Path.of(file), "anna", 2));
+        assertEquals(Path.of(expected), Recordings.pathOf(Path.of(file), "anna"));
     }
 }

@@ -7,9 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -17,13 +22,23 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.CallTap;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Fleet;
+import simrobot.control.LoggedEvent;
 import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
+import simrobot.ui.LineSnapshot;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
+import vericommand.Pose;
 import vericommand.ReplyTone;
 import vericommand.RobotStatus;
 import vericommand.Settings;
@@ -39,6 +54,7 @@ class WindowModelTest {
     private SimRobot simRobot;
     private SimulatedRobot robot;
     private WindowModel model;
+    private final List<Placement> placements = new CopyOnWriteArrayList<>();
 
     @BeforeEach
     void aPausedSimulationWithoutACentre() throws Exception {
@@ -50,7 +66,18 @@ class WindowModelTest {
         simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
         simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         simRobot.simulation().setPaused(true);
-        model = new WindowModel(simRobot, WORLDS.resolve("empty.map"));
+        Fleet fleet = new Fleet(
+                simRobot,
+                new Fleet.Kit(
+                        1,
+                        true,
+                        true,
+                        BehaviourKind.NONE,
+                        SpeechCodec.Kind.A_LAW,
+                        robot -> CallTap.NONE,
+                        number -> Optional.empty()));
+        Arguments plain = SimRobotMain.options().parse(List.of());
+        model = new WindowModel(simRobot, fleet, PioneerPorts.open(plain, simRobot), WORLDS.resolve("empty.map"));
         simRobot.start();
     }
 
@@ -74,15 +101,51 @@ class WindowModelTest {
 
     @Test
     void aRobotIsPutSomewhereElse() throws Exception {
-        model.place("robot", 3, 4, 1);
+        model.place("robot", 3, 4, 1, placements::add);
         status();
         assertEquals(3, robot.xMeters());
+        model.place("robot", 100, 4, 1, placements::add);
+        status();
+        assertEquals(List.of(Placement.DONE, Placement.OUTSIDE), placements);
+    }
+
+    private String add(String name, String number, Optional<Pose> place) throws Exception {
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        model.addRobot(name, number, place, answer::complete);
+        return answer.get(20, TimeUnit.SECONDS).orElse("");
+    }
+
+    @Test
+    void aRobotIsAddedWithItsOwnTelephoneAndRemovedWithIt() throws Exception {
+        assertEquals("", add("anna", "5550209", Optional.of(new Pose(2, 1, 90))));
+        assertEquals(
+                List.of("robot", "anna"),
+                simRobot.robots().stream().map(TelephoneRobot::name).toList());
+        assertEquals("5550209", model.snapshot().lines().get(1).number());
+        assertTrue(model.snapshot().events().stream()
+                .anyMatch(event -> event.robot().equals("anna") && event.kind() == LoggedEvent.Kind.ADDED));
+        model.removeRobot("anna");
+        // the same thread does the next act, so the one before is done
+        assertEquals("", add("bert", "5550209", Optional.empty()));
+        assertEquals(
+                List.of("robot", "bert"),
+                model.snapshot().lines().stream().map(LineSnapshot::robot).toList());
+    }
+
+    @Test
+    void aNumberOrAPlaceThatIsTakenIsRefusedWithItsReason() throws Exception {
+        assertTrue(add("anna", "5550200", Optional.empty()).contains("another robot has the number 5550200"));
+        assertTrue(add("anna", "none", Optional.empty()).contains("not a telephone number"));
+        assertTrue(add("robot", "5550201", Optional.empty()).contains("there already"));
+        Pose taken = simRobot.onSimulation(robot::pose);
+        assertTrue(add("anna", "5550201", Optional.of(taken)).contains("in the way"));
+        assertEquals(1, simRobot.robots().size());
     }
 
     @Test
     void aRobotThatIsNotThereGetsNoActs() throws Exception {
         model.setPower("ghost", false);
-        model.place(null, 1, 1, 1);
+        model.place(null, 1, 1, 1, placements::add);
         assertEquals(RobotStatus.STOPPED, status());
     }
 

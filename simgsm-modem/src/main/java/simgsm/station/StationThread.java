@@ -26,6 +26,9 @@ public final class StationThread implements AutoCloseable {
     /** Without any deadline the loop still looks around that often. */
     private static final long LONGEST_WAIT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
+    /** How often those who leave are looked after. */
+    private static final long LEAVING_LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
     private static final int BUFFER_LENGTH = 65_536;
 
     private final Selector selector;
@@ -33,6 +36,7 @@ public final class StationThread implements AutoCloseable {
     private final Consumer<Throwable> failed;
     private final Queue<Runnable> acts = new ConcurrentLinkedQueue<>();
     private final List<StationLink> links = new ArrayList<>();
+    private final List<Leaving> leaving = new ArrayList<>();
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_LENGTH);
     private volatile long droppedSpeechFrames;
     private volatile boolean closing;
@@ -61,6 +65,38 @@ public final class StationThread implements AutoCloseable {
     /** Takes over a station and keeps it connected. Any thread may call it, before or after {@link #start}. */
     public void add(MobileStation station, InetSocketAddress center) {
         execute(() -> links.add(new StationLink(station, center, System.nanoTime())));
+    }
+
+    /**
+     * Detaches a station and lets it go, as soon as its farewell is written and after a second at the latest. Any thread
+     * may call it.
+     *
+     * @param gone run by the owner thread when nothing more will come from the station, also when the thread ends first
+     */
+    public void remove(MobileStation station, Runnable gone) {
+        execute(() -> {
+            for (StationLink link : List.copyOf(links)) {
+                if (link.station() == station) {
+                    station.powerOff();
+                    leaving.add(new Leaving(link, System.nanoTime() + CLOSING_NANOS, gone));
+                }
+            }
+        });
+    }
+
+    /** A station on its way out. */
+    private record Leaving(StationLink link, long endNanos, Runnable gone) {}
+
+    private void letGo() {
+        long now = System.nanoTime();
+        for (Leaving one : List.copyOf(leaving)) {
+            if (isDone(one.link()) || now - one.endNanos() >= 0) {
+                leaving.remove(one);
+                links.remove(one.link());
+                one.link().close();
+                guarded(one.gone());
+            }
+        }
     }
 
     /**
@@ -104,6 +140,7 @@ public final class StationThread implements AutoCloseable {
             fail(fault);
         } finally {
             links.forEach(StationLink::close);
+            leaving.forEach(one -> guarded(one.gone()));
             closeSelector();
         }
     }
@@ -143,6 +180,10 @@ public final class StationThread implements AutoCloseable {
             dropped += link.droppedSpeechFrames();
         }
         droppedSpeechFrames = dropped;
+        if (!leaving.isEmpty()) {
+            letGo();
+            next = Math.min(next, now + LEAVING_LOOK_NANOS);
+        }
         select(next);
     }
 

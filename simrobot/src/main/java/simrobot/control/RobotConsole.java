@@ -18,6 +18,7 @@ import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import vericommand.Pose;
 import vericommand.RobotStatus;
 
 /** SimRobot's console commands; {@code @NAME} in front says which robot is meant, without it the first. */
@@ -26,12 +27,17 @@ public final class RobotConsole implements Console.Commands {
     private static final double MAX_DEGREES = 1e6;
 
     private final SimRobot simRobot;
+    private final FleetConsole fleet;
     private final Consumer<Event> out;
     private final Camera camera = new Camera();
 
-    /** @param out any thread may call it */
-    public RobotConsole(SimRobot simRobot, Consumer<Event> out) {
+    /**
+     * @param fleet makes the robots that {@code add} asks for
+     * @param out any thread may call it
+     */
+    public RobotConsole(SimRobot simRobot, Fleet fleet, Consumer<Event> out) {
         this.simRobot = simRobot;
+        this.fleet = new FleetConsole(simRobot, fleet, out);
         this.out = out;
     }
 
@@ -44,9 +50,15 @@ public final class RobotConsole implements Console.Commands {
     public void perform(Command command) throws CommandException {
         if (command.isAddressed()) {
             perform(robot(command.name().substring(1)), command.tail());
-        } else {
-            perform(simRobot.robots().get(0), command);
+        } else if (!fleet.performs(command)) {
+            perform(first(), command);
         }
+    }
+
+    private TelephoneRobot first() throws CommandException {
+        return simRobot.robots().stream()
+                .findFirst()
+                .orElseThrow(() -> new CommandException("there is no robot, expected add NAME=NUMBER first"));
     }
 
     private TelephoneRobot robot(String name) throws CommandException {
@@ -80,10 +92,12 @@ public final class RobotConsole implements Console.Commands {
             case "place" -> place(robot, command, events);
             case "camera" -> camera(meant, command, events);
             case "behaviour" -> behaviour(robot, command, events);
+            case "remove" -> fleet.remove(meant, command);
             default ->
                 throw new CommandException("unknown command "
                         + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
-                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, wait or quit");
+                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, add, remove, robots,"
+                        + " wait or quit");
         }
     }
 
@@ -146,11 +160,9 @@ public final class RobotConsole implements Console.Commands {
 
     private void place(SimulatedRobot robot, Command command, ConsoleEvents events) throws CommandException {
         List<String> words = command.words(3, "X Y HEADING");
-        double x = number("X", words.get(0), MAX_METERS);
-        double y = number("Y", words.get(1), MAX_METERS);
-        double heading = number("HEADING", words.get(2), MAX_DEGREES);
+        Pose pose = pose(command.name(), words);
         onSimulation(() -> {
-            Placement placement = robot.place(x, y, Math.toRadians(heading));
+            Placement placement = robot.place(pose.xMeters(), pose.yMeters(), Math.toRadians(pose.headingDegrees()));
             if (placement != Placement.DONE) {
                 throw new CommandException("place " + command.rest() + ": " + placement.text());
             }
@@ -190,14 +202,22 @@ public final class RobotConsole implements Console.Commands {
                 + (text.isEmpty() ? "nothing after it" : text));
     }
 
-    private static double number(String what, String word, double most) throws CommandException {
+    /** Three words: metres, metres, degrees. */
+    static Pose pose(String command, List<String> words) throws CommandException {
+        return new Pose(
+                number(command, "X", words.get(0), MAX_METERS),
+                number(command, "Y", words.get(1), MAX_METERS),
+                number(command, "HEADING", words.get(2), MAX_DEGREES));
+    }
+
+    private static double number(String command, String what, String word, double most) throws CommandException {
         if (word.matches("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]{1,3})?")) {
             double number = Double.parseDouble(word);
             if (Math.abs(number) <= most) {
                 return number;
             }
         }
-        throw new CommandException("place: expected a number for " + what + ", found " + word);
+        throw new CommandException(command + ": expected a number for " + what + ", found " + word);
     }
 
     /** What a command does on the simulation's thread. */

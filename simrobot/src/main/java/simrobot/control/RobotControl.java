@@ -24,7 +24,7 @@ final class RobotControl {
     private final SimulatedRobot robot;
     private final Settings settings;
     private final ModemPort modem;
-    private ControlListener listener = new ControlListener() {};
+    private final ControlListeners listener = new ControlListeners();
     private final OrderStopwatch stopwatch;
     private final VeriCommand veriCommand;
     private long callNumber;
@@ -58,9 +58,9 @@ final class RobotControl {
         return robot;
     }
 
-    /** Before anything happens. */
+    /** One more to be told; before anything happens. */
     void listen(ControlListener told) {
-        listener = told;
+        listener.add(told);
     }
 
     ControlListener listener() {

@@ -2,13 +2,16 @@ package simrobot.control;
 
 import java.net.InetSocketAddress;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Collapse;
@@ -43,9 +46,12 @@ public final class SimRobot implements AutoCloseable {
     private final Settings settings;
     private final Drivers drivers;
     private final Duration patience;
-    private final List<TelephoneRobot> robots = new ArrayList<>();
-    private final List<CallTap> taps = new ArrayList<>();
+    private final List<TelephoneRobot> robots = new CopyOnWriteArrayList<>();
+    private final Map<TelephoneRobot, CallTap> taps = new ConcurrentHashMap<>();
+    private final List<Consumer<TelephoneRobot>> told = new CopyOnWriteArrayList<>();
+    private final List<Consumer<TelephoneRobot>> toldOfLeaving = new CopyOnWriteArrayList<>();
     private final Loudspeaker loudspeaker;
+    private volatile boolean started;
 
     /**
      * Nothing runs yet: add robots, then {@link #start}.
@@ -67,7 +73,11 @@ public final class SimRobot implements AutoCloseable {
         drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
     }
 
-    /** Gives a robot its modem, for an open network, and its verifier; before the start. */
+    /**
+     * Gives a robot its modem, for an open network, and its verifier; after the start on the simulation's thread.
+     *
+     * @throws IllegalArgumentException when another robot has the number
+     */
     public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
         return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
     }
@@ -78,16 +88,49 @@ public final class SimRobot implements AutoCloseable {
     }
 
     private TelephoneRobot add(SimulatedRobot robot, StationIdentity identity, Sim sim, StationOptions options) {
+        if (robots.stream().anyMatch(other -> other.number().equals(identity.number()))) {
+            throw new IllegalArgumentException(
+                    "another robot has the number " + identity.number() + ", expected a free one");
+        }
         CallTap tap = CallTap.both(options.tap(), loudspeaker.tap(robot.name()));
         StationOptions heard = new StationOptions(options.codec(), tap);
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
+        taps.put(added, options.tap());
+        told.forEach(each -> each.accept(added));
         robots.add(added);
-        taps.add(options.tap());
+        if (started) {
+            stationThread.add(added.station(), center);
+        }
         return added;
+    }
+
+    /** Takes a robot off the floor and its modem off the network; on the simulation's thread. */
+    void remove(TelephoneRobot robot) {
+        if (robots.remove(robot)) {
+            simulationThread.owned().removeRobot(robot.robot());
+            toldOfLeaving.forEach(each -> each.accept(robot));
+            CallTap tap = taps.remove(robot);
+            stationThread.remove(robot.station(), tap::close);
+        }
+    }
+
+    /**
+     * Who is told of each robot before its modem begins: at once of those that are there, then, on the simulation's
+     * thread, of those that come. To be said before the start.
+     */
+    public void onAdded(Consumer<TelephoneRobot> listener) {
+        robots.forEach(listener);
+        told.add(listener);
+    }
+
+    /** Who is told, on the simulation's thread, of each robot that has left the floor. */
+    public void onRemoved(Consumer<TelephoneRobot> listener) {
+        toldOfLeaving.add(listener);
     }
 
     /** Time begins and the modems look for their centre. */
     public void start() {
+        started = true;
         simulationThread.start();
         stationThread.start();
         robots.forEach(robot -> stationThread.add(robot.station(), center));
@@ -140,7 +183,7 @@ public final class SimRobot implements AutoCloseable {
     @Override
     public void close() {
         stationThread.close();
-        taps.forEach(CallTap::close);
+        taps.values().forEach(CallTap::close);
         loudspeaker.close();
         simulationThread.close();
     }

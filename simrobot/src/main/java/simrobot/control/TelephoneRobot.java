@@ -39,7 +39,7 @@ public final class TelephoneRobot {
         return number;
     }
 
-    /** Sets who is told all that happens around this robot; before {@link SimRobot#start}. */
+    /** One more who is told all that happens around this robot; see {@link SimRobot#onAdded}. */
     public void listen(ControlListener listener) {
         control.listen(listener);
     }

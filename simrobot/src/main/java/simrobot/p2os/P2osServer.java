@@ -7,7 +7,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -31,7 +30,7 @@ public final class P2osServer implements AutoCloseable {
     private final InetAddress address;
     private final Selector selector = Selector.open();
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final List<Door> doors = new ArrayList<>();
+    private final List<Door> doors = new CopyOnWriteArrayList<>();
     private final List<P2osSession> sessions = new CopyOnWriteArrayList<>();
     private final AtomicBoolean tickPosted = new AtomicBoolean();
     private final Thread thread = new Thread(this::loop, "p2os");
@@ -51,7 +50,7 @@ public final class P2osServer implements AutoCloseable {
     }
 
     /**
-     * Opens a port for the robot; before the start.
+     * Opens a port for the robot; before the start, or on the simulation's thread.
      *
      * @return the port
      * @throws IOException naming the port, when it cannot be had
@@ -64,6 +63,14 @@ public final class P2osServer implements AutoCloseable {
         nextPort += nextPort == 0 ? 0 : 1;
         doors.add(door);
         return door.port();
+    }
+
+    /** Closes the robot's port and sends its client away. */
+    public void remove(SimulatedRobot robot) {
+        post(() -> doors.stream().filter(door -> door.robot() == robot).forEach(door -> {
+            doors.remove(door);
+            door.close();
+        }));
     }
 
     /** Clients may come. */

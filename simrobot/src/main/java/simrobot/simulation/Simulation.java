@@ -90,7 +90,8 @@ public final class Simulation {
             throw new IllegalArgumentException("robot " + name + " is there already, expected another name");
         }
         if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
-            throw new IllegalArgumentException("no free place for robot " + name + " at " + position);
+            throw new IllegalArgumentException("no free place for robot " + name + " at " + position.xMeters() + " "
+                    + position.yMeters() + ": something is in the way there");
         }
         SimulatedRobot robot =
                 new SimulatedRobot(name, robots.size(), crowd, position.xMeters(), position.yMeters(), headingRadians);
@@ -107,6 +108,7 @@ public final class Simulation {
         byName.remove(robot.name(), robot);
         robots = robots.stream().filter(other -> other != robot).toList();
         crowd.remove(robot);
+        watched = watched == robot ? null : watched;
     }
 
     /**

@@ -78,6 +78,14 @@ public final class SimulationThread implements Executor, AutoCloseable {
         post(act);
     }
 
+    /** The simulation itself, for acts on this thread. */
+    public Simulation owned() {
+        if (!isOwner()) {
+            throw new IllegalStateException("not on the simulation's thread");
+        }
+        return simulation;
+    }
+
     public boolean isOwner() {
         return Thread.currentThread() == thread;
     }

@@ -1,25 +1,35 @@
 package simrobot.ui;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.ButtonGroup;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.Scrollable;
+import simgsm.ui.Act;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.Named;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.simulation.SimulationSnapshot;
 
 /** The column beside the floor: which robots there are, and all about the selected one. */
 final class Inspector extends JPanel {
-    private final RobotList robots;
-    private final StatusLamps statuses;
+    private final RobotsCard robots;
+    private final NewRobotForm newcomer;
+    private final EventsCard events;
+    private final CardLayout sheets = new CardLayout();
+    private final JPanel sheet = new JPanel(sheets);
     private final Reading x;
     private final Reading y;
     private final Reading heading;
@@ -27,12 +37,16 @@ final class Inspector extends JPanel {
     private final Reading turn;
     private final SonarRose sonar;
     private final CameraView camera;
+    private JPanel tabs;
+    private List<String> names = List.of();
+    private List<String> numbers = List.of();
 
-    Inspector(Texts texts, Consumer<String> selection) {
+    Inspector(Texts texts, Consumer<String> selection, Operator operator, WorldView view) {
         super(new BorderLayout());
         setOpaque(false);
-        robots = new RobotList(texts, selection);
-        statuses = new StatusLamps(texts);
+        newcomer = new NewRobotForm(texts, operator, view);
+        robots = new RobotsCard(texts, selection, operator, this::askForNewcomer);
+        events = new EventsCard(texts);
         x = new Reading("pose.x", "x", "m");
         y = new Reading("pose.y", "y", "m");
         heading = new Reading("pose.heading", texts.of("pose.heading"), "\u00b0");
@@ -40,18 +54,61 @@ final class Inspector extends JPanel {
         turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
         sonar = new SonarRose(texts);
         camera = new CameraView(texts);
-        Card list = new Card(texts.of("robots.title"), Arrange.column(10, robots.component(), statuses));
         Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
         Card rose = new Card(texts.of("sonar.title"), sonar);
-        Card view = new Card(texts.of("camera.title"), camera);
-        JScrollPane all =
-                new RoomForItsBar(new Column(Arrange.column(Theme.GRID, list, pose, view, Arrange.growing(rose))));
+        Card picture = new Card(texts.of("camera.title"), camera);
+        sheet.setOpaque(false);
+        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose))), "robot");
+        sheet.add(events, "events");
+        JPanel top = Arrange.column(Theme.GRID, robots, newcomer, tabs(texts));
+        add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
+    }
+
+    private static JScrollPane scrolled(JPanel content) {
+        JScrollPane all = new RoomForItsBar(new Column(content));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);
         all.getViewport().setOpaque(false);
         all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        add(all, BorderLayout.CENTER);
+        return all;
+    }
+
+    /** What the lower part shows: the robot or the events. */
+    private JPanel tabs(Texts texts) {
+        JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, "robot");
+        JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, "events");
+        ButtonGroup one = new ButtonGroup();
+        one.add(robot);
+        one.add(log);
+        robot.setSelected(true);
+        tabs = Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log));
+        Compact.buttonsIn(tabs);
+        return tabs;
+    }
+
+    private JToggleButton tab(String id, Texts texts, int key, String name) {
+        JToggleButton button = new JToggleButton();
+        Act act = new Act(id, texts.of(id), () -> {
+            button.setSelected(true);
+            sheets.show(sheet, name);
+        });
+        act.bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK));
+        button.setAction(act.described(texts.of(id) + "  (Alt+" + KeyEvent.getKeyText(key) + ")"));
+        return Named.name(button, id, texts.of(id));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (tabs != null) {
+            Compact.buttonsIn(tabs);
+        }
+    }
+
+    private void askForNewcomer() {
+        newcomer.toggle(names, numbers);
+        revalidate();
     }
 
     /** As wide as its view and its scroll bar, so that nothing narrows when the bar appears. */
@@ -102,11 +159,13 @@ final class Inspector extends JPanel {
         }
     }
 
-    void show(List<RobotList.Row> rows, SimulationSnapshot scene, Optional<RobotSnapshot> selected) {
-        robots.show(rows, selected.map(RobotSnapshot::name).orElse(null));
-        statuses.show(selected.map(RobotSnapshot::status).orElse(null));
+    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected, WindowSnapshot newest) {
+        names = rows.stream().map(RobotList.Row::name).toList();
+        numbers = rows.stream().map(RobotList.Row::number).toList();
+        robots.show(rows, selected, newest.ports());
+        events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
         selected.ifPresent(this::show);
-        selected.ifPresent(robot -> camera.show(scene, robot));
+        selected.ifPresent(robot -> camera.show(newest.simulation(), robot));
     }
 
     private void show(RobotSnapshot robot) {

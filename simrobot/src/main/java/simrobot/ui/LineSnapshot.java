@@ -2,6 +2,7 @@ package simrobot.ui;
 
 import java.util.Objects;
 import simgsm.dtmf.ToneTrace;
+import simgsm.station.CallState;
 import simgsm.station.StationSnapshot;
 import vericommand.VeriCommandSnapshot;
 
@@ -28,5 +29,15 @@ public record LineSnapshot(
         Objects.requireNonNull(heard);
         Objects.requireNonNull(orders);
         Objects.requireNonNull(tones);
+    }
+
+    /** Whether a call is up or being set up. */
+    public boolean isInCall() {
+        return modem.callState() != CallState.NULL;
+    }
+
+    /** Whether somebody commands this robot right now. */
+    boolean isBusy() {
+        return isInCall() || orders.underWay();
     }
 }

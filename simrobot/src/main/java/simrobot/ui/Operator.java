@@ -1,6 +1,11 @@
 package simrobot.ui;
 
 import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.robot.Placement;
+import vericommand.Pose;
 
 /** What the person at the window may do; each act goes to the thread that owns what it touches. */
 public interface Operator {
@@ -8,11 +13,28 @@ public interface Operator {
 
     void setMotors(String robot, boolean on);
 
-    /** Puts a standing robot somewhere, if it fits there. */
-    void place(String robot, double xMeters, double yMeters, double headingRadians);
+    /**
+     * Puts a standing robot somewhere, if it fits there.
+     *
+     * @param answer told what became of it, by any thread
+     */
+    void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer);
+
+    /**
+     * Makes a robot with a modem of its own.
+     *
+     * @param place none: on the first home that is free
+     * @param answer told by any thread: nothing when it is there, else why not
+     */
+    void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer);
+
+    void removeRobot(String robot);
 
     /** Brings the robot to rest with its own deceleration. */
     void brake(String robot);
+
+    /** Has the robot go its own ways, or stop doing so. */
+    void setBehaviour(String robot, BehaviourKind kind);
 
     /** Wants this robot's sonars in the pictures, however many robots there are. */
     void watch(String robot);

@@ -12,6 +12,7 @@ import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import simgsm.ui.Drawing;
 import simgsm.ui.Named;
+import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
@@ -19,10 +20,15 @@ import vericommand.RobotStatus;
 
 /** All robots with their status and number; the selected one is what the rest of the window shows. */
 final class RobotList {
-    /** @param number of its modem, empty when it has none */
-    record Row(String name, RobotStatus status, String number) {}
+    /**
+     * A robot in the list.
+     *
+     * @param number of its modem, empty when it has none
+     * @param calling whether it is in a call
+     */
+    record Row(String name, RobotStatus status, String number, boolean calling) {}
 
-    private static final int ROWS_SHOWN = 3;
+    private static final int ROWS_SHOWN = 4;
 
     private final DefaultListModel<Row> model = new DefaultListModel<>();
     private final JList<Row> list = new JList<>(model);
@@ -39,6 +45,18 @@ final class RobotList {
             }
         });
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    }
+
+    JList<Row> list() {
+        return list;
+    }
+
+    /** Selects a neighbour; after the last comes the first. */
+    void step(int by) {
+        if (!model.isEmpty()) {
+            list.setSelectedIndex(Math.floorMod(list.getSelectedIndex() + by, model.size()));
+            list.ensureIndexIsVisible(list.getSelectedIndex());
+        }
     }
 
     JScrollPane component() {
@@ -60,13 +78,14 @@ final class RobotList {
         for (int i = 0; i < rows.size(); i++) {
             if (rows.get(i).name().equals(selected) && list.getSelectedIndex() != i) {
                 list.setSelectedIndex(i);
+                list.ensureIndexIsVisible(i);
             }
         }
     }
 
     private static final class RowRenderer extends Painted implements ListCellRenderer<Row> {
         private final Texts texts;
-        private Row row = new Row("", RobotStatus.STOPPED, "");
+        private Row row = new Row("", RobotStatus.STOPPED, "", false);
         private boolean chosen;
 
         RowRenderer(Texts texts) {
@@ -79,7 +98,8 @@ final class RobotList {
                 JList<? extends Row> list, Row value, int index, boolean isSelected, boolean hasFocus) {
             row = value;
             chosen = isSelected;
-            say(row.name() + " " + StatusLamps.word(texts, row.status()) + " " + row.number());
+            String call = row.calling() ? " " + texts.of("robots.calling") : "";
+            say(row.name() + " " + StatusLamps.word(texts, row.status()) + " " + row.number() + call);
             return this;
         }
 
@@ -99,13 +119,15 @@ final class RobotList {
             StatusLook.mark(row.status()).paint(g, Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
             double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
             double number = Drawing.width(Theme.mono(), row.number()) + Theme.exact(8);
+            double room = width - number - Theme.exact(row.calling() ? 22 : 4);
+            if (row.calling()) {
+                g.setColor(Ink.GOOD.color());
+                Symbol.CALL.paint(g, width - number - Theme.exact(10), height / 2, Theme.exact(12));
+            }
             g.setFont(Theme.strong());
             g.setColor(Ink.TEXT.color());
             double left = Theme.exact(28);
-            g.drawString(
-                    Drawing.fitted(Theme.strong(), row.name(), width - left - number - Theme.exact(4)),
-                    (float) left,
-                    (float) base);
+            g.drawString(Drawing.fitted(Theme.strong(), row.name(), room - left), (float) left, (float) base);
             g.setFont(Theme.mono());
             g.setColor(Ink.QUIET.color());
             g.drawString(row.number(), (float) (width - number), (float) base);

@@ -169,6 +169,44 @@ final class RobotPainter {
         g.setTransform(before);
     }
 
+    /** A robot that is not there, dashed; crossed out where it may not stand. */
+    void ghost(Ghost ghost) {
+        double x = view.screenX(ghost.xMeters());
+        double y = view.screenY(ghost.yMeters());
+        double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
+        AffineTransform before = g.getTransform();
+        g.translate(x, y);
+        g.rotate(-ghost.headingRadians());
+        g.setColor(ghost.ink().color(0.14));
+        g.fill(circle(0, 0, r));
+        g.setColor(ghost.ink().color());
+        g.setStroke(Theme.dashed(1.6, 4));
+        g.draw(circle(0, 0, r));
+        g.draw(new Line2D.Double(0, 0, r + Theme.exact(10), 0));
+        g.setTransform(before);
+        if (ghost.refused()) {
+            g.setStroke(Theme.stroke(2));
+            double arm = Math.max(Theme.exact(5), r * 0.55);
+            Drawing.line(g, x - arm, y - arm, x + arm, y + arm);
+            Drawing.line(g, x - arm, y + arm, x + arm, y - arm);
+        }
+        if (!ghost.text().isEmpty()) {
+            caption(ghost.text(), x, y + Math.max(r, Theme.exact(8)) + Theme.exact(16), ghost.ink());
+        }
+    }
+
+    /** On a ground of its own, so that it can be read across walls. */
+    private void caption(String text, double x, double y, Ink ink) {
+        double width = Drawing.width(Theme.strong(), text) + Theme.exact(16);
+        double left = Math.max(Theme.exact(4), Math.min(view.width() - width - Theme.exact(4), x - width / 2));
+        g.setColor(Ink.CARD.color());
+        g.fill(Drawing.round(left, y - Theme.exact(11), width, Theme.exact(22), Theme.exact(Theme.CONTROL_RADIUS)));
+        g.setColor(ink.color());
+        g.setStroke(Theme.hairline());
+        g.draw(Drawing.round(left, y - Theme.exact(11), width, Theme.exact(22), Theme.exact(Theme.CONTROL_RADIUS)));
+        Drawing.centred(g, text, Theme.strong(), left + width / 2, y);
+    }
+
     /** A robot without power is grey; a shape beside it says why, see {@link #badge}. */
     private static Ink paint(RobotSnapshot robot) {
         return robot.powered() ? Ink.ROBOT : Ink.DISABLED;

@@ -26,7 +26,9 @@ public final class SimRobotPanel extends JPanel {
     private final Line notice = new Line("notice", Theme::strong, Ink.DANGER);
     private final JPanel noticeRow;
     private WindowSnapshot shown;
+    private final CalledElsewhere elsewhere;
     private String selected;
+    private String wished;
 
     /** A window that shows the given snapshot until it gets a newer one. */
     public SimRobotPanel(Locale language, WindowSnapshot first, Operator operator) {
@@ -36,15 +38,17 @@ public final class SimRobotPanel extends JPanel {
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
         tools = new ToolRow(texts, language, operator, world);
-        inspector = new Inspector(texts, this::select);
+        inspector = new Inspector(texts, this::select, operator, world);
         modem = new ModemPanel(texts, language);
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);
+        elsewhere = new CalledElsewhere(texts, this::select);
         JPanel floor = new Framed(world);
-        JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(floor), inspector);
         JPanel bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), Arrange.growing(orders));
-        JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle), bottom);
+        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom);
+        JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);
+        JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle));
         all.setBorder(Theme.padding(Theme.GRID));
         add(all, BorderLayout.CENTER);
         setBackground(Ink.SURFACE.color());
@@ -55,6 +59,12 @@ public final class SimRobotPanel extends JPanel {
     /** Shows the newest snapshot. */
     public void show(WindowSnapshot newest) {
         shown = newest;
+        if (robot(wished).isPresent()) {
+            selected = wished;
+            wished = null;
+            operator.watch(selected);
+        }
+        elsewhere.show(newest.lines(), selected, !world.hand().holds());
         if (robot(selected).isEmpty()) {
             selected = newest.simulation().robots().stream()
                     .findFirst()
@@ -67,7 +77,7 @@ public final class SimRobotPanel extends JPanel {
         world.select(selected);
         world.show(newest.simulation());
         tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
-        inspector.show(rows(), newest.simulation(), robot);
+        inspector.show(rows(), robot, newest);
         modem.setVisible(line.isPresent());
         orders.setVisible(line.isPresent());
         line.ifPresent(modem::show);
@@ -81,7 +91,9 @@ public final class SimRobotPanel extends JPanel {
 
     /** Makes this robot the one that the whole window is about. */
     void select(String robot) {
-        if (!robot.equals(selected)) {
+        if (robot(robot).isEmpty()) {
+            wished = robot;
+        } else if (!robot.equals(selected)) {
             selected = robot;
             operator.watch(robot);
             show(shown);
@@ -108,7 +120,8 @@ public final class SimRobotPanel extends JPanel {
                 .map(robot -> new RobotList.Row(
                         robot.name(),
                         robot.status(),
-                        line(robot.name()).map(LineSnapshot::number).orElse("")))
+                        line(robot.name()).map(LineSnapshot::number).orElse(""),
+                        line(robot.name()).filter(LineSnapshot::isInCall).isPresent()))
                 .toList();
     }
 

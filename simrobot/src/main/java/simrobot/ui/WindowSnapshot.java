@@ -3,6 +3,7 @@ package simrobot.ui;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import simrobot.control.LoggedEvent;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
@@ -12,6 +13,8 @@ import simrobot.simulation.SimulationSnapshot;
  * @param speed simulated seconds per second; infinite is as fast as it can
  * @param worldFile the file of the present world
  * @param notice a message for the person at the window, empty when there is none
+ * @param ports on which others may come
+ * @param events what happened, the oldest first
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,
@@ -19,11 +22,15 @@ public record WindowSnapshot(
         double speed,
         boolean paused,
         Path worldFile,
-        String notice) {
+        String notice,
+        List<OpenPort> ports,
+        List<LoggedEvent> events) {
     public WindowSnapshot {
         Objects.requireNonNull(simulation);
         lines = List.copyOf(lines);
         Objects.requireNonNull(worldFile);
         Objects.requireNonNull(notice);
+        ports = List.copyOf(ports);
+        events = List.copyOf(events);
     }
 }

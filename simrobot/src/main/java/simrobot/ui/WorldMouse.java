@@ -12,8 +12,9 @@ import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
 
 /**
- * The mouse on the floor: wheel zooms at the pointer; dragging a robot moves it, dragging its handle (or dragging it with
- * the right button) turns it, dragging the floor pans; a double click on the floor fits the world.
+ * The mouse on the floor: wheel zooms at the pointer; dragging a robot moves it, dragging its handle (or the robot with Shift
+ * or the right button) turns it, dragging the floor pans; a double click on the floor fits the world. While a place is asked
+ * for, pressing on the floor names it and dragging from there turns the newcomer.
  */
 final class WorldMouse extends MouseAdapter {
     private static final double ZOOM_PER_NOTCH = 1.15;
@@ -22,7 +23,8 @@ final class WorldMouse extends MouseAdapter {
         NONE,
         PAN,
         MOVE,
-        TURN
+        TURN,
+        AIM
     }
 
     private final WorldView view;
@@ -31,6 +33,8 @@ final class WorldMouse extends MouseAdapter {
     private double lastY;
     private double gripX;
     private double gripY;
+    private double aimX;
+    private double aimY;
 
     WorldMouse(WorldView view) {
         this.view = view;
@@ -47,9 +51,15 @@ final class WorldMouse extends MouseAdapter {
         } else if (hit.isPresent()) {
             RobotSnapshot robot = hit.get();
             view.pick(robot);
-            drag = SwingUtilities.isLeftMouseButton(event) ? Drag.MOVE : Drag.TURN;
+            drag = SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown() ? Drag.MOVE : Drag.TURN;
+            view.hand().take(robot);
             gripX = robot.xMeters() - worldX(event);
             gripY = robot.yMeters() - worldY(event);
+        } else if (view.isAskingForPlace() && SwingUtilities.isLeftMouseButton(event)) {
+            drag = Drag.AIM;
+            aimX = view.snapped(worldX(event));
+            aimY = view.snapped(worldY(event));
+            view.namePlace(aimX, aimY, Double.NaN);
         } else {
             drag = Drag.PAN;
         }
@@ -61,6 +71,7 @@ final class WorldMouse extends MouseAdapter {
             case PAN -> pan(event);
             case MOVE -> move(event);
             case TURN -> turn(event);
+            case AIM -> view.namePlace(aimX, aimY, towards(event, aimX, aimY));
             case NONE -> {
                 // a drag that began elsewhere
             }
@@ -77,23 +88,31 @@ final class WorldMouse extends MouseAdapter {
 
     private void move(MouseEvent event) {
         view.selectedRobot()
-                .ifPresent(robot -> view.operator()
-                        .place(robot.name(), worldX(event) + gripX, worldY(event) + gripY, robot.headingRadians()));
+                .ifPresent(robot ->
+                        view.hand().put(robot, worldX(event) + gripX, worldY(event) + gripY, robot.headingRadians()));
+    }
+
+    private void turn(MouseEvent event) {
+        view.selectedRobot()
+                .ifPresent(robot -> view.hand()
+                        .put(
+                                robot,
+                                robot.xMeters(),
+                                robot.yMeters(),
+                                towards(event, robot.xMeters(), robot.yMeters())));
     }
 
     /** Towards the pointer, in whole degrees, in steps of 15 with Shift held. */
-    private void turn(MouseEvent event) {
-        view.selectedRobot().ifPresent(robot -> {
-            double towards = Math.atan2(worldY(event) - robot.yMeters(), worldX(event) - robot.xMeters());
-            double step = event.isShiftDown() ? 15 : 1;
-            double degrees = Math.rint(Math.toDegrees(towards) / step) * step;
-            view.operator().place(robot.name(), robot.xMeters(), robot.yMeters(), Math.toRadians(degrees));
-        });
+    private double towards(MouseEvent event, double x, double y) {
+        double towards = Math.atan2(worldY(event) - y, worldX(event) - x);
+        double step = event.isShiftDown() ? 15 : 1;
+        return Math.toRadians(Math.rint(Math.toDegrees(towards) / step) * step);
     }
 
     @Override
     public void mouseReleased(MouseEvent event) {
         drag = Drag.NONE;
+        view.hand().letGo();
     }
 
     @Override

@@ -35,6 +35,13 @@ final class WorldView extends SpokenComponent {
     private boolean fitted = true;
     private boolean following;
     private String readout = "";
+    private final Hand hand;
+    private PlaceWish placeWish;
+
+    /** Who wants to know where on the floor a robot is to go; the heading is NaN while it was not shown. */
+    interface PlaceWish {
+        void at(double xMeters, double yMeters, double headingRadians);
+    }
 
     /** @param selection told when a robot is picked with the mouse */
     WorldView(SimulationSnapshot picture, Texts texts, Operator operator, Consumer<String> selection) {
@@ -43,6 +50,7 @@ final class WorldView extends SpokenComponent {
         this.texts = texts;
         this.operator = operator;
         this.selection = selection;
+        hand = new Hand(operator, texts, this::repaint);
         setName("world");
         setFocusable(true);
         setOpaque(true);
@@ -165,8 +173,27 @@ final class WorldView extends SpokenComponent {
 
     // ---- acts ------------------------------------------------------------------------------------------------------
 
-    Operator operator() {
-        return operator;
+    Hand hand() {
+        return hand;
+    }
+
+    /** Until it is taken back with null, the floor is asked for a place. */
+    void askForPlace(PlaceWish wish) {
+        placeWish = wish;
+        hand.show(null);
+    }
+
+    boolean isAskingForPlace() {
+        return placeWish != null;
+    }
+
+    void namePlace(double xMeters, double yMeters, double headingRadians) {
+        placeWish.at(xMeters, yMeters, headingRadians);
+    }
+
+    /** To 5 cm. */
+    double snapped(double meters) {
+        return Math.rint(meters * 20) / 20;
     }
 
     SimulationSnapshot picture() {
@@ -181,11 +208,16 @@ final class WorldView extends SpokenComponent {
         selection.accept(robot.name());
     }
 
+    /** A robot that is not in the picture yet is to be selected when it comes. */
+    void wish(String robot) {
+        selection.accept(robot);
+    }
+
     /** Moves the selected robot by hand. */
     void nudge(double dxMeters, double dyMeters, double turnRadians) {
         selectedRobot()
-                .ifPresent(robot -> operator.place(
-                        robot.name(),
+                .ifPresent(robot -> hand.put(
+                        robot,
                         robot.xMeters() + dxMeters,
                         robot.yMeters() + dyMeters,
                         robot.headingRadians() + turnRadians));
@@ -209,6 +241,7 @@ final class WorldView extends SpokenComponent {
         try {
             floor.paint(g, picture.world(), viewport, layers);
             WorldPainter.robots(g, picture, viewport, layers, selected);
+            hand.ghost().ifPresent(ghost -> new RobotPainter(g, viewport).ghost(ghost));
             clock(g);
             place(g);
             if (isFocusOwner()) {

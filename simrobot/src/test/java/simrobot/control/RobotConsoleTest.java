@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -29,7 +30,10 @@ import simgsm.air.Msisdn;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.CallTap;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
+import simrobot.behaviour.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -40,6 +44,7 @@ import vericommand.Settings;
 class RobotConsoleTest {
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
     private SimRobot simRobot;
+    private Fleet fleet;
 
     @BeforeEach
     void twoRobots() {
@@ -53,6 +58,16 @@ class RobotConsoleTest {
                     Imei.random(new Random(i)),
                     StationOptions.STANDARD);
         }
+        fleet = new Fleet(
+                simRobot,
+                new Fleet.Kit(
+                        1,
+                        true,
+                        true,
+                        BehaviourKind.NONE,
+                        SpeechCodec.Kind.A_LAW,
+                        robot -> CallTap.NONE,
+                        number -> Optional.empty()));
         simRobot.simulation().setPaused(true);
         simRobot.simulation().start();
     }
@@ -67,7 +82,7 @@ class RobotConsoleTest {
         Console console = new Console(new PrintStream(out, true, StandardCharsets.UTF_8));
         console.ready(Event.of("ready"));
         simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
-        RobotConsole robotConsole = new RobotConsole(simRobot, console::emit);
+        RobotConsole robotConsole = new RobotConsole(simRobot, fleet, console::emit);
         console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
         return lines.subList(1, lines.size());
@@ -185,5 +200,62 @@ class RobotConsoleTest {
         List<String> answers = answers("place -1 0 0", "status");
         assertTrue(answers.get(0).contains("moving"), answers.get(0));
         assertEquals("status robot=r0 value=Moving", answers.get(1));
+    }
+
+    @Test
+    void aRobotIsAddedWithItsNumberAndItsPlaceAndAnswersByItsName() throws Exception {
+        assertEquals(
+                List.of(
+                        "added robot=r2 number=5550202",
+                        "pose robot=r2 x=-1.0000 y=-1.0000 heading=90.00",
+                        "status robot=r2 value=Stopped"),
+                answers("add r2=5550202 -1 -1 90", "@r2 status"));
+    }
+
+    @Test
+    void aRobotWithoutAPlaceIsAddedWhereItFits() throws Exception {
+        List<String> answers = answers("add r2=5550202");
+        assertEquals("added robot=r2 number=5550202", answers.get(0));
+        assertTrue(answers.get(1).startsWith("pose robot=r2 "), answers.get(1));
+    }
+
+    @Test
+    void aRobotThatIsRemovedIsNoLongerThereAndTheNextOneIsTheFirst() throws Exception {
+        List<String> answers = answers("@r0 remove", "robots", "pose", "@r0 pose");
+        assertEquals("status robot=r0 value=Disconnected", answers.get(0));
+        assertEquals("removed robot=r0 number=5550200", answers.get(1));
+        assertEquals("robot robot=r1 number=5550201", answers.get(2));
+        assertEquals("end of=robots count=1", answers.get(3));
+        assertEquals("pose robot=r1 x=0.0000 y=1.0000 heading=0.00", answers.get(4));
+        assertEquals("error text=\"no robot r0, expected one of r1\"", answers.get(5));
+    }
+
+    @Test
+    void withoutAnyRobotTheConsoleSaysHowToMakeOne() throws Exception {
+        List<String> answers = answers("remove", "remove", "status");
+        assertEquals(
+                "error text=\"there is no robot, expected add NAME=NUMBER first\"", answers.get(answers.size() - 1));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "add r1=5550209|robot r1 is there already",
+                "add r9=5550200|another robot has the number 5550200",
+                "add r9|expected NAME=NUMBER, found r9",
+                "add|expected NAME=NUMBER [X Y HEADING], found nothing after it",
+                "add r9=5550209 1 2|expected NAME=NUMBER [X Y HEADING]",
+                "add r9=abc|is not a telephone number",
+                "add a b=5550209|expected",
+                "add r9=5550209 0 0 0|something is in the way there",
+                "add r9=5550209 90 0 0|outside the world",
+                "add r9=5550209 x 0 0|add: expected a number for X, found x",
+                "robots now|expected nothing after it",
+                "@r1 remove it|expected nothing after it"
+            })
+    void whatCannotBeAddedIsNamed(String command, String fault) throws Exception {
+        String answer = answers(command).get(0);
+        assertTrue(answer.startsWith("error text=") && answer.contains(fault), answer);
     }
 }

@@ -9,8 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
 import javax.swing.AbstractButton;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneTrace;
 import simgsm.speech.SpeechCodec;
@@ -18,9 +21,13 @@ import simgsm.station.CallState;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Named;
 import simgsm.ui.Theme.Ink;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.LoggedEvent;
+import simrobot.robot.Placement;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
+import vericommand.Pose;
 import vericommand.VeriCommandSnapshot;
 
 /** A window without a frame over a simulation that is moved by hand; it notes what its operator did. */
@@ -31,6 +38,9 @@ final class WindowBench implements Operator {
     List<LineSnapshot> lines = List.of();
     boolean paused;
     String notice = "";
+    List<OpenPort> ports = List.of();
+    List<LoggedEvent> events = List.of();
+    Optional<String> refusal = Optional.empty();
 
     WindowBench(String worldFile, Locale language, String... robots) throws Exception {
         simulation = new Simulation(world(worldFile), 1);
@@ -52,7 +62,9 @@ final class WindowBench implements Operator {
                 1,
                 paused,
                 Path.of("..", "worlds", simulation.world().name()),
-                notice);
+                notice,
+                ports,
+                events);
     }
 
     /** Shows the simulation as it is now. */
@@ -86,6 +98,16 @@ final class WindowBench implements Operator {
 
     String spoken(String name) {
         return component(name).getAccessibleContext().getAccessibleName();
+    }
+
+    /** Answers that came from this thread are on the screen afterwards. */
+    WindowBench settle() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {});
+        return show();
+    }
+
+    void type(String name, String text) {
+        ((JTextField) component(name)).setText(text);
     }
 
     void click(String name) {
@@ -178,14 +200,37 @@ final class WindowBench implements Operator {
     }
 
     @Override
-    public void place(String robot, double xMeters, double yMeters, double headingRadians) {
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
         acts.add("place " + robot);
-        simulation.robot(robot).orElseThrow().place(xMeters, yMeters, headingRadians);
+        answer.accept(simulation.robot(robot).orElseThrow().place(xMeters, yMeters, headingRadians));
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        acts.add("add " + name + " " + number
+                + place.map(pose -> " at " + pose.xText(2) + " " + pose.yText(2))
+                        .orElse(""));
+        if (refusal.isEmpty()) {
+            simulation.addRobot(name);
+        }
+        answer.accept(refusal);
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        acts.add("remove " + robot);
+        simulation.removeRobot(simulation.robot(robot).orElseThrow());
     }
 
     @Override
     public void brake(String robot) {
         acts.add("brake " + robot);
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        acts.add("behaviour " + robot + " " + kind);
+        simulation.robot(robot).orElseThrow().autonomy().begin(kind);
     }
 
     @Override

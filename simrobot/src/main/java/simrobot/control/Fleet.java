@@ -1,0 +1,152 @@
+package simrobot.control;
+
+import java.io.IOException;
+import java.util.Optional;
+import java.util.Random;
+import simgsm.air.Imei;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.console.UsageException;
+import simgsm.sim.SimCard;
+import simgsm.speech.CallTap;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.StationOptions;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.world.Position;
+import vericommand.Pose;
+
+/** Makes the robots of a run, those of the command line and those that come later, all by the same wishes. */
+public final class Fleet {
+    /** Where a robot's calls are recorded. */
+    public interface Recording {
+        CallTap of(String robot) throws IOException;
+    }
+
+    /** Which card is in a modem's slot; none in an open network. */
+    public interface Cards {
+        Optional<SimCard> of(Msisdn number) throws UsageException;
+    }
+
+    /**
+     * What all robots have in common.
+     *
+     * @param seed with a robot's number it makes its modem's IMEI
+     * @param power whether they start switched on
+     * @param motors whether their motors do
+     */
+    public record Kit(
+            long seed,
+            boolean power,
+            boolean motors,
+            BehaviourKind behaviour,
+            SpeechCodec.Kind codec,
+            Recording recording,
+            Cards cards) {}
+
+    /** A robot cannot be made as it was asked for; the message is for the person who asked. */
+    public static final class Refusal extends Exception {
+        Refusal(String message) {
+            super(message);
+        }
+    }
+
+    private final SimRobot simRobot;
+    private final Kit kit;
+
+    public Fleet(SimRobot simRobot, Kit kit) {
+        this.simRobot = simRobot;
+        this.kit = kit;
+    }
+
+    /** Makes one before the start; it goes to the first home that is free. */
+    public TelephoneRobot addFirst(RobotName name, Simulation simulation) throws IOException, UsageException {
+        Optional<SimCard> card = kit.cards().of(name.number());
+        return make(name, card, simulation, Optional.empty(), kit.recording().of(name.name()));
+    }
+
+    /**
+     * Makes one while the simulation runs; any thread but the simulation's may ask.
+     *
+     * @param place where it is to stand; none: on the first home that is free, or beside it
+     * @throws Refusal when name or number is taken, or the place
+     */
+    public TelephoneRobot add(RobotName name, Optional<Pose> place) throws Refusal, IOException, InterruptedException {
+        Optional<SimCard> card = card(name);
+        CallTap recorder = kit.recording().of(name.name());
+        Made made;
+        try {
+            made = simRobot.onSimulation(() -> attempt(name, card, place, recorder));
+        } catch (IllegalStateException late) {
+            made = new Made(null, late.getMessage());
+        }
+        if (made.robot() == null) {
+            recorder.close();
+            throw new Refusal(made.refusal());
+        }
+        return made.robot();
+    }
+
+    private Optional<SimCard> card(RobotName name) throws Refusal {
+        try {
+            Imsi.ofOpenNumber(name.number());
+            return kit.cards().of(name.number());
+        } catch (UsageException | IllegalArgumentException noCard) {
+            throw new Refusal(noCard.getMessage());
+        }
+    }
+
+    private record Made(TelephoneRobot robot, String refusal) {}
+
+    private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallTap recorder) {
+        Simulation simulation = simRobot.simulation().owned();
+        try {
+            if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
+                throw new IllegalArgumentException("another robot has the number " + name.number());
+            }
+            return new Made(make(name, card, simulation, place, recorder), "");
+        } catch (IllegalArgumentException | IllegalStateException refusal) {
+            return new Made(null, refusal.getMessage());
+        }
+    }
+
+    private TelephoneRobot make(
+            RobotName name, Optional<SimCard> card, Simulation simulation, Optional<Pose> place, CallTap recorder) {
+        place.filter(pose -> !simulation.world().ground().contains(pose.xMeters(), pose.yMeters()))
+                .ifPresent(pose -> {
+                    throw new IllegalArgumentException("no place for robot " + name.name() + " at " + pose.xMeters()
+                            + " " + pose.yMeters() + ": outside the world");
+                });
+        SimulatedRobot robot = place.isPresent()
+                ? simulation.addRobot(
+                        name.name(),
+                        new Position(place.get().xMeters(), place.get().yMeters()),
+                        Math.toRadians(place.get().headingDegrees()))
+                : simulation.addRobot(name.name());
+        robot.setMotors(kit.motors());
+        robot.setPower(kit.power());
+        robot.autonomy().begin(kit.behaviour());
+        StationOptions options = new StationOptions(kit.codec(), recorder);
+        Imei imei = imei(name.number());
+        return card.isPresent()
+                ? simRobot.add(robot, card.get(), imei, options)
+                : simRobot.add(robot, name.number(), imei, options);
+    }
+
+    /** With the number, or the robots of one seed would be one piece of equipment. */
+    private Imei imei(Msisdn number) {
+        return Imei.random(new Random(kit.seed() * 31 + number.digits().hashCode()));
+    }
+
+    /** Takes a robot away with its modem. @return false when there is none of that name */
+    public boolean remove(String name) throws InterruptedException {
+        return simRobot.onSimulation(() -> {
+            Optional<TelephoneRobot> leaving = simRobot.robots().stream()
+                    .filter(robot -> robot.name().equals(name))
+                    .findFirst();
+            leaving.ifPresent(simRobot::remove);
+            return leaving.isPresent();
+        });
+    }
+}
