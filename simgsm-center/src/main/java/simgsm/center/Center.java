@@ -36,6 +36,7 @@ final class Center implements AutoCloseable {
     private final Journal journal;
     private final JournalThread store;
     private final CenterLoop loop;
+    private final CenterSettings settings;
     private final InetAddress address;
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
 
@@ -48,6 +49,7 @@ final class Center implements AutoCloseable {
         this.journal = readJournal(data.path());
         this.loop = loop;
         this.store = new JournalThread(journal, this::committed);
+        this.settings = settings;
         address = settings.address();
         smppUsers = SmppUserFile.read(data.path());
         smppPort = settings.smppPort().isPresent()
@@ -66,18 +68,28 @@ final class Center implements AutoCloseable {
      */
     static Center open(CenterSettings settings, Path data, int port) throws IOException {
         InetAddress address = settings.address();
-        if (!address.isLoopbackAddress()) {
-            LOG.log(
-                    Level.WARNING,
-                    "listening on {0}: whoever reaches this address may register under any number",
-                    address.getHostAddress());
-        }
+        warnOfStrangers(address, settings.home());
         DataDirectory directory = DataDirectory.take(data);
         try {
             return open(directory, CenterLoop.open(address, port), settings);
         } catch (IOException e) {
             directory.close();
             throw e;
+        }
+    }
+
+    private static void warnOfStrangers(InetAddress address, HomeSettings home) {
+        if (address.isLoopbackAddress()) {
+            return;
+        }
+        if (home.isClosed()) {
+            LOG.log(Level.INFO, "listening on {0}: closed network, nothing is ciphered", address.getHostAddress());
+        } else {
+            LOG.log(
+                    Level.WARNING,
+                    "listening on {0}: open network, whoever reaches this address may register under any number;"
+                            + " --hlr FILE closes it",
+                    address.getHostAddress());
         }
     }
 
@@ -117,9 +129,19 @@ final class Center implements AutoCloseable {
         return smppPort;
     }
 
-    void start(long seed, ExchangeListener listener) {
-        ExchangeSettings settings = new ExchangeSettings(ExchangeSettings.DEFAULT_NETWORK_NAME, seed, Instant.now());
-        Exchange exchange = new Exchange(settings, store, listener);
+    HomeSettings home() {
+        return settings.home();
+    }
+
+    void start(ExchangeListener listener) {
+        Exchange exchange = new Exchange(
+                new ExchangeSettings(
+                        ExchangeSettings.DEFAULT_NETWORK_NAME,
+                        settings.random(),
+                        Instant.now(),
+                        settings.home().register()),
+                store,
+                listener);
         exchange.restore(journal.restored());
         store.start();
         exchange.smpp().admit(smppUsers);

@@ -25,7 +25,7 @@ final class CenterCommands implements Console.Commands {
                 list(
                         command,
                         exchange -> exchange.subscribers().stream()
-                                .map(ConsoleEvents::of)
+                                .map(subscriber -> ConsoleEvents.of(subscriber, exchange.isBarred(subscriber)))
                                 .toList());
             case "calls" ->
                 list(

@@ -40,6 +40,17 @@ public final class CenterMain {
                                 + "\nsmpp-users.properties in the data directory, id=password a line; without that file"
                                 + "\nany application of this machine")
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
+                .value(
+                        "hlr",
+                        "FILE",
+                        "closes the network: only the SIMs that the file lists may register, and must prove it;"
+                                + "\nwithout it the network is open and the number alone says who somebody is")
+                .value(
+                        "new-sim",
+                        "N,N-N,...",
+                        "with --hlr: makes SIMs with new keys for these numbers, adds them to the file, writes each"
+                                + "\none beside it as NUMBER.sim for --sim of phone and robot, and ends")
+                .value("barred-imeis", "IMEI,...", "terminals that nobody may register with (cause 6)")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
                 .value(
                         "capture",
@@ -53,6 +64,9 @@ public final class CenterMain {
     }
 
     private static int run(Arguments arguments) throws Exception {
+        if (arguments.has("new-sim")) {
+            return NewSims.make(arguments);
+        }
         CenterSettings settings = CenterSettings.read(arguments);
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
@@ -72,7 +86,7 @@ public final class CenterMain {
 
     private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
         try (Console console = Console.onStandardOutput()) {
-            center.start(settings.seed(), event -> console.emit(ConsoleEvents.of(event)));
+            center.start(event -> console.emit(ConsoleEvents.of(event)));
             Event ready = Event.of("ready").with("port", center.port());
             console.ready(
                     center.smppPort().isPresent()

@@ -1,12 +1,15 @@
 package simgsm.center;
 
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
+import java.security.SecureRandom;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Random;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
 import simgsm.center.capture.CapturePlan;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
@@ -18,6 +21,7 @@ import simgsm.console.UsageException;
  * @param smppPort empty for no SMPP
  * @param data empty for the usual place
  * @param capture empty for none
+ * @param home who may come
  */
 record CenterSettings(
         InetAddress address,
@@ -25,19 +29,22 @@ record CenterSettings(
         OptionalInt smppPort,
         Optional<Path> data,
         Optional<CapturePlan> capture,
-        long seed,
+        HomeSettings home,
+        RandomGenerator random,
         Locale language) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
-    static CenterSettings read(Arguments arguments) throws UsageException {
+    /** @throws IOException naming the file of SIMs that is not what it should be */
+    static CenterSettings read(Arguments arguments) throws UsageException, IOException {
         return new CenterSettings(
                 arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
                 port(arguments, "port"),
                 port(arguments, "smpp"),
                 arguments.path("data"),
                 capture(arguments),
-                arguments.integer("seed", new Random().nextLong(), Long.MIN_VALUE, Long.MAX_VALUE),
+                HomeSettings.read(arguments),
+                random(arguments),
                 arguments.language());
     }
 
@@ -48,6 +55,13 @@ record CenterSettings(
         long limitMib =
                 arguments.integer("capture-limit", CapturePlan.DEFAULT_LIMIT_MIB, 1, CapturePlan.LARGEST_LIMIT_MIB);
         return arguments.path("capture").map(file -> CapturePlan.of(file, limitMib));
+    }
+
+    /** Challenges and temporary identities are not to be guessed, unless a run is to repeat. */
+    private static RandomGenerator random(Arguments arguments) throws UsageException {
+        return arguments.has("seed")
+                ? new SplittableRandom(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE))
+                : new SecureRandom();
     }
 
     private static OptionalInt port(Arguments arguments, String option) throws UsageException {

@@ -2,12 +2,16 @@ package simgsm.center;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.subscriber.Subscriber;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
@@ -25,6 +29,7 @@ final class CenterWindow implements Operator {
     private final ProgramWindow window;
     private final AtomicLong nextPhone = new AtomicLong(FIRST_PHONE);
     private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
+    private final Set<String> cardsGivenOut = new HashSet<>();
     private Children children;
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
@@ -43,7 +48,7 @@ final class CenterWindow implements Operator {
         CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;
         center.publishSnapshots();
-        center.start(settings.seed(), event -> {});
+        center.start(event -> {});
         window.show(() -> MonitorWindow.content(operator, Messages.in(settings.language())));
         operator.endChildren();
         return ExitStatus.OK;
@@ -52,6 +57,11 @@ final class CenterWindow implements Operator {
     @Override
     public int port() {
         return center.port();
+    }
+
+    @Override
+    public boolean isClosed() {
+        return center.home().isClosed();
     }
 
     @Override
@@ -66,12 +76,37 @@ final class CenterWindow implements Operator {
 
     @Override
     public void newPhone() throws IOException {
-        start("simgsm-phone.jar", free(nextPhone));
+        start("simgsm-phone.jar", numberFor(nextPhone));
     }
 
     @Override
     public void newRobot() throws IOException {
-        start("simrobot.jar", free(nextRobot));
+        start("simrobot.jar", numberFor(nextRobot));
+    }
+
+    private String numberFor(AtomicLong next) throws IOException {
+        return isClosed() ? spareCard() : free(next);
+    }
+
+    /** A card that nobody uses, one that was not given out before if there is one. */
+    private synchronized String spareCard() throws IOException {
+        Set<String> attached = center.ask(exchange -> exchange.subscribers().stream()
+                .filter(Subscriber::isAttached)
+                .map(subscriber -> subscriber.number().digits())
+                .collect(Collectors.toSet()));
+        List<String> spare = center.home().numbers().stream()
+                .map(Msisdn::digits)
+                .filter(number -> !attached.contains(number))
+                .toList();
+        if (spare.isEmpty()) {
+            throw new IOException("every SIM in " + center.home().file().orElseThrow() + " is in use");
+        }
+        String chosen = spare.stream()
+                .filter(number -> !cardsGivenOut.contains(number))
+                .findFirst()
+                .orElse(spare.get(0));
+        cardsGivenOut.add(chosen);
+        return chosen;
     }
 
     /** The next number that nobody has registered yet. */
@@ -89,8 +124,8 @@ final class CenterWindow implements Operator {
         if (children == null) {
             children = Children.besideUs();
         }
-        List<String> words =
-                new ArrayList<>(List.of("--number", number, "--center", center.reachedAt(), "--end-with-input"));
+        List<String> words = new ArrayList<>(center.home().wordsFor(number));
+        words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);

@@ -38,10 +38,11 @@ final class ConsoleEvents {
         return new Event("sms", fields);
     }
 
-    static Event of(Subscriber subscriber) {
+    static Event of(Subscriber subscriber, boolean isBarred) {
+        String otherwise = isBarred ? "barred" : "detached";
         return Event.of("subscriber")
                 .with("number", subscriber.number())
-                .with("state", subscriber.isAttached() ? "attached" : "detached");
+                .with("state", subscriber.isAttached() ? "attached" : otherwise);
     }
 
     static Event of(CallView call) {

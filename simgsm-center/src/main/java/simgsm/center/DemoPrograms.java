@@ -8,7 +8,9 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
+import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
+import simgsm.console.UsageException;
 
 /** The demo's centre with its temporary data, and the phone and the SimRobot that go with it. */
 final class DemoPrograms implements AutoCloseable {
@@ -30,8 +32,18 @@ final class DemoPrograms implements AutoCloseable {
         this.atExit = new Thread(this::end, "end of the demo");
     }
 
+    /** The demo plays two parts; a closed network must have their SIMs. */
+    private static void requireCards(HomeSettings home) throws UsageException {
+        List<Msisdn> parts = List.of(new Msisdn(PHONE_NUMBER), new Msisdn(ROBOT_NUMBER));
+        if (home.isClosed() && !home.numbers().containsAll(parts)) {
+            throw new UsageException("--demo: expected SIMs of " + PHONE_NUMBER + " and " + ROBOT_NUMBER + " in "
+                    + home.file().get());
+        }
+    }
+
     /** Opens the centre, on a free port if the usual one is taken; the children are not started yet. */
-    static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException {
+    static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
+        requireCards(settings.home());
         Children children = Children.besideUs();
         Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
         Center center = open(settings, settings.data().orElse(temporary));
@@ -60,11 +72,13 @@ final class DemoPrograms implements AutoCloseable {
     }
 
     Process startPhone(ProcessBuilder.Redirect output, String... more) throws IOException {
-        return children.start("simgsm-phone.jar", words(List.of("--number", PHONE_NUMBER), more), output);
+        return children.start("simgsm-phone.jar", words(center.home().wordsFor(PHONE_NUMBER), more), output);
     }
 
     Process startRobot(ProcessBuilder.Redirect output, String... more) throws IOException {
-        return children.start("simrobot.jar", words(List.of("--number", ROBOT_NUMBER, "--world", WORLD), more), output);
+        List<String> words = words(center.home().wordsFor(ROBOT_NUMBER), more);
+        words.addAll(List.of("--world", WORLD));
+        return children.start("simrobot.jar", words, output);
     }
 
     private List<String> words(List<String> own, String... more) {

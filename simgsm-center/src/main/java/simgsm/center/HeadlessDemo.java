@@ -5,17 +5,19 @@ import java.lang.ProcessBuilder.Redirect;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
+import simgsm.console.UsageException;
 import simgsm.ui.Texts;
 
 /** The demo without a display: the same programs, played by a script, with a transcript for the reader. */
 final class HeadlessDemo {
     private HeadlessDemo() {}
 
-    static int run(Arguments arguments, CenterSettings settings) throws IOException, InterruptedException {
+    static int run(Arguments arguments, CenterSettings settings)
+            throws IOException, InterruptedException, UsageException {
         Transcript transcript = new Transcript(Program.standardOutput());
         Texts texts = Messages.in(settings.language());
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
-            play(programs, settings.seed(), transcript, texts);
+            play(programs, transcript, texts);
         } catch (DemoFailure failure) {
             transcript.heading(texts.of("demo.failed", failure.getMessage()));
             return ExitStatus.FAILED;
@@ -24,15 +26,13 @@ final class HeadlessDemo {
         return ExitStatus.OK;
     }
 
-    private static void play(DemoPrograms programs, long seed, Transcript transcript, Texts texts)
+    private static void play(DemoPrograms programs, Transcript transcript, Texts texts)
             throws IOException, DemoFailure, InterruptedException {
         transcript.heading(
                 texts.of("demo.start", Integer.toString(programs.center().port())));
         programs.center()
-                .start(
-                        seed,
-                        event -> transcript.line(
-                                "centre", ConsoleEvents.of(event).toString()));
+                .start(event ->
+                        transcript.line("centre", ConsoleEvents.of(event).toString()));
         DemoConsole robot =
                 new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless", "--no-sound"), transcript);
         DemoConsole phone =

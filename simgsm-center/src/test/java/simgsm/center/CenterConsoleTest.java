@@ -16,12 +16,15 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.ResourceBundle;
+import java.util.Set;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.sim.SimFile;
 
 class CenterConsoleTest {
     @TempDir
@@ -39,7 +42,8 @@ class CenterConsoleTest {
                 OptionalInt.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                1,
+                new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of()),
+                new SplittableRandom(1),
                 Locale.ENGLISH);
         center = Center.open(settings, temporary, 0);
     }
@@ -51,7 +55,7 @@ class CenterConsoleTest {
 
     private List<String> linesAfter(String commands) throws Exception {
         try (Console closing = console) {
-            center.start(1, event -> closing.emit(ConsoleEvents.of(event)));
+            center.start(event -> closing.emit(ConsoleEvents.of(event)));
             console.ready(Event.of("ready").with("port", "1234"));
             console.run(new BufferedReader(new StringReader(commands)), new CenterCommands(center, closing));
         }

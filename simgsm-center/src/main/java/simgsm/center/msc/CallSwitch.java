@@ -10,7 +10,6 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.IpaFrame;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.subscriber.Subscriber;
 import simgsm.center.timer.Timers;
 
 /** Number analysis and switching: from a SETUP to a call between two legs, and speech between them. */
@@ -105,10 +104,9 @@ final class CallSwitch {
 
     /** Finds the called party, and what stands against calling it. */
     void route(Call call) {
-        Optional<Subscriber> called = call.to().flatMap(mobility.register()::ofNumber);
         if (call.to().isEmpty()) {
             call.refuse(Cause.INVALID_NUMBER_FORMAT);
-        } else if (called.isEmpty()) {
+        } else if (!mobility.register().isAssigned(call.to().get())) {
             call.refuse(Cause.UNASSIGNED_NUMBER);
         } else if (calls.size() > MAX_CALLS) {
             call.refuse(Cause.SWITCHING_EQUIPMENT_CONGESTION);

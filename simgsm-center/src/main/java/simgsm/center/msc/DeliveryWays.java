@@ -24,6 +24,11 @@ final class DeliveryWays implements DeliveryPort {
     }
 
     @Override
+    public boolean isServed(Msisdn number) {
+        return register.isServed(number) || applications.serve(number);
+    }
+
+    @Override
     public boolean isReachable(Recipient receiver) {
         return wayTo(receiver).isReachable(receiver);
     }

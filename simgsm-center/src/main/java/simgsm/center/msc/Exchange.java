@@ -8,7 +8,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simgsm.air.CcmCodec;
 import simgsm.air.IpaFrame;
@@ -52,8 +51,9 @@ public final class Exchange {
 
     public Exchange(ExchangeSettings settings, MessageStore store, ExchangeListener listener) {
         ladder = new Ladder(settings.startedAt(), timers);
-        RandomGenerator random = new SplittableRandom(settings.seed());
+        RandomGenerator random = settings.random();
         register = new SubscriberRegister(
+                settings.home(),
                 random,
                 newcomer ->
                         store.commit(MessageStore.NO_TICKET, new StoreEntry.Known(newcomer.number(), newcomer.imsi())));
@@ -68,6 +68,7 @@ public final class Exchange {
         mobility = new Mobility(
                 register,
                 timers,
+                random,
                 settings.networkName(),
                 new AttachmentEvents(listener, number -> shortMessages.available(number)));
         delivery.locations(mobility);
@@ -218,7 +219,12 @@ public final class Exchange {
         return register.all();
     }
 
-    /** Whether this number has ever registered. */
+    /** Whether the operator lets the subscriber not register. */
+    public boolean isBarred(Subscriber subscriber) {
+        return register.home().isBarred(subscriber.imsi());
+    }
+
+    /** Whether this number has ever registered, or is listed. */
     public boolean isKnown(Msisdn number) {
         return register.ofNumber(number).isPresent();
     }

@@ -1,14 +1,23 @@
 package simgsm.center.msc;
 
 import java.time.Instant;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import simgsm.center.subscriber.HomeRegister;
 
 /**
  * What an exchange is told at its start.
  *
  * @param networkName shown on the phones
- * @param seed of temporary identities
+ * @param random of temporary identities and challenges
  * @param startedAt the civil time of the moment that the cores call 0 ns
+ * @param home who may come
  */
-public record ExchangeSettings(String networkName, long seed, Instant startedAt) {
+public record ExchangeSettings(String networkName, RandomGenerator random, Instant startedAt, HomeRegister home) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
+
+    /** An open network whose runs repeat with the seed. */
+    public ExchangeSettings(String networkName, long seed, Instant startedAt) {
+        this(networkName, new SplittableRandom(seed), startedAt, HomeRegister.OPEN);
+    }
 }

@@ -32,6 +32,7 @@ public final class Link {
     final RadioConnection radio;
     final Paging paging;
     final KeepAlive keepAlive;
+    final Authenticity authenticity;
     final ShortMessageTransfers shortMessages;
     final List<CallLeg> callLegs = new ArrayList<>(2);
 
@@ -54,6 +55,7 @@ public final class Link {
         this.radio = new RadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
         this.keepAlive = new KeepAlive(this, parts.timers());
+        this.authenticity = new Authenticity(this, parts.timers());
         this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
     }
 
@@ -134,6 +136,7 @@ public final class Link {
     void forget() {
         isClosed = true;
         keepAlive.stop();
+        authenticity.cancel();
         if (registration != null) {
             registration.cancel();
         }

@@ -3,20 +3,25 @@ package simgsm.center.msc;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
+import simgsm.air.OctetString;
 import simgsm.air.RadioResource;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.center.timer.Timers;
+import simgsm.sim.Milenage;
+import simgsm.sim.SimCard;
 
 /** Mobility management of the network (TS 24.008, 4): who is attached, and at the end of which link. */
 final class Mobility {
     private final SubscriberRegister register;
     private final Timers timers;
+    private final RandomGenerator random;
     private final String networkName;
     private final Attachments attachments;
     private final Map<Subscriber, Link> locations = new HashMap<>();
@@ -28,9 +33,15 @@ final class Mobility {
         void detached(Subscriber subscriber);
     }
 
-    Mobility(SubscriberRegister register, Timers timers, String networkName, Attachments attachments) {
+    Mobility(
+            SubscriberRegister register,
+            Timers timers,
+            RandomGenerator random,
+            String networkName,
+            Attachments attachments) {
         this.register = register;
         this.timers = timers;
+        this.random = random;
         this.networkName = networkName;
         this.attachments = attachments;
     }
@@ -58,10 +69,13 @@ final class Mobility {
         } else if (message instanceof MobilityManagement.CmServiceRequest request) {
             serve(link, request);
         } else if (message instanceof MobilityManagement.CmServiceAbort) {
+            link.authenticity.cancel();
             link.radio.takeService();
         } else if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
             detach(link, indication);
         } else if (message instanceof MobilityManagement.MmStatus) {
+            return;
+        } else if (link.authenticity.receive(message)) {
             return;
         } else if (link.registration == null || !link.registration.receive(message)) {
             link.send(new MobilityManagement.MmStatus(RejectCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE));
@@ -79,6 +93,7 @@ final class Mobility {
         if (link.registration != null) {
             link.registration.cancel();
         }
+        link.authenticity.cancel();
         link.registration = new Registration(link, this, timers);
         link.registration.start(request.identity());
     }
@@ -89,9 +104,41 @@ final class Mobility {
             link.send(new MobilityManagement.CmServiceReject(refusal.get()));
             return;
         }
+        Optional<SimCard> card = register.home().cardOf(link.subscriber.imsi());
+        if (card.isEmpty() || link.authenticity.isFresh(request.keySequence())) {
+            grant(link);
+        } else {
+            link.authenticity.demand(card.get(), challenge(), proven -> proved(link, proven));
+        }
+    }
+
+    private void proved(Link link, boolean proven) {
+        if (proven) {
+            grant(link);
+        } else {
+            expel(link);
+        }
+    }
+
+    private static void grant(Link link) {
         link.send(new MobilityManagement.CmServiceAccept());
         link.radio.awaitService();
         link.paging.answered();
+    }
+
+    /** Whoever is there now is not the one who has registered (TS 24.008, 4.3.2.5). */
+    private void expel(Link link) {
+        link.send(new MobilityManagement.AuthenticationReject());
+        link.loseTransactions();
+        depart(link);
+        link.radio.release();
+    }
+
+    /** RAND. */
+    OctetString challenge() {
+        byte[] octets = new byte[Milenage.KEY_LENGTH];
+        random.nextBytes(octets);
+        return OctetString.of(octets);
     }
 
     private static Optional<RejectCause> refusalOf(Link link, MobilityManagement.CmServiceRequest request) {
@@ -106,6 +153,7 @@ final class Mobility {
 
     private void detach(Link link, MobilityManagement.ImsiDetachIndication indication) {
         if (isSubscriberOf(link, indication.identity())) {
+            link.authenticity.cancel();
             link.loseTransactions();
             depart(link);
         }

@@ -80,6 +80,7 @@ final class RadioConnection {
     void releaseIfUnused() {
         boolean used = link.registration != null
                 || service != null
+                || link.authenticity.isAwaited()
                 || !link.callLegs.stream().allMatch(leg -> leg.state() == NetworkCallState.MM_CONNECTION_PENDING)
                 || link.shortMessages.needRadio();
         if (state == State.ESTABLISHED && !used) {

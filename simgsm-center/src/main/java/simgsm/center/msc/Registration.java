@@ -9,17 +9,19 @@ import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
+import simgsm.center.subscriber.HomeRegister;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.timer.Timer;
 import simgsm.center.timer.Timers;
 
 /**
- * One location update (TS 24.008, 4.4.4): who is it, on which equipment, may it come; then its temporary identity, the
- * network's name, and the channel's release.
+ * One location update (TS 24.008, 4.4.4): who is it, does its card prove it, on which equipment, may it come; then its
+ * temporary identity, the network's name, and the channel's release. Nothing is ciphered.
  */
 final class Registration {
     private enum State {
         AWAITING_IMSI,
+        AWAITING_PROOF,
         AWAITING_IMEI,
         AWAITING_TMSI_COMPLETE
     }
@@ -35,6 +37,8 @@ final class Registration {
     /** Who claims to come; not of the register before all has gone well, or whoever is rejected would become known. */
     private Imsi imsi;
 
+    private boolean cameByTmsi;
+
     Registration(Link link, Mobility mobility, Timers timers) {
         this.link = link;
         this.mobility = mobility;
@@ -47,6 +51,7 @@ final class Registration {
         } else if (identity instanceof Tmsi tmsi) {
             Optional<Subscriber> known = mobility.register().ofTmsi(tmsi);
             if (known.isPresent()) {
+                cameByTmsi = true;
                 identified(known.get().imsi());
             } else {
                 ask(MobileIdentity.Type.IMSI, State.AWAITING_IMSI);
@@ -74,7 +79,11 @@ final class Registration {
 
     private boolean receiveIdentity(MobileIdentity identity) {
         if (state == State.AWAITING_IMSI && identity instanceof Imsi said) {
-            identified(said);
+            if (said.equals(imsi)) {
+                rejectCard();
+            } else {
+                identified(said);
+            }
             return true;
         }
         if (state == State.AWAITING_IMEI && identity instanceof Imei imei) {
@@ -85,15 +94,52 @@ final class Registration {
     }
 
     private void identified(Imsi who) {
-        if (who.openNumber().isEmpty()) {
-            reject(RejectCause.IMSI_UNKNOWN_IN_HLR);
-            return;
-        }
+        HomeRegister home = mobility.register().home();
         imsi = who;
-        ask(MobileIdentity.Type.IMEI, State.AWAITING_IMEI);
+        if (home.numberOf(who).isEmpty()) {
+            reject(RejectCause.IMSI_UNKNOWN_IN_HLR);
+        } else if (home.cardOf(who).isPresent()) {
+            state = State.AWAITING_PROOF;
+            timers.cancel(guard);
+            link.authenticity.demand(home.cardOf(who).get(), mobility.challenge(), this::proved);
+        } else {
+            identityHolds();
+        }
+    }
+
+    /** A temporary identity may have led to the wrong card; then the permanent one is asked for (TS 24.008, 4.3.2.5). */
+    private void proved(boolean proven) {
+        if (proven) {
+            identityHolds();
+        } else if (cameByTmsi) {
+            cameByTmsi = false;
+            ask(MobileIdentity.Type.IMSI, State.AWAITING_IMSI);
+        } else {
+            rejectCard();
+        }
+    }
+
+    /** Whoever was registered here before has lost the right to be. */
+    private void rejectCard() {
+        link.send(new MobilityManagement.AuthenticationReject());
+        link.loseTransactions();
+        mobility.depart(link);
+        end();
+    }
+
+    private void identityHolds() {
+        if (mobility.register().home().isBarred(imsi)) {
+            reject(RejectCause.PLMN_NOT_ALLOWED);
+        } else {
+            ask(MobileIdentity.Type.IMEI, State.AWAITING_IMEI);
+        }
     }
 
     private void equipped(Imei imei) {
+        if (mobility.register().home().isBarred(imei)) {
+            reject(RejectCause.ILLEGAL_ME);
+            return;
+        }
         Optional<Subscriber> subscriber = mobility.register().admit(imsi);
         if (subscriber.isEmpty()) {
             reject(RejectCause.CONGESTION);
@@ -136,6 +182,7 @@ final class Registration {
     /** Forgets the update; the radio connection has gone, or a new update begins. */
     void cancel() {
         timers.cancel(guard);
+        link.authenticity.cancel();
         link.registration = null;
     }
 }

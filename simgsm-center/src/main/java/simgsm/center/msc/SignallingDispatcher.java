@@ -63,6 +63,7 @@ final class SignallingDispatcher {
             if (link.registration != null) {
                 link.registration.cancel();
             }
+            link.authenticity.cancel();
             link.loseTransactions();
         }
     }

@@ -93,6 +93,8 @@ public final class ShortMessageCenter {
         Optional<Long> original = recent.original(from, message.to(), unit, timers.nowNanos());
         if (original.isPresent()) {
             answerAs(original.get(), answer);
+        } else if (!port.isServed(message.to())) {
+            answer.accept(Optional.of(RpCause.UNASSIGNED_NUMBER));
         } else if (hasRoomFor(message.to())) {
             recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
             commit(message.stampedAt(stamps.stamp(message.sender(), message.to(), unit, now())), answer);
@@ -114,7 +116,9 @@ public final class ShortMessageCenter {
             SubmitTpdu submit,
             Optional<Instant> expiresAt,
             Consumer<Optional<RpCause>> answer) {
-        if (hasRoomFor(to)) {
+        if (!port.isServed(to)) {
+            answer.accept(Optional.of(RpCause.UNASSIGNED_NUMBER));
+        } else if (hasRoomFor(to)) {
             Instant now = now();
             commit(
                     new ShortMessage(

@@ -14,8 +14,8 @@ import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
 /**
- * Home and visitor register in one, as befits a network in one box. In an open network any SIM of the test network may
- * come, and its IMSI says its number; a subscriber once registered stays known.
+ * The visitor register: everybody known here, and where each one stands. In an open network a subscriber once registered
+ * stays known; in a closed one all whom the {@link HomeRegister} lists are known from the start, and nobody else ever is.
  */
 public final class SubscriberRegister {
     /** A subscriber costs about 300 octets; the bound keeps a flood of invented SIMs from filling the memory. */
@@ -24,6 +24,7 @@ public final class SubscriberRegister {
     /** TS 23.003, 2.4: a TMSI of all ones means "none". */
     private static final int NO_TMSI = -1;
 
+    private final HomeRegister home;
     private final RandomGenerator random;
     private final Consumer<Subscriber> newcomers;
     private final Map<Msisdn, Subscriber> byNumber = new LinkedHashMap<>();
@@ -31,16 +32,33 @@ public final class SubscriberRegister {
     private int attachedCount;
 
     /** @param newcomers told of everybody who attaches for the first time ever */
-    public SubscriberRegister(RandomGenerator random, Consumer<Subscriber> newcomers) {
+    public SubscriberRegister(HomeRegister home, RandomGenerator random, Consumer<Subscriber> newcomers) {
+        this.home = home;
         this.random = random;
         this.newcomers = newcomers;
+        home.cards().forEach(card -> byNumber.put(card.number(), new Subscriber(card.number(), card.imsi())));
     }
 
-    /** Enters somebody who has attached in an earlier life of the centre. */
+    public HomeRegister home() {
+        return home;
+    }
+
+    /** Enters somebody who has attached in an earlier life of the centre, if the network is still his. */
     public void restore(Msisdn number, Imsi imsi) {
-        Subscriber known = new Subscriber(number, imsi);
-        known.enter();
-        byNumber.put(number, known);
+        if (home.numberOf(imsi).equals(Optional.of(number))) {
+            byNumber.computeIfAbsent(number, each -> new Subscriber(each, imsi)).enter();
+        }
+    }
+
+    /** Whether messages for this number can ever arrive: in an open network its owner may still come. */
+    public boolean isServed(Msisdn number) {
+        return home.isOpen() || isAssigned(number);
+    }
+
+    /** Whether the number is somebody's, barred ones not counted: their numbers are as good as nobody's. */
+    public boolean isAssigned(Msisdn number) {
+        Subscriber owner = byNumber.get(number);
+        return owner != null && !home.isBarred(owner.imsi());
     }
 
     public Collection<Subscriber> all() {
@@ -61,7 +79,7 @@ public final class SubscriberRegister {
 
     /** The subscriber behind an IMSI, entered now if new; empty if this network has none or no room for one. */
     public Optional<Subscriber> admit(Imsi imsi) {
-        Optional<Msisdn> number = imsi.openNumber();
+        Optional<Msisdn> number = home.numberOf(imsi);
         if (number.isEmpty()) {
             return Optional.empty();
         }

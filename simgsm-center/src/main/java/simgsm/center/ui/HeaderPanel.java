@@ -34,7 +34,9 @@ final class HeaderPanel extends JPanel {
         attached = lamp("lamp.attached", "window.attached.name");
         calls = lamp("lamp.calls", "window.calls");
         waiting = lamp("lamp.waiting", "window.waiting.name");
-        network.setText(texts.of("window.network.open"));
+        network.setText(texts.of(operator.isClosed() ? "window.network.closed" : "window.network.open"));
+        network.setToolTipText(texts.of(operator.isClosed() ? "window.network.closed.why" : "window.network.open.why"));
+        network.setName("network");
         Act appearance = new Act("window.appearance", "", () -> WindowKeys.switchAppearance(this))
                 .described(texts.of("window.appearance.why"))
                 .with(Symbol.SUN_MOON.icon());

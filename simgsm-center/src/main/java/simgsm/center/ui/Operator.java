@@ -9,6 +9,9 @@ public interface Operator {
     /** The port on which terminals are served. */
     int port();
 
+    /** Whether only the SIMs of a list may register; else anybody may, under any free number. */
+    boolean isClosed();
+
     /** The newest picture, at most a tenth of a second old; empty until the first one is there. */
     Optional<ExchangeSnapshot> snapshot();
 

@@ -12,6 +12,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.subscriber.HomeRegister;
 
 /** An exchange with a clock moved by hand and a store that commits when told to. */
 final class TestNetwork {
@@ -28,15 +29,23 @@ final class TestNetwork {
     private final Deque<Long> uncommitted = new ArrayDeque<>();
     boolean commitsAtOnce = true;
     long nowNanos;
-    final Exchange exchange = new Exchange(
-            new ExchangeSettings("SimGSM", 1, START),
-            (ticket, entry) -> {
-                if (!(entry instanceof StoreEntry.Known)) {
-                    stored.add(entry);
-                }
-                uncommitted.add(ticket);
-            },
-            events::add);
+    final Exchange exchange;
+
+    TestNetwork() {
+        this(HomeRegister.OPEN);
+    }
+
+    TestNetwork(HomeRegister home) {
+        exchange = new Exchange(
+                new ExchangeSettings("SimGSM", new SplittableRandom(1), START, home), this::store, events::add);
+    }
+
+    private void store(long ticket, StoreEntry entry) {
+        if (!(entry instanceof StoreEntry.Known)) {
+            stored.add(entry);
+        }
+        uncommitted.add(ticket);
+    }
 
     /** A terminal that has connected and not yet spoken. */
     TestMobile connect(String number) {

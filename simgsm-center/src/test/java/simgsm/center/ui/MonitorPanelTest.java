@@ -47,6 +47,7 @@ import simgsm.ui.Theme.Ink;
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();
     private MonitorPanel panel;
+    private boolean isClosed;
 
     @BeforeEach
     void buildInEnglish() {
@@ -58,6 +59,17 @@ class MonitorPanelTest {
     void lightAgain() {
         Theme.install(Appearance.LIGHT);
         Theme.zoomTo(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en,false,open network", "en,true,closed network", "es,false,red abierta", "es,true,red cerrada"})
+    void theHeaderSaysWhoMayCome(String language, boolean closed, String words) {
+        isClosed = closed;
+        panel = build(language);
+
+        JLabel network = find("network", JLabel.class);
+        assertEquals(words, network.getText());
+        assertFalse(network.getToolTipText().isEmpty());
     }
 
     @Test
@@ -398,6 +410,11 @@ class MonitorPanelTest {
         @Override
         public int port() {
             return 3003;
+        }
+
+        @Override
+        public boolean isClosed() {
+            return isClosed;
         }
 
         @Override

@@ -1,0 +1,107 @@
+package simgsm.center.msc;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.air.MobilityManagement;
+import simgsm.air.OctetString;
+import simgsm.center.timer.Timer;
+import simgsm.center.timer.Timers;
+import simgsm.sim.GsmVector;
+import simgsm.sim.SimCard;
+
+/**
+ * How sure the network is of the card at the end of a link (TS 24.008, 4.3.2): a challenge, its answer, and how long that
+ * holds. Every registration is challenged; a service only if the mobile names another key than the one agreed last, or has
+ * used that for {@link #MAX_KEY_USES} services.
+ */
+final class Authenticity {
+    /** The network's policy. */
+    static final int MAX_KEY_USES = 10;
+
+    /** T3260 (TS 24.008, table 11.2). */
+    private static final long T3260_NANOS = Duration.ofSeconds(12).toNanos();
+
+    private final Link link;
+    private final Timers timers;
+    private OctetString expected;
+    /** Told the outcome of the challenge under way; null while there is none. */
+    private Consumer<Boolean> outcome;
+
+    private Timer guard;
+    private int keySequence = MobilityManagement.NO_KEY;
+    private int keyUses;
+
+    Authenticity(Link link, Timers timers) {
+        this.link = link;
+        this.timers = timers;
+    }
+
+    /** Whether an answer is awaited. */
+    boolean isAwaited() {
+        return outcome != null;
+    }
+
+    /** Whether a service may be had for the key that the mobile names; counts as its use. */
+    boolean isFresh(int namedKeySequence) {
+        boolean isFresh =
+                keySequence != MobilityManagement.NO_KEY && namedKeySequence == keySequence && keyUses < MAX_KEY_USES;
+        keyUses += isFresh ? 1 : 0;
+        return isFresh;
+    }
+
+    /**
+     * Challenges the card; no answer in time ends the radio connection.
+     *
+     * @param ended told whether the card has the key
+     */
+    void demand(SimCard card, OctetString rand, Consumer<Boolean> ended) {
+        cancel();
+        expected = GsmVector.of(card.functions(), rand).sres();
+        outcome = ended;
+        keySequence = (keySequence + 1) % MobilityManagement.NO_KEY;
+        keyUses = 0;
+        guard = timers.start(T3260_NANOS, this::unanswered);
+        link.send(new MobilityManagement.AuthenticationRequest(keySequence, rand, Optional.empty()));
+    }
+
+    /** Takes the answer. Returns false if the message is none, or none is awaited. */
+    boolean receive(MobilityManagement message) {
+        if (!isAwaited()) {
+            return false;
+        }
+        if (message instanceof MobilityManagement.AuthenticationResponse response) {
+            end(response.response().equals(expected));
+        } else if (message instanceof MobilityManagement.AuthenticationFailure) {
+            end(false);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    private void end(boolean proven) {
+        Consumer<Boolean> told = outcome;
+        cancel();
+        if (!proven) {
+            keySequence = MobilityManagement.NO_KEY;
+        }
+        told.accept(proven);
+    }
+
+    private void unanswered() {
+        cancel();
+        keySequence = MobilityManagement.NO_KEY;
+        if (link.registration != null) {
+            link.registration.cancel();
+        }
+        link.loseTransactions();
+        link.radio.release();
+    }
+
+    /** Forgets the challenge under way. */
+    void cancel() {
+        timers.cancel(guard);
+        outcome = null;
+    }
+}
