@@ -60,6 +60,11 @@ public final class Autonomy {
         return true;
     }
 
+    /** Looks as if it ran; for a replay. */
+    void show(BehaviourKind shown) {
+        kind = shown;
+    }
+
     /** Ends the process, if one runs; the robot slows down to a stand. */
     public void end() {
         if (isActive()) {

@@ -26,7 +26,7 @@ public final class SimulatedRobot implements Robot {
 
     private final String name;
     private final Floor floor;
-    private final StatusMachine machine = new StatusMachine(RobotStatus.STOPPED);
+    private StatusMachine machine = new StatusMachine(RobotStatus.STOPPED);
     private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
     private final Trail trail = new Trail();
     private double x;
@@ -293,6 +293,23 @@ public final class SimulatedRobot implements Robot {
             change(StatusEvent.MOTION_ENDED);
         }
         return Placement.DONE;
+    }
+
+    /** All that can be seen of it, to the last bit. */
+    public RobotState state() {
+        return new RobotState(x, y, heading, speed, turnRadiansPerSecond(), status(), autonomy.kind());
+    }
+
+    /** Makes it look as it did, for a replay: nothing is judged, nobody is told, and it does not go on by itself. */
+    public SimulatedRobot restore(RobotState state) {
+        x = state.xMeters();
+        y = state.yMeters();
+        heading = state.headingRadians();
+        runsAt(state.speedMetersPerSecond(), state.turnRadiansPerSecond());
+        machine = new StatusMachine(state.status());
+        autonomy.show(state.behaviour());
+        floor.moved(this);
+        return this;
     }
 
     public double xMeters() {

@@ -9,6 +9,7 @@ import java.util.Random;
 import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 import simrobot.robot.Noise;
+import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;
 import simrobot.world.Position;
@@ -96,7 +97,11 @@ public final class Simulation {
         SimulatedRobot robot =
                 new SimulatedRobot(name, robots.size(), crowd, position.xMeters(), position.yMeters(), headingRadians);
         robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
-        byName.put(name, robot);
+        return enter(robot);
+    }
+
+    private SimulatedRobot enter(SimulatedRobot robot) {
+        byName.put(robot.name(), robot);
         robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
         crowd.moved(robot);
         return robot;
@@ -143,16 +148,35 @@ public final class Simulation {
         for (SimulatedRobot robot : robots) {
             robot.step(STEP_NANOS);
         }
+        layTrails();
+        stepListeners.forEach(listener -> listener.accept(timeNanos));
+    }
+
+    private void layTrails() {
         for (SimulatedRobot robot : robots) {
             robot.trail().pass(robot.xMeters(), robot.yMeters(), timeNanos);
         }
-        stepListeners.forEach(listener -> listener.accept(timeNanos));
     }
 
     public void run(int steps) {
         for (int i = 0; i < steps; i++) {
             step();
         }
+    }
+
+    // ---- replay --------------------------------------------------------------------------------------------------
+
+    /** Adds a robot exactly as it was, wherever that is. */
+    public SimulatedRobot restoreRobot(String name, RobotState state) {
+        return enter(new SimulatedRobot(
+                        name, robots.size(), crowd, state.xMeters(), state.yMeters(), state.headingRadians()))
+                .restore(state);
+    }
+
+    /** The robots have been restored as they were at this time. */
+    public void restoredAt(long nanos) {
+        timeNanos = nanos;
+        layTrails();
     }
 
     // ---- pictures ------------------------------------------------------------------------------------------------

@@ -1,0 +1,43 @@
+package simrobot.replay;
+
+import java.util.Optional;
+import simgsm.console.Event;
+
+/**
+ * An event of a session.
+ *
+ * @param timeNanos simulated time
+ * @param robot whose it is; empty for nobody's
+ * @param name its first word
+ * @param line the whole of it as the console had it
+ */
+public record RecordedEvent(long timeNanos, String robot, String name, String line) {
+    private static final String COLLISION = "value=Collision";
+
+    static RecordedEvent of(long timeNanos, Event event) {
+        return new RecordedEvent(timeNanos, event.fields().getOrDefault("robot", ""), event.name(), event.toString());
+    }
+
+    /** What a timeline shows of it, if anything. */
+    Optional<Marker> marker() {
+        return kind().map(kind -> new Marker(timeNanos, kind, robot, line));
+    }
+
+    private Optional<Marker.Kind> kind() {
+        return switch (name) {
+            case "order" -> Optional.of(Marker.Kind.ORDER);
+            case "outcome" -> Optional.of(Marker.Kind.REPLY);
+            case "call", "released" -> Optional.of(Marker.Kind.CALL);
+            case "status" -> line.endsWith(COLLISION) ? Optional.of(Marker.Kind.COLLISION) : Optional.empty();
+            default -> Optional.empty();
+        };
+    }
+
+    void write(OctetWriter out, long previousNanos) {
+        out.signed(timeNanos - previousNanos).text(robot).text(name).text(line);
+    }
+
+    static RecordedEvent read(OctetReader in, long previousNanos) {
+        return new RecordedEvent(previousNanos + in.signed(), in.text(), in.text(), in.text());
+    }
+}

@@ -1,0 +1,151 @@
+package simrobot.replay;
+
+import simrobot.behaviour.BehaviourKind;
+import simrobot.robot.RobotState;
+import vericommand.RobotStatus;
+
+/**
+ * One robot's states, one after another, as small numbers: of every quantity only how far, in units of its last place, it
+ * lies from where its last three values lead. Writer and reader foretell alike, so nothing is lost.
+ */
+final class Track {
+    private static final int QUANTITIES = 5;
+    private static final int STATUS_BIT = 1 << QUANTITIES;
+    private static final RobotStatus[] STATUSES = RobotStatus.values();
+    private static final BehaviourKind[] BEHAVIOURS = BehaviourKind.values();
+
+    /** Each quantity's newest value and the two before it. */
+    private final double[] newest = new double[QUANTITIES];
+
+    private final double[] before = new double[QUANTITIES];
+    private final double[] beforeThat = new double[QUANTITIES];
+    private RobotStatus status = RobotStatus.STOPPED;
+    private BehaviourKind behaviour = BehaviourKind.NONE;
+
+    private static double quantity(RobotState state, int i) {
+        return switch (i) {
+            case 0 -> state.xMeters();
+            case 1 -> state.yMeters();
+            case 2 -> state.headingRadians();
+            case 3 -> state.speedMetersPerSecond();
+            default -> state.turnRadiansPerSecond();
+        };
+    }
+
+    RobotState state() {
+        return new RobotState(newest[0], newest[1], newest[2], newest[3], newest[4], status, behaviour);
+    }
+
+    boolean differs(RobotState state) {
+        for (int i = 0; i < QUANTITIES; i++) {
+            if (bits(quantity(state, i)) != bits(newest[i])) {
+                return true;
+            }
+        }
+        return state.status() != status || state.behaviour() != behaviour;
+    }
+
+    // ---- whole states --------------------------------------------------------------------------------------------
+
+    void writeWhole(RobotState state, OctetWriter out) {
+        for (int i = 0; i < QUANTITIES; i++) {
+            begin(i, quantity(state, i));
+            out.exact(newest[i]);
+        }
+        takeStatus(state.status(), state.behaviour());
+        writeStatus(out);
+    }
+
+    void readWhole(OctetReader in) {
+        for (int i = 0; i < QUANTITIES; i++) {
+            begin(i, in.exact());
+        }
+        readStatus(in);
+    }
+
+    private void begin(int i, double value) {
+        newest[i] = value;
+        before[i] = value;
+        beforeThat[i] = value;
+    }
+
+    // ---- changes -------------------------------------------------------------------------------------------------
+
+    void writeChange(RobotState state, OctetWriter out) {
+        int mask = 0;
+        for (int i = 0; i < QUANTITIES; i++) {
+            if (bits(quantity(state, i)) != bits(foretold(i))) {
+                mask |= 1 << i;
+            }
+        }
+        if (state.status() != status || state.behaviour() != behaviour) {
+            mask |= STATUS_BIT;
+        }
+        out.octet(mask);
+        for (int i = 0; i < QUANTITIES; i++) {
+            double value = quantity(state, i);
+            if ((mask & 1 << i) != 0) {
+                out.signed(bits(value) - bits(foretold(i)));
+            }
+            advance(i, value);
+        }
+        takeStatus(state.status(), state.behaviour());
+        if ((mask & STATUS_BIT) != 0) {
+            writeStatus(out);
+        }
+    }
+
+    void readChange(OctetReader in) {
+        int mask = in.octet();
+        for (int i = 0; i < QUANTITIES; i++) {
+            double foretold = foretold(i);
+            advance(i, (mask & 1 << i) == 0 ? foretold : value(bits(foretold) + in.signed()));
+        }
+        if ((mask & STATUS_BIT) != 0) {
+            readStatus(in);
+        }
+    }
+
+    /** Where constant acceleration leads; what stands stays. */
+    private double foretold(int i) {
+        double step = newest[i] - before[i];
+        return newest[i] + (step + (step - (before[i] - beforeThat[i])));
+    }
+
+    private void advance(int i, double value) {
+        beforeThat[i] = before[i];
+        before[i] = newest[i];
+        newest[i] = value;
+    }
+
+    /** The bits in an order in which neighbours are neighbours, across 0 too; its own inverse. */
+    private static long ordered(long bits) {
+        return bits < 0 ? bits ^ Long.MAX_VALUE : bits;
+    }
+
+    private static long bits(double value) {
+        return ordered(Double.doubleToRawLongBits(value));
+    }
+
+    private static double value(long bits) {
+        return Double.longBitsToDouble(ordered(bits));
+    }
+
+    private void takeStatus(RobotStatus now, BehaviourKind process) {
+        status = now;
+        behaviour = process;
+    }
+
+    private void writeStatus(OctetWriter out) {
+        out.octet(status.ordinal()).octet(behaviour.ordinal());
+    }
+
+    private void readStatus(OctetReader in) {
+        int s = in.octet();
+        int b = in.octet();
+        if (s >= STATUSES.length || b >= BEHAVIOURS.length) {
+            throw new DamagedException("a robot's status " + s + " with the process " + b);
+        }
+        takeStatus(STATUSES[s], BEHAVIOURS[b]);
+    }
+}

@@ -1,0 +1,110 @@
+package simrobot.replay;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+import simrobot.world.Area;
+import simrobot.world.Box;
+import simrobot.world.Goal;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.Treadmill;
+import simrobot.world.World;
+
+/** A world as octets, every number to its last bit, so that it is the same world whatever a map file could say. */
+final class WorldCodec {
+    private WorldCodec() {}
+
+    static void write(World world, OctetWriter out) {
+        out.text(world.name());
+        list(out, world.segments(), WorldCodec::segment);
+        list(out, world.points(), WorldCodec::position);
+        out.exact(world.pointDiameterMeters());
+        list(out, world.boxes(), (o, box) -> area(o.text(box.name()), box.area()));
+        list(out, world.homes(), WorldCodec::home);
+        list(out, world.forbiddenLines(), WorldCodec::segment);
+        list(out, world.forbiddenAreas(), WorldCodec::area);
+        list(out, world.treadmills(), WorldCodec::treadmill);
+        list(out, world.goals(), (o, goal) -> position(o.text(goal.name()), goal.position()));
+    }
+
+    static World read(OctetReader in) {
+        try {
+            return new World(
+                    in.text(),
+                    list(in, WorldCodec::segment),
+                    list(in, WorldCodec::position),
+                    in.exact(),
+                    list(in, i -> new Box(i.text(), area(i))),
+                    list(in, WorldCodec::home),
+                    list(in, WorldCodec::segment),
+                    list(in, WorldCodec::area),
+                    list(in, i -> new Treadmill(area(i), i.exact(), i.exact())),
+                    list(in, i -> new Goal(i.text(), position(i))));
+        } catch (IllegalArgumentException impossible) {
+            throw new DamagedException("a world with " + impossible.getMessage());
+        }
+    }
+
+    private static <T> void list(OctetWriter out, List<T> items, BiConsumer<OctetWriter, T> writer) {
+        out.number(items.size());
+        items.forEach(item -> writer.accept(out, item));
+    }
+
+    private static <T> List<T> list(OctetReader in, Function<OctetReader, T> reader) {
+        int count = in.count();
+        List<T> items = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            items.add(reader.apply(in));
+        }
+        return items;
+    }
+
+    private static void position(OctetWriter out, Position position) {
+        out.exact(position.xMeters()).exact(position.yMeters());
+    }
+
+    private static Position position(OctetReader in) {
+        return new Position(in.exact(), in.exact());
+    }
+
+    private static void segment(OctetWriter out, Segment segment) {
+        out.exact(segment.x1Meters()).exact(segment.y1Meters());
+        out.exact(segment.x2Meters()).exact(segment.y2Meters());
+    }
+
+    private static Segment segment(OctetReader in) {
+        return new Segment(in.exact(), in.exact(), in.exact(), in.exact());
+    }
+
+    private static void area(OctetWriter out, Area area) {
+        out.exact(area.minXMeters()).exact(area.minYMeters());
+        out.exact(area.maxXMeters()).exact(area.maxYMeters());
+        out.exact(area.rotationRadians());
+    }
+
+    private static Area area(OctetReader in) {
+        return new Area(in.exact(), in.exact(), in.exact(), in.exact(), in.exact());
+    }
+
+    private static void home(OctetWriter out, Home home) {
+        position(out.text(home.name()), home.position());
+        out.exact(home.headingRadians()).octet(home.area().isPresent() ? 1 : 0);
+        home.area().ifPresent(area -> area(out, area));
+    }
+
+    private static Home home(OctetReader in) {
+        String name = in.text();
+        Position position = position(in);
+        double heading = in.exact();
+        return new Home(name, position, heading, in.octet() == 1 ? Optional.of(area(in)) : Optional.empty());
+    }
+
+    private static void treadmill(OctetWriter out, Treadmill belt) {
+        area(out, belt.area());
+        out.exact(belt.speedMetersPerSecond()).exact(belt.directionRadians());
+    }
+}
