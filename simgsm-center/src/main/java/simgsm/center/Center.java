@@ -139,7 +139,8 @@ final class Center implements AutoCloseable {
                         ExchangeSettings.DEFAULT_NETWORK_NAME,
                         settings.random(),
                         Instant.now(),
-                        settings.home().register()),
+                        settings.home().register(),
+                        settings.tones()),
                 store,
                 listener);
         exchange.restore(journal.restored());

@@ -39,6 +39,11 @@ public final class CenterMain {
                         "serve applications by SMPP 3.4 on this TCP port, 0 for any free one; who may bind stands in"
                                 + "\nsmpp-users.properties in the data directory, id=password a line; without that file"
                                 + "\nany application of this machine")
+                .value(
+                        "tones",
+                        "eu|us",
+                        "let callers hear ring-back, busy and congestion as the network's own sound, European or"
+                                + "\nAmerican; else phones make these tones themselves, as GSM has it")
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
                 .value(
                         "hlr",

@@ -13,6 +13,7 @@ import java.util.random.RandomGenerator;
 import simgsm.center.capture.CapturePlan;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.dtmf.ToneSet;
 
 /**
  * What the command line says, read whole before anything is begun.
@@ -22,6 +23,7 @@ import simgsm.console.UsageException;
  * @param data empty for the usual place
  * @param capture empty for none
  * @param home who may come
+ * @param tones of the network's own; empty when phones make them
  */
 record CenterSettings(
         InetAddress address,
@@ -31,7 +33,8 @@ record CenterSettings(
         Optional<CapturePlan> capture,
         HomeSettings home,
         RandomGenerator random,
-        Locale language) {
+        Locale language,
+        Optional<ToneSet> tones) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -45,7 +48,8 @@ record CenterSettings(
                 capture(arguments),
                 HomeSettings.read(arguments),
                 random(arguments),
-                arguments.language());
+                arguments.language(),
+                arguments.value("tones", ToneSet::of));
     }
 
     private static Optional<CapturePlan> capture(Arguments arguments) throws UsageException {

@@ -44,7 +44,8 @@ class CenterConsoleTest {
                 Optional.empty(),
                 new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of()),
                 new SplittableRandom(1),
-                Locale.ENGLISH);
+                Locale.ENGLISH,
+                Optional.empty());
         center = Center.open(settings, temporary, 0);
     }
 

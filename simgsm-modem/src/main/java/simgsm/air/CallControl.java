@@ -31,7 +31,12 @@ public sealed interface CallControl extends Layer3Message {
     /** In-band information (tones) is now available. */
     record Progress(TransactionIdentifier transaction) implements CallControl {}
 
-    record Alerting(TransactionIdentifier transaction) implements CallControl {}
+    /** @param inBand whether the caller hears the network's own tones from now on (progress indicator 8) */
+    record Alerting(TransactionIdentifier transaction, boolean inBand) implements CallControl {
+        public Alerting(TransactionIdentifier transaction) {
+            this(transaction, false);
+        }
+    }
 
     record Connect(TransactionIdentifier transaction) implements CallControl {}
 
@@ -56,7 +61,12 @@ public sealed interface CallControl extends Layer3Message {
 
     record StopDtmfAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    record Disconnect(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+    /** @param inBand whether a tone is to be heard until the call is released (progress indicator 8) */
+    record Disconnect(TransactionIdentifier transaction, Cause cause, boolean inBand) implements CallControl {
+        public Disconnect(TransactionIdentifier transaction, Cause cause) {
+            this(transaction, cause, false);
+        }
+    }
 
     record Release(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
 

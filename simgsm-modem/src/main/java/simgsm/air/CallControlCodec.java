@@ -24,6 +24,7 @@ import simgsm.air.OptionalElements.FixedElements;
 final class CallControlCodec {
     private static final int BEARER_CAPABILITY = 0x04;
     private static final int CAUSE = 0x08;
+    private static final int PROGRESS_INDICATOR = 0x1e;
     private static final int BACKUP_BEARER = 0x3b;
     private static final int KEYPAD_FACILITY = 0x2c;
     private static final int CALLING_NUMBER = 0x5c;
@@ -35,6 +36,8 @@ final class CallControlCodec {
     private static final OctetString SPEECH_FROM_NETWORK = OctetString.ofHex("0401a0");
     /** Coding GSM, public network serving the local user; in-band information is now available. */
     private static final OctetString IN_BAND_TONES = OctetString.ofHex("02e288");
+
+    private static final int IN_BAND_AVAILABLE = 8;
 
     /** Coding standard GSM, in the octet of the call state. */
     private static final int GSM_CALL_STATE = 0xc0;
@@ -52,8 +55,11 @@ final class CallControlCodec {
             out.octet(KEYPAD_FACILITY).octet(acknowledge.key());
         } else if (message instanceof StartDtmfReject reject) {
             CauseElement.write(out, reject.cause());
+        } else if (message instanceof Alerting alerting) {
+            writeInBand(out, alerting.inBand());
         } else if (message instanceof Disconnect disconnect) {
             CauseElement.write(out, disconnect.cause());
+            writeInBand(out, disconnect.inBand());
         } else if (message instanceof Release release) {
             writeOptionalCause(out, release.cause());
         } else if (message instanceof ReleaseComplete complete) {
@@ -68,6 +74,12 @@ final class CallControlCodec {
         out.string(direction == Direction.UPLINK ? SPEECH_FROM_MOBILE : SPEECH_FROM_NETWORK);
         setup.calling().ifPresent(number -> NumberElements.writeCalling(out.octet(CALLING_NUMBER), number));
         setup.called().ifPresent(number -> NumberElements.writeCalled(out.octet(CALLED_NUMBER), number));
+    }
+
+    private static void writeInBand(OctetWriter out, boolean inBand) {
+        if (inBand) {
+            out.octet(PROGRESS_INDICATOR).string(IN_BAND_TONES);
+        }
     }
 
     private static void writeOptionalCause(OctetWriter out, Optional<Cause> cause) {
@@ -85,6 +97,8 @@ final class CallControlCodec {
                 return new ReleaseComplete(transaction, readOptionalCause(in));
             case DISCONNECT:
                 return readDisconnect(transaction, in);
+            case ALERTING:
+                return new Alerting(transaction, readInBand(in));
             default:
                 CallControl message = readPlain(type, transaction, in);
                 checkOptional(in);
@@ -102,8 +116,6 @@ final class CallControlCodec {
             case PROGRESS:
                 in.lengthAndValue("progress indicator");
                 return new Progress(transaction);
-            case ALERTING:
-                return new Alerting(transaction);
             case CONNECT:
                 return new Connect(transaction);
             case CONNECT_ACKNOWLEDGE:
@@ -149,9 +161,7 @@ final class CallControlCodec {
     /** Clears the call even if its cause cannot be read; cause 96 then stands for it (TS 24.008, 8.5.2). */
     private static Disconnect readDisconnect(TransactionIdentifier transaction, OctetReader in) {
         try {
-            Disconnect disconnect = new Disconnect(transaction, CauseElement.read(in));
-            checkOptional(in);
-            return disconnect;
+            return new Disconnect(transaction, CauseElement.read(in), readInBand(in));
         } catch (ProtocolViolation broken) {
             return new Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);
         }
@@ -170,6 +180,20 @@ final class CallControlCodec {
         } catch (ProtocolViolation broken) {
             return Optional.of(Cause.INVALID_MANDATORY_INFORMATION);
         }
+    }
+
+    /** Whether a progress indicator asks the mobile to listen to what the network plays (TS 24.008, 10.5.4.21, value 8). */
+    private static boolean readInBand(OctetReader in) throws ProtocolViolation {
+        OptionalElements elements =
+                new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
+        boolean inBand = false;
+        for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
+            if (identifier == PROGRESS_INDICATOR && elements.value().remaining() == 2) {
+                elements.value().octet("progress location");
+                inBand = (elements.value().octet("progress description") & 0x7f) == IN_BAND_AVAILABLE;
+            }
+        }
+        return inBand;
     }
 
     private static char readKey(OctetReader in) throws ProtocolViolation {

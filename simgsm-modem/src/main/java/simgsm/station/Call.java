@@ -29,6 +29,11 @@ final class Call implements ServiceRequests.User {
     private Cause toldCause = Cause.NORMAL_CALL_CLEARING;
 
     private boolean releasedAgain;
+    /** Whether the message that is being obeyed announces tones of the network's own. */
+    private boolean tonesAnnounced;
+    /** Whether the network's tones are heard in the place of our own. */
+    private boolean hearsNetwork;
+
     /** Dialled while the call before was still being cleared. */
     private Optional<Msisdn> next = Optional.empty();
 
@@ -51,6 +56,9 @@ final class Call implements ServiceRequests.User {
     boolean dial(Msisdn number) {
         if (CallTable.CLEARING.contains(state) && next.isEmpty()) {
             next = Optional.of(number);
+            if (state == CallState.DISCONNECT_INDICATION) {
+                happens(CallEvent.CLEAR);
+            }
             return true;
         }
         return state == CallState.NULL && begin(number);
@@ -150,6 +158,11 @@ final class Call implements ServiceRequests.User {
         happens(CallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
     }
 
+    /** Whether somebody is to be heard at all times; a far end that rings may say nothing. */
+    boolean expectsSpeech() {
+        return state == CallState.ACTIVE || state == CallState.DISCONNECT_INDICATION;
+    }
+
     void expired(CallEvent timer) {
         happens(timer, Cause.RECOVERY_ON_TIMER_EXPIRY);
     }
@@ -181,8 +194,15 @@ final class Call implements ServiceRequests.User {
         return happens(event, Cause.NORMAL_CALL_CLEARING);
     }
 
-    /** @return whether the present state accepts the event */
-    boolean happens(CallEvent event, Cause cause) {
+    /** A message has come. @return whether the present state accepts it */
+    boolean arrived(CallEvent event, Cause cause, boolean inBand) {
+        tonesAnnounced = inBand;
+        boolean accepted = happens(event, cause);
+        tonesAnnounced = false;
+        return accepted;
+    }
+
+    private boolean happens(CallEvent event, Cause cause) {
         return happens(event, cause, cause);
     }
 
@@ -231,16 +251,36 @@ final class Call implements ServiceRequests.User {
             case START_T310 -> parts.timers().start(StationTimer.T310);
             case START_T313 -> parts.timers().start(StationTimer.T313);
             case STOP_TIMERS -> stopTimers();
+            case ATTACH_USER -> attachUser();
             case START_SPEECH -> startSpeech();
             case STOP_SPEECH -> stopSpeech();
             case CHECK_COMPATIBILITY -> happens(CallEvent.COMPATIBLE);
             case ALERT_USER -> happens(CallEvent.USER_ALERTED);
-            case LISTEN_FOR_TONES -> happens(CallEvent.NOTHING_TO_HEAR);
+            case LISTEN_FOR_TONES -> listenForTones();
             default -> tell(action);
         }
     }
 
+    private void listenForTones() {
+        happens(tonesAnnounced ? CallEvent.TONES_TO_HEAR : CallEvent.NOTHING_TO_HEAR, toldCause);
+    }
+
+    private void attachUser() {
+        if (tonesAnnounced) {
+            speech.start();
+            hearNetwork(true);
+        }
+    }
+
+    private void hearNetwork(boolean does) {
+        if (hearsNetwork != does) {
+            hearsNetwork = does;
+            parts.notifications().add(listener -> listener.networkTones(does));
+        }
+    }
+
     private void startSpeech() {
+        hearNetwork(false);
         speech.start();
         keys.begin(transaction);
     }
@@ -248,6 +288,7 @@ final class Call implements ServiceRequests.User {
     private void stopSpeech() {
         speech.stop();
         keys.end();
+        hearNetwork(false);
     }
 
     private void tell(CallAction action) {

@@ -18,6 +18,8 @@ enum CallAction {
     START_T310,
     START_T313,
     STOP_TIMERS,
+    /** If the network asks for it, what it plays is heard from now on (5.5.1). */
+    ATTACH_USER,
     START_SPEECH,
     STOP_SPEECH,
     TELL_CALLING,

@@ -24,6 +24,8 @@ enum CallEvent {
     DISCONNECT,
     /** The network's DISCONNECT carries no tones that we should listen to: the call can be released. */
     NOTHING_TO_HEAR,
+    /** It does: they are heard first. */
+    TONES_TO_HEAR,
     RELEASE,
     RELEASE_COMPLETE,
     /** STATUS says that the network knows of no call. */

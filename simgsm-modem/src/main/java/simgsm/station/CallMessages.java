@@ -105,7 +105,7 @@ final class CallMessages {
         CallEvent event = EVENTS.get(message.getClass());
         if (event == null) {
             call.sendStatus(Cause.MESSAGE_TYPE_NON_EXISTENT);
-        } else if (!call.happens(event, causeIn(message))) {
+        } else if (!call.arrived(event, causeIn(message), isInBand(message))) {
             call.sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
         }
     }
@@ -113,8 +113,14 @@ final class CallMessages {
     private void statusArrived(CallControl.Status status) {
         parts.log().trace(Level.INFO, "STATUS {0} in U{1}", status.cause().title(), status.callState());
         if (status.callState() == CallState.NULL.code()) {
-            call.happens(CallEvent.STATUS_NULL, status.cause());
+            call.arrived(CallEvent.STATUS_NULL, status.cause(), false);
         }
+    }
+
+    private static boolean isInBand(CallControl message) {
+        return message instanceof CallControl.Progress
+                || message instanceof CallControl.Alerting alerting && alerting.inBand()
+                || message instanceof CallControl.Disconnect disconnect && disconnect.inBand();
     }
 
     private static Cause causeIn(CallControl message) {

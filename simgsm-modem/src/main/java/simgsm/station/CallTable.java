@@ -41,12 +41,13 @@ final class CallTable {
                 .on(EnumSet.of(MM_CONNECTION_PENDING), MM_CONNECTED, CALL_INITIATED, SEND_SETUP)
                 .on(EnumSet.of(MM_CONNECTION_PENDING), MM_REFUSED, NULL, STOP_TIMERS, TELL_RELEASED, RELEASE_CONNECTION)
                 .on(EnumSet.of(CALL_INITIATED), CALL_PROCEEDING, MO_CALL_PROCEEDING, STOP_TIMERS, START_T310)
-                .stay(EnumSet.of(MO_CALL_PROCEEDING, CALL_DELIVERED), PROGRESS, STOP_TIMERS)
+                .stay(EnumSet.of(MO_CALL_PROCEEDING, CALL_DELIVERED), PROGRESS, STOP_TIMERS, ATTACH_USER)
                 .on(
                         EnumSet.of(CALL_INITIATED, MO_CALL_PROCEEDING),
                         ALERTING,
                         CALL_DELIVERED,
                         STOP_TIMERS,
+                        ATTACH_USER,
                         TELL_ALERTING)
                 .on(
                         EnumSet.of(CALL_INITIATED, MO_CALL_PROCEEDING, CALL_DELIVERED),
@@ -96,6 +97,7 @@ final class CallTable {
                         RELEASE,
                         NULL,
                         STOP_TIMERS,
+                        STOP_SPEECH,
                         SEND_RELEASE_COMPLETE,
                         RELEASE_CONNECTION)
                 .stay(EnumSet.of(RELEASE_REQUEST), T308_EXPIRED, SEND_RELEASE, START_T308_AGAIN)
@@ -115,6 +117,9 @@ final class CallTable {
     private static void clearingByNetwork() {
         ROWS.on(SET_UP, DISCONNECT, DISCONNECT_INDICATION, STOP_TIMERS, STOP_SPEECH, TELL_RELEASED, LISTEN_FOR_TONES)
                 .on(EnumSet.of(DISCONNECT_INDICATION), NOTHING_TO_HEAR, RELEASE_REQUEST, SEND_RELEASE, START_T308)
+                // 5.4.4.1.1.1: the network's tones are heard until the user has heard enough, or the network releases.
+                .stay(EnumSet.of(DISCONNECT_INDICATION), TONES_TO_HEAR, ATTACH_USER)
+                .on(EnumSet.of(DISCONNECT_INDICATION), CLEAR, RELEASE_REQUEST, STOP_SPEECH, SEND_RELEASE, START_T308)
                 .stay(EnumSet.of(RELEASE_REQUEST, DISCONNECT_INDICATION), DISCONNECT)
                 .on(
                         SET_UP,
@@ -133,7 +138,7 @@ final class CallTable {
     private static void suddenEnds() {
         for (CallEvent event : EnumSet.of(RELEASE_COMPLETE, STATUS_NULL, RADIO_LOST)) {
             ROWS.on(SET_UP, event, NULL, STOP_TIMERS, STOP_SPEECH, TELL_RELEASED, RELEASE_CONNECTION)
-                    .on(CLEARING, event, NULL, STOP_TIMERS, RELEASE_CONNECTION);
+                    .on(CLEARING, event, NULL, STOP_TIMERS, STOP_SPEECH, RELEASE_CONNECTION);
         }
         ROWS.on(EnumSet.of(MM_CONNECTION_PENDING), RADIO_LOST, NULL, STOP_TIMERS, TELL_RELEASED)
                 .stay(EnumSet.of(NULL), RADIO_LOST)
@@ -146,7 +151,7 @@ final class CallTable {
                         SEND_DISCONNECT,
                         TELL_RELEASED,
                         RELEASE_CONNECTION)
-                .on(CLEARING, POWER_OFF, NULL, STOP_TIMERS, RELEASE_CONNECTION)
+                .on(CLEARING, POWER_OFF, NULL, STOP_TIMERS, STOP_SPEECH, RELEASE_CONNECTION)
                 .on(EnumSet.of(MM_CONNECTION_PENDING), POWER_OFF, NULL, STOP_TIMERS, TELL_RELEASED, RELEASE_CONNECTION)
                 .stay(EnumSet.of(NULL), POWER_OFF);
     }

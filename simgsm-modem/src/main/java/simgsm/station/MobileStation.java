@@ -270,7 +270,7 @@ public final class MobileStation {
     /** A call in which nothing comes any more is dead, even if nobody says so. */
     private void speak() {
         speech.frameDue();
-        if (speech.isDead()) {
+        if (speech.isDead() && call.expectsSpeech()) {
             call.clear(Cause.TEMPORARY_FAILURE);
         }
     }

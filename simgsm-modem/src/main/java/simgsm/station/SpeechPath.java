@@ -66,10 +66,14 @@ final class SpeechPath {
         uplink = newUplink;
     }
 
+    /** Does nothing but begin to wait for speech anew where the path is open already. */
     void start() {
+        framesSinceHeard = 0;
+        if (active) {
+            return;
+        }
         active = true;
         heard = false;
-        framesSinceHeard = 0;
         coder = codec.open();
         decoders = Map.of(
                 RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),

@@ -31,6 +31,13 @@ public interface StationListener {
     /** Exactly once a call, at the first clearing message sent or received. One's own hang-up is cause 16. */
     default void released(Cause cause) {}
 
+    /**
+     * Whether the network itself lets the user hear how the call goes (TS 24.008, 5.5.1 and 5.4.4.1.1.1). While it does,
+     * {@link #speechReceived} brings its tones, before the call is connected or after it was released, and the user's
+     * equipment makes none of its own.
+     */
+    default void networkTones(boolean heard) {}
+
     /** The far end's next 20 ms: 160 samples, 8 kHz, 16 bit. Frames that were lost come as silence of their length. */
     default void speechReceived(short[] samples) {}
 

@@ -122,6 +122,8 @@ final class Examples {
             down(new CallProceeding(theirs(0)), "8302"),
             down(new Progress(theirs(0)), "830302e288"),
             down(new Alerting(theirs(0)), "8301"),
+            down(new Alerting(theirs(0), true), "83011e02e288"),
+            down(new Disconnect(theirs(0), Cause.USER_BUSY, true), "832502e0911e02e288"),
             new Example(new Alerting(theirs(0)), UP, 1, "8341"),
             up(new Connect(theirs(0)), "8307"),
             down(new ConnectAcknowledge(ours(0)), "030f"),

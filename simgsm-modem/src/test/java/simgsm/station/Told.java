@@ -63,6 +63,11 @@ final class Told implements StationListener {
     }
 
     @Override
+    public void networkTones(boolean heard) {
+        lines.add(heard ? "network tones" : "own tones");
+    }
+
+    @Override
     public void keySounds(DtmfKey key) {
         lines.add("sounds " + key.symbol());
     }

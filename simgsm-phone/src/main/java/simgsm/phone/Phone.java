@@ -36,8 +36,13 @@ final class Phone implements HandsetAccess, AutoCloseable {
         recorder = settings.recording().isPresent()
                 ? CallRecorder.open(settings.recording().get())
                 : CallTap.NONE;
-        handset =
-                new Handset(settings.identity().number(), settings.keyMode(), listener, output, InstantSource.system());
+        handset = new Handset(
+                settings.identity().number(),
+                settings.keyMode(),
+                settings.tones(),
+                listener,
+                output,
+                InstantSource.system());
         station = new MobileStation(
                 settings.identity(),
                 settings.sim(),

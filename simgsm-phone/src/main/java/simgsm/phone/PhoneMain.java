@@ -42,6 +42,7 @@ public final class PhoneMain {
                         "inband|signalled",
                         "keys in a call as the phone's own sound, or as START DTMF and STOP DTMF"
                                 + "\nfrom which the network makes the sound (inband)")
+                .value("tones", "eu|us", "how ring-back, busy and the like sound, European or American (eu)")
                 .value(
                         "record-audio",
                         "FILE.wav",

@@ -8,6 +8,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.dtmf.ToneSet;
 import simgsm.phone.handset.KeyMode;
 import simgsm.sim.SimCard;
 import simgsm.sim.SimSlot;
@@ -20,6 +21,7 @@ import simgsm.station.StationIdentity;
  * What a command line makes of a phone.
  *
  * @param sim proves the identity to a closed network
+ * @param tones how busy and the like sound
  * @param recording where its calls are recorded, if they are
  * @param channels the broadcasts that it shows
  */
@@ -28,6 +30,7 @@ record PhoneSettings(
         Sim sim,
         SpeechCodec.Kind codec,
         KeyMode keyMode,
+        ToneSet tones,
         Optional<Path> recording,
         ChannelList channels) {
     private static final String DEFAULT_NUMBER = "5550100";
@@ -46,6 +49,7 @@ record PhoneSettings(
                 card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
                 codec(arguments),
                 keyMode(arguments),
+                arguments.value("tones", ToneSet::of).orElse(ToneSet.EUROPEAN),
                 arguments.path("record-audio"),
                 arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));
     }

@@ -19,7 +19,7 @@ final class Call implements CallLeg.Owner {
         this.exchange = exchange;
         this.from = link.subscriber.number();
         this.to = to;
-        this.originating = new CallLeg(link, transaction, Optional.empty(), timers, this);
+        this.originating = new CallLeg(link, transaction, Optional.empty(), exchange.tones(), timers, this);
     }
 
     Msisdn from() {
@@ -47,7 +47,7 @@ final class Call implements CallLeg.Owner {
     /** The called mobile is known and free: go and fetch it. */
     void extend(Link called, TransactionIdentifier transaction, Timers timers) {
         originating.proceed();
-        terminating = new CallLeg(called, transaction, Optional.of(from), timers, this);
+        terminating = new CallLeg(called, transaction, Optional.of(from), Optional.empty(), timers, this);
         terminating.page();
     }
 

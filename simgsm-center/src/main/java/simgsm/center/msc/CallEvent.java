@@ -29,6 +29,7 @@ enum CallEvent {
     T301_EXPIRED,
     T303_EXPIRED,
     T305_EXPIRED,
+    T306_EXPIRED,
     T308_EXPIRED,
     /** T308 again, after the repeated RELEASE. */
     T308_EXPIRED_AGAIN,

@@ -8,6 +8,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.timer.Timer;
 import simgsm.center.timer.Timers;
+import simgsm.dtmf.ToneSet;
 
 /**
  * One mobile's side of a call, as the network sees it: {@link CallTransitions} driven by the mobile's messages, by the
@@ -42,19 +43,31 @@ final class CallLeg implements PagedTransaction {
     private boolean releaseRepeated;
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     private Optional<Cause> sentCause = Optional.empty();
+    /** What the mobile hears of the network itself; a called mobile hears nothing. */
+    private final NetworkTones networkTones;
+    /** Whether it has been told so, in this state. */
+    private boolean tonesAnnounced;
     /** Null until the mobile signals its first key. */
     private ToneSender tones;
 
     /**
      * @param transaction as the network writes it
      * @param calling who calls, shown to a called mobile; empty on the caller's own leg
+     * @param toneSet of the network's own tones for a caller
      */
-    CallLeg(Link link, TransactionIdentifier transaction, Optional<Msisdn> calling, Timers timers, Owner owner) {
+    CallLeg(
+            Link link,
+            TransactionIdentifier transaction,
+            Optional<Msisdn> calling,
+            Optional<ToneSet> toneSet,
+            Timers timers,
+            Owner owner) {
         this.link = link;
         this.transaction = transaction;
         this.calling = calling;
         this.timers = timers;
         this.owner = owner;
+        this.networkTones = new NetworkTones(toneSet, link, timers);
     }
 
     Link link() {
@@ -208,24 +221,39 @@ final class CallLeg implements PagedTransaction {
         }
         NetworkCallState before = state;
         state = row.get().next();
-        if (state != before || !row.get().actions().isEmpty()) {
-            restartGuard();
-        }
         if (!before.isClearing()) {
             cause = told;
             sentCause = sent;
+        }
+        if (state != before) {
+            tonesAnnounced = announcesTones(before);
+        }
+        if (state != before || !row.get().actions().isEmpty()) {
+            restartGuard();
         }
         if (tones != null && !state.speaks()) {
             tones.end();
         }
         link.callLegChanged(this);
         row.get().actions().forEach(this::perform);
+        // What was done may have led on to another state already.
+        if (state != before && state == row.get().next()) {
+            networkTones.follow(state, cause, tonesAnnounced);
+        }
         return true;
+    }
+
+    /** A caller is told that the network lets him hear how his call goes: only while it is not connected. */
+    private boolean announcesTones(NetworkCallState before) {
+        return state == NetworkCallState.CALL_DELIVERED && networkTones.ring()
+                || state == NetworkCallState.DISCONNECT_INDICATION
+                        && (before == NetworkCallState.CALL_PROCEEDING || before == NetworkCallState.CALL_DELIVERED)
+                        && networkTones.has(cause);
     }
 
     private void restartGuard() {
         timers.cancel(guard);
-        guard = state.guard()
+        guard = state.guard(tonesAnnounced)
                 .map(timer -> timers.start(timer.nanos(), () -> expired(timer)))
                 .orElse(null);
     }
@@ -243,10 +271,11 @@ final class CallLeg implements PagedTransaction {
         switch (action) {
             case SEND_SETUP -> link.send(new CallControl.Setup(transaction, calling, Optional.empty()));
             case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
-            case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction));
+            case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, tonesAnnounced));
             case SEND_CONNECT -> link.send(new CallControl.Connect(transaction));
             case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
-            case SEND_DISCONNECT -> link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause)));
+            case SEND_DISCONNECT ->
+                link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause), tonesAnnounced));
             case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause));
             case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(transaction, sentCause));
             case TELL_OFFERED -> owner.offered(this);

@@ -11,6 +11,7 @@ import simgsm.air.Cause;
 import simgsm.air.IpaFrame;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.timer.Timers;
+import simgsm.dtmf.ToneSet;
 
 /** Number analysis and switching: from a SETUP to a call between two legs, and speech between them. */
 final class CallSwitch {
@@ -29,12 +30,17 @@ final class CallSwitch {
     private final Consumer<Call> changes;
     private final Set<Call> calls = new LinkedHashSet<>();
     private final HeldCalls heldCalls;
+    private final Optional<ToneSet> tones;
     private final KeyTap keyTap = new KeyTap();
     private long speechFramesSwitched;
     private long speechFramesUnheard;
 
-    /** @param changes told of each call that enters a state */
-    CallSwitch(Mobility mobility, Timers timers, Consumer<Call> changes) {
+    /**
+     * @param tones that callers are made to hear, if any
+     * @param changes told of each call that enters a state
+     */
+    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, Consumer<Call> changes) {
+        this.tones = tones;
         this.mobility = mobility;
         this.timers = timers;
         this.changes = changes;
@@ -44,6 +50,11 @@ final class CallSwitch {
     /** Calls from their SETUP to the first clearing message. */
     Collection<Call> calls() {
         return Collections.unmodifiableSet(calls);
+    }
+
+    /** What callers are made to hear of calls that are not connected. */
+    Optional<ToneSet> tones() {
+        return tones;
     }
 
     KeyTap keyTap() {
@@ -104,6 +115,10 @@ final class CallSwitch {
 
     /** Finds the called party, and what stands against calling it. */
     void route(Call call) {
+        if (tones.isPresent()) {
+            // Whoever is to hear why the call fails has a channel first (TS 24.008, 5.2.1.2).
+            call.originating().proceed();
+        }
         if (call.to().isEmpty()) {
             call.refuse(Cause.INVALID_NUMBER_FORMAT);
         } else if (!mobility.register().isAssigned(call.to().get())) {

@@ -11,6 +11,8 @@ enum CallTimer {
     T303(30, CallEvent.T303_EXPIRED, Cause.NO_USER_RESPONDING),
     /** DISCONNECT is not answered. */
     T305(30, CallEvent.T305_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY),
+    /** DISCONNECT with a tone is not answered; the standard leaves its length to the network, at most 30 s here. */
+    T306(30, CallEvent.T306_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY),
     /** RELEASE is not answered; repeated once. */
     T308(30, CallEvent.T308_EXPIRED, Cause.RECOVERY_ON_TIMER_EXPIRY),
     /** The called mobile has confirmed the call and does not go on. */

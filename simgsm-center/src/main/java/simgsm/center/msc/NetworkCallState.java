@@ -49,9 +49,13 @@ enum NetworkCallState {
         return code;
     }
 
-    /** The timer that runs for as long as the leg rests in this state. */
-    Optional<CallTimer> guard() {
-        return Optional.ofNullable(guard);
+    /**
+     * The timer that runs for as long as the leg rests in this state.
+     *
+     * @param withTone whether the mobile hears a tone of the network's meanwhile
+     */
+    Optional<CallTimer> guard(boolean withTone) {
+        return Optional.ofNullable(withTone && this == DISCONNECT_INDICATION ? CallTimer.T306 : guard);
     }
 
     /** Whether speech passes: from CONNECT on, so that nothing said before its acknowledgement is lost. */

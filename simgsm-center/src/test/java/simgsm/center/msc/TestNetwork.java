@@ -10,9 +10,11 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import simgsm.air.CallControl;
 import simgsm.air.Imei;
+import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
+import simgsm.dtmf.ToneSet;
 
 /** An exchange with a clock moved by hand and a store that commits when told to. */
 final class TestNetwork {
@@ -36,8 +38,21 @@ final class TestNetwork {
     }
 
     TestNetwork(HomeRegister home) {
+        this(home, Optional.empty());
+    }
+
+    TestNetwork(HomeRegister home, Optional<ToneSet> tones) {
         exchange = new Exchange(
-                new ExchangeSettings("SimGSM", new SplittableRandom(1), START, home), this::store, events::add);
+                new ExchangeSettings("SimGSM", new SplittableRandom(1), START, home, tones), this::store, events::add);
+    }
+
+    /** The terminal that connected with this number. */
+    TestMobile mobile(String number) {
+        Imsi imsi = Imsi.ofOpenNumber(new Msisdn(number));
+        return mobiles.stream()
+                .filter(mobile -> mobile.imsi.equals(imsi))
+                .findFirst()
+                .orElseThrow();
     }
 
     private void store(long ticket, StoreEntry entry) {

@@ -9,6 +9,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneSet;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
@@ -49,6 +50,17 @@ public final class Handset {
      * @param wallClock for the time that messages came
      */
     public Handset(Msisdn own, KeyMode keyMode, HandsetListener listener, AudioOutput output, InstantSource wallClock) {
+        this(own, keyMode, ToneSet.EUROPEAN, listener, output, wallClock);
+    }
+
+    /** @param tones how this phone lets busy and the like sound */
+    public Handset(
+            Msisdn own,
+            KeyMode keyMode,
+            ToneSet tones,
+            HandsetListener listener,
+            AudioOutput output,
+            InstantSource wallClock) {
         this.own = own;
         this.keyMode = keyMode;
         this.listener = listener;
@@ -58,7 +70,7 @@ public final class Handset {
         if (keyMode == KeyMode.SIGNALLED) {
             line.goBy(signalledKeys);
         }
-        this.sounds = new Sounds(output, line, this::toneHeard);
+        this.sounds = new Sounds(output, line, tones, this::toneHeard);
     }
 
     /** Gives the handset its station, once, before anything else. */
@@ -155,7 +167,7 @@ public final class Handset {
     public void powerOff() {
         sounds.dropKeys();
         station.powerOff();
-        sounds.supervise(SupervisoryTone.NONE);
+        sounds.quiet();
         home.clear();
         changed();
     }
@@ -227,7 +239,10 @@ public final class Handset {
     private void pressAtHome(PhoneKey key) {
         if (call.phase() == CallPhase.NONE) {
             call = call.withoutEnd();
-            sounds.supervise(SupervisoryTone.NONE);
+            sounds.quiet();
+            if (sounds.hearsNetwork()) {
+                station.hangUp();
+            }
         }
         home.press(key, call.phase());
     }
@@ -323,12 +338,10 @@ public final class Handset {
     // What the station brings.
 
     private void say(short[] frame) {
-        if (call.phase() != CallPhase.CONNECTED) {
-            SpeechSource.SILENCE.read(frame);
-            return;
-        }
         boolean soundChanged = sounds.say(frame);
-        callFrames++;
+        if (call.phase() == CallPhase.CONNECTED) {
+            callFrames++;
+        }
         if (soundChanged || callFrames % FRAMES_PER_SECOND == 0) {
             changed();
         }
@@ -336,9 +349,12 @@ public final class Handset {
     }
 
     void hear(short[] frame) {
-        if (call.phase() == CallPhase.CONNECTED) {
-            sounds.hear(frame);
-        }
+        sounds.hear(frame);
+    }
+
+    void networkTones(boolean heard) {
+        sounds.networkTones(heard);
+        changed();
     }
 
     private void toneHeard(DtmfKey key) {
@@ -357,14 +373,14 @@ public final class Handset {
         screens.home();
         sounds.callBegan();
         if (phase == CallPhase.RINGING) {
-            sounds.supervise(SupervisoryTone.INCOMING);
+            sounds.ringing();
         }
         changed();
     }
 
     void callAlerts() {
         call = call.in(CallPhase.ALERTING, call.number());
-        sounds.supervise(SupervisoryTone.RINGING);
+        sounds.ringBack();
         changed();
     }
 

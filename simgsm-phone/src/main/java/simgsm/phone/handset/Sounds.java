@@ -1,5 +1,6 @@
 package simgsm.phone.handset;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -7,12 +8,14 @@ import java.util.function.Consumer;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.ToneSet;
 import simgsm.dtmf.ToneTrace;
 import simgsm.speech.AudioOutput;
 
 /**
  * Everything that sounds: keys on their way to the far end, the far end's tones, and, without a call, the keys' own
- * sound and the supervisory tones. In a call the station's frames give the beat, else the time that is told.
+ * sound and the supervisory tones. While the station brings and takes speech its frames give the beat, else the time that
+ * is told.
  */
 final class Sounds {
     private static final int SAMPLES_PER_FRAME = 160;
@@ -26,12 +29,15 @@ final class Sounds {
     private final KeySender line;
     private final KeySender local = new KeySender(keys -> {});
     private final DtmfReceiver ear;
-    private final SupervisoryTonePlayer supervisory = new SupervisoryTonePlayer();
+    private final SupervisoryTones supervisory;
     private final short[] localFrame = new short[SAMPLES_PER_FRAME];
     /** What is heard here of what is said, or the other way round. */
     private final short[] otherFrame = new short[SAMPLES_PER_FRAME];
 
     private boolean connected;
+    /** Whether the network's tones are heard, before a call is connected or after its end. */
+    private boolean hearsNetwork;
+
     private Runnable timeWanted = () -> {};
     private int localFramesLeft;
     private boolean localTimeKnown;
@@ -39,10 +45,12 @@ final class Sounds {
 
     /**
      * @param line takes keys to the far end
+     * @param tones of the part of the world that the phone is at home in
      * @param heard told each key of the far end as it is decided
      */
-    Sounds(AudioOutput output, KeySender line, Consumer<DtmfKey> heard) {
+    Sounds(AudioOutput output, KeySender line, ToneSet tones, Consumer<DtmfKey> heard) {
         earpiece = new Earpiece(output);
+        supervisory = new SupervisoryTones(tones);
         this.line = line;
         ear = new DtmfReceiver(digit -> heard.accept(digit.key()));
     }
@@ -67,24 +75,50 @@ final class Sounds {
         local.up();
     }
 
-    /** Plays a supervisory tone, in place of the one that plays. */
-    void supervise(SupervisoryTone tone) {
-        supervisory.start(tone);
-        if (tone != SupervisoryTone.NONE) {
-            beginLocally();
-        }
+    /** No supervisory tone of our own any more. */
+    void quiet() {
+        supervisory.stop();
     }
 
     void callBegan() {
         line.drop();
-        supervise(SupervisoryTone.NONE);
+        quiet();
+    }
+
+    /** We are called. */
+    void ringing() {
+        supervisory.ringing();
+        beginLocally();
+    }
+
+    /** The other phone rings; where the network lets that be heard itself, that is enough. */
+    void ringBack() {
+        if (!hearsNetwork) {
+            supervisory.ringBack();
+            beginLocally();
+        }
+    }
+
+    /** The network lets its own tones be heard from now on, or no more. */
+    void networkTones(boolean heard) {
+        if (heard != hearsNetwork) {
+            hearsNetwork = heard;
+            quiet();
+            earpiece.callEnded();
+            beginLocally();
+        }
+    }
+
+    boolean hearsNetwork() {
+        return hearsNetwork;
     }
 
     void connected() {
         connected = true;
+        hearsNetwork = false;
         ear.reset();
         local.drop();
-        supervise(SupervisoryTone.NONE);
+        quiet();
         localFramesLeft = 0;
     }
 
@@ -92,8 +126,8 @@ final class Sounds {
         connected = false;
         line.drop();
         earpiece.callEnded();
+        supervisory.ended(cause);
         beginLocally();
-        supervise(SupervisoryTone.of(cause));
     }
 
     void dropKeys() {
@@ -107,16 +141,24 @@ final class Sounds {
 
     /** Fills the next 20 ms for the far end. @return whether what a view shows has changed */
     boolean say(short[] frame) {
+        if (!connected) {
+            Arrays.fill(frame, (short) 0);
+            return hearsNetwork && localFrame();
+        }
         DtmfKey before = line.sounding();
         line.read(frame, otherFrame);
         earpiece.said(otherFrame);
         return earpiece.pollChanged() || before != line.sounding();
     }
 
-    /** The far end's next 20 ms. */
+    /** The far end's next 20 ms, or the network's; what the network plays is no key. */
     void hear(short[] frame) {
-        earpiece.heard(frame);
-        ear.accept(frame);
+        if (connected || hearsNetwork) {
+            earpiece.heard(frame);
+        }
+        if (connected) {
+            ear.accept(frame);
+        }
     }
 
     /** The key that sounds now. */
@@ -146,7 +188,7 @@ final class Sounds {
     }
 
     boolean wantsTime() {
-        return localFramesLeft > 0;
+        return localFramesLeft > 0 && !hearsNetwork;
     }
 
     /** @return whether what a view shows has changed */
@@ -156,7 +198,7 @@ final class Sounds {
             localTimeKnown = true;
         }
         boolean changed = false;
-        while (localFramesLeft > 0 && nextLocalFrameNanos <= nowNanos) {
+        while (wantsTime() && nextLocalFrameNanos <= nowNanos) {
             changed |= localFrame();
             nextLocalFrameNanos += FRAME_NANOS;
         }

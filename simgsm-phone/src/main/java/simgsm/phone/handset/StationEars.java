@@ -63,6 +63,11 @@ final class StationEars implements StationListener {
     }
 
     @Override
+    public void networkTones(boolean heard) {
+        handset.networkTones(heard);
+    }
+
+    @Override
     public void speechReceived(short[] samples) {
         handset.hear(samples);
     }

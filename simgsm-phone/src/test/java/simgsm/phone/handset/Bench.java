@@ -34,7 +34,11 @@ public final class Bench {
     }
 
     public Bench(KeyMode keyMode) {
-        handset = new Handset(new Msisdn("5550100"), keyMode, new Lines(), AudioOutput.SILENT, () -> NOON);
+        this(keyMode, AudioOutput.SILENT);
+    }
+
+    public Bench(KeyMode keyMode, AudioOutput output) {
+        handset = new Handset(new Msisdn("5550100"), keyMode, new Lines(), output, () -> NOON);
         ears = handset.ears();
         station.tell(ears);
         handset.attach(station);
