@@ -2,4 +2,5 @@
 module simrobot {
     requires simgsm.modem;
     requires vericommand;
+    requires jdk.httpserver;
 }

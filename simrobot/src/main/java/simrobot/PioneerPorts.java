@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -32,7 +31,7 @@ final class PioneerPorts implements AutoCloseable {
 
     /** Opens a port for each robot; before the simulation starts. */
     static PioneerPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
-        InetAddress address = arguments.value("bind", PioneerPorts::address).orElse(InetAddress.getLoopbackAddress());
+        InetAddress address = ListeningAddress.of(arguments);
         if (!arguments.has("p2os")) {
             return new PioneerPorts(Optional.empty());
         }
@@ -58,14 +57,6 @@ final class PioneerPorts implements AutoCloseable {
         });
         simRobot.onRemoved(opened::gone);
         return opened;
-    }
-
-    private static InetAddress address(String text) {
-        try {
-            return InetAddress.getByName(text);
-        } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("expected an address of this machine, found " + text);
-        }
     }
 
     /** Adds the ports to what a program says at first. */

@@ -83,7 +83,8 @@ public final class SimRobotMain {
                         "errors of wheels and sonars: 0 none (the default), 1 as MobileSim's, at most 10;"
                                 + "\nwith --seed they repeat")
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
-                .value("bind", "ADDRESS", "address that P2OS ports listen on; default loopback only")
+                .value("http", "PORT", "serve a page with map and cameras, status as JSON and pictures; 0: any free port")
+                .value("bind", "ADDRESS", "address that P2OS and HTTP ports listen on; default loopback only")
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 
@@ -96,7 +97,7 @@ public final class SimRobotMain {
         }
         // Reads the rest of the command line, so before anything is said about a display.
         Built built = build(arguments, settings, world);
-        PioneerPorts ports = PioneerPorts.open(arguments, built.simRobot());
+        Ports ports = Ports.open(arguments, built.simRobot());
         return arguments.has("headless")
                 ? headless(arguments, built, ports)
                 : windowed(
@@ -109,12 +110,12 @@ public final class SimRobotMain {
 
     private record Built(SimRobot simRobot, Fleet fleet) {}
 
-    private static int windowed(ProgramWindow window, Locale language, Built built, PioneerPorts opened, Path worldFile)
+    private static int windowed(ProgramWindow window, Locale language, Built built, Ports opened, Path worldFile)
             throws InterruptedException {
         try (SimRobot simRobot = built.simRobot();
-                PioneerPorts ports = opened) {
+                Ports ports = opened) {
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
-            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile);
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports.pioneers(), worldFile);
             simRobot.start();
             ports.start();
             window.show(
@@ -185,11 +186,11 @@ public final class SimRobotMain {
                 : new Random().nextLong();
     }
 
-    private static int headless(Arguments arguments, Built built, PioneerPorts opened)
+    private static int headless(Arguments arguments, Built built, Ports opened)
             throws UsageException, IOException, InterruptedException {
         try (Console console = Console.onStandardOutput();
                 SimRobot simRobot = built.simRobot();
-                PioneerPorts ports = opened) {
+                Ports ports = opened) {
             simRobot.onAdded(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
             Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));

@@ -1,0 +1,79 @@
+package simrobot.http;
+
+import java.util.Locale;
+
+/** Writes JSON (RFC 8259), field by field. */
+final class JsonText {
+    private final StringBuilder text = new StringBuilder();
+    private boolean first = true;
+
+    JsonText open(char bracket) {
+        separate();
+        text.append(bracket);
+        first = true;
+        return this;
+    }
+
+    JsonText close(char bracket) {
+        text.append(bracket);
+        first = false;
+        return this;
+    }
+
+    JsonText name(String name) {
+        value(name);
+        text.append(':');
+        first = true;
+        return this;
+    }
+
+    JsonText value(String value) {
+        separate();
+        text.append('"');
+        value.chars().forEach(this::character);
+        text.append('"');
+        return this;
+    }
+
+    JsonText value(boolean value) {
+        separate();
+        text.append(value);
+        return this;
+    }
+
+    JsonText value(long value) {
+        separate();
+        text.append(value);
+        return this;
+    }
+
+    /** With so many decimals; never in exponential form, never minus zero. */
+    JsonText value(double value, int decimals) {
+        separate();
+        String number = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        text.append(number.matches("-0\\.?0*") ? number.substring(1) : number);
+        return this;
+    }
+
+    private void separate() {
+        if (!first) {
+            text.append(',');
+        }
+        first = false;
+    }
+
+    private void character(int c) {
+        if (c == '"' || c == '\\') {
+            text.append('\\').append((char) c);
+        } else if (c < ' ') {
+            text.append(String.format("\\u%04x", c));
+        } else {
+            text.append((char) c);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return text.toString();
+    }
+}

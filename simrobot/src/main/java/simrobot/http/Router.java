@@ -1,0 +1,125 @@
+package simrobot.http;
+
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpHandler;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.stream.Collectors;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+
+/** Reads what is asked for and answers it. */
+final class Router implements HttpHandler {
+    private static final Logger LOG = System.getLogger(Router.class.getName());
+    private static final int NAMES_TOLD = 20;
+    private static final String CAMERA = "camera.jpg";
+    private static final String STREAM = "camera.mjpg";
+
+    private final WebSource source;
+    private final Scenes scenes;
+    private final CameraRoom cameras;
+    private final Streams streams;
+    private final Page page;
+
+    Router(WebSource source, Scenes scenes, CameraRoom cameras, Streams streams, Page page) {
+        this.source = source;
+        this.scenes = scenes;
+        this.cameras = cameras;
+        this.streams = streams;
+        this.page = page;
+    }
+
+    @Override
+    public void handle(HttpExchange exchange) throws IOException {
+        String path = exchange.getRequestURI().getRawPath();
+        try {
+            requireReading(exchange);
+            List<String> parts = Paths.parts(path);
+            if (parts.size() == 3 && parts.get(0).equals("robots") && parts.get(2).equals(STREAM)) {
+                String robot = robot(scenes.now(), parts.get(1)).name();
+                streams.begin(exchange, robot);
+            } else {
+                send(exchange, answer(parts, path));
+            }
+        } catch (RefusedException refusal) {
+            send(exchange, refusal.answer());
+        } catch (IllegalStateException standsStill) {
+            send(exchange, Answer.error(Answer.UNAVAILABLE, standsStill.getMessage()));
+        } catch (IllegalArgumentException malformed) {
+            send(exchange, Answer.error(Answer.BAD_REQUEST, "malformed path " + path));
+        } catch (InterruptedException ending) {
+            exchange.close();
+            Thread.currentThread().interrupt();
+        } catch (RuntimeException fault) {
+            LOG.log(Level.ERROR, "answering " + path + " failed", fault);
+            exchange.close();
+        }
+    }
+
+    private static void requireReading(HttpExchange exchange) throws RefusedException {
+        String method = exchange.getRequestMethod();
+        if (!method.equals("GET") && !method.equals("HEAD")) {
+            exchange.getResponseHeaders().set("Allow", "GET, HEAD");
+            throw new RefusedException(
+                    Answer.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
+        }
+    }
+
+    private Answer answer(List<String> parts, String path) throws IOException, InterruptedException, RefusedException {
+        SimulationSnapshot scene = scenes.now();
+        if (parts.isEmpty()) {
+            return Answer.html(page.of(scene, source));
+        }
+        if (parts.get(0).equals("robots") && parts.size() <= 3) {
+            if (parts.size() == 1) {
+                return Answer.json(StatusJson.all(scene, source));
+            }
+            RobotSnapshot robot = robot(scene, parts.get(1));
+            if (parts.size() == 2) {
+                return Answer.json(StatusJson.one(scene, robot, source));
+            }
+            if (parts.get(2).equals(CAMERA)) {
+                return Answer.jpeg(cameras.shot(scene, robot).jpeg());
+            }
+        }
+        throw new RefusedException(
+                Answer.NOT_FOUND,
+                "nothing at " + path + ", expected /, /robots, /robots/NAME, /robots/NAME/" + CAMERA
+                        + " or /robots/NAME/" + STREAM);
+    }
+
+    private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RefusedException {
+        return scene.robot(name)
+                .orElseThrow(() -> new RefusedException(
+                        Answer.NOT_FOUND,
+                        "no robot " + name + ", expected one of "
+                                + scene.robots().stream()
+                                        .map(RobotSnapshot::name)
+                                        .limit(NAMES_TOLD)
+                                        .collect(Collectors.joining(", "))));
+    }
+
+    private static void send(HttpExchange exchange, Answer answer) throws IOException {
+        boolean bare = exchange.getRequestMethod().equals("HEAD");
+        Headers headers = exchange.getResponseHeaders();
+        headers.set("Content-Type", answer.type());
+        headers.set("Cache-Control", "no-store");
+        headers.set("X-Content-Type-Options", "nosniff");
+        headers.set("Content-Security-Policy", Page.POLICY);
+        try (exchange) {
+            if (bare) {
+                headers.set("Content-Length", Integer.toString(answer.body().length));
+                exchange.sendResponseHeaders(answer.status(), -1);
+            } else {
+                exchange.sendResponseHeaders(answer.status(), answer.body().length);
+                try (OutputStream body = exchange.getResponseBody()) {
+                    body.write(answer.body());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package simrobot.http;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import simrobot.robot.Pioneer2Dx;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Area;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.World;
+
+/** The world from above as SVG, in metres, y upward; its colours are the page's. */
+final class WorldMap {
+    private static final double MARGIN_METERS = 0.4;
+    private static final double HOME_METERS = 0.25;
+
+    /** Points that fall into the same square of this size are drawn as one. */
+    private static final double POINT_RASTER_METERS = 0.05;
+
+    private WorldMap() {}
+
+    static String svg(SimulationSnapshot scene, String title) {
+        World world = scene.world();
+        Area ground = world.ground();
+        String box = Stream.of(
+                        ground.minXMeters() - MARGIN_METERS,
+                        -ground.maxYMeters() - MARGIN_METERS,
+                        ground.maxXMeters() - ground.minXMeters() + 2 * MARGIN_METERS,
+                        ground.maxYMeters() - ground.minYMeters() + 2 * MARGIN_METERS)
+                .map(number -> Html.number(number, 2))
+                .collect(Collectors.joining(" "));
+        StringBuilder svg = new StringBuilder("<svg id=\"map\" role=\"img\" viewBox=\"" + box + "\" aria-label=\""
+                + Html.text(title) + "\">\n<g transform=\"scale(1,-1)\">\n");
+        world.treadmills().forEach(belt -> svg.append(area(belt.area(), "belt")));
+        world.forbiddenAreas().forEach(area -> svg.append(area(area, "forbidden")));
+        world.boxes().forEach(each -> svg.append(area(each.area(), "box")));
+        world.homes().forEach(home -> svg.append(ring(home.position(), "home")));
+        world.goals().forEach(goal -> svg.append(ring(goal.position(), "goal")));
+        svg.append(path("wall", lines(world.segments())));
+        svg.append(path("point", dots(world.points())));
+        svg.append("<g id=\"robots\">\n");
+        scene.robots().forEach(robot -> svg.append(robot(robot)));
+        return svg.append("</g>\n</g>\n</svg>\n").toString();
+    }
+
+    private static String path(String kind, String steps) {
+        return steps.isEmpty() ? "" : "<path class=\"" + kind + "\" d=\"" + steps + "\"/>\n";
+    }
+
+    private static String lines(List<Segment> segments) {
+        return segments.stream()
+                .map(line -> "M" + pair(line.x1Meters(), line.y1Meters()) + "L" + pair(line.x2Meters(), line.y2Meters()))
+                .collect(Collectors.joining());
+    }
+
+    private static String dots(List<Position> points) {
+        Set<String> drawn = new HashSet<>();
+        return points.stream()
+                .map(point -> pair(raster(point.xMeters()), raster(point.yMeters())))
+                .filter(drawn::add)
+                .map(place -> "M" + place + "h.01")
+                .collect(Collectors.joining());
+    }
+
+    private static double raster(double meters) {
+        return Math.rint(meters / POINT_RASTER_METERS) * POINT_RASTER_METERS;
+    }
+
+    private static String pair(double x, double y) {
+        return Html.number(x, 3) + " " + Html.number(y, 3);
+    }
+
+    private static String area(Area area, String kind) {
+        String corners = area.corners().stream()
+                .map(corner -> pair(corner.xMeters(), corner.yMeters()))
+                .collect(Collectors.joining(" "));
+        return "<polygon class=\"" + kind + "\" points=\"" + corners + "\"/>\n";
+    }
+
+    private static String ring(Position place, String kind) {
+        return "<circle class=\"" + kind + "\" cx=\"" + Html.number(place.xMeters(), 3) + "\" cy=\""
+                + Html.number(place.yMeters(), 3) + "\" r=\"" + HOME_METERS + "\"/>\n";
+    }
+
+    /** The body, an arrowhead, and its name upright. */
+    private static String robot(RobotSnapshot robot) {
+        StringBuilder body = new StringBuilder();
+        for (double[] corner : Pioneer2Dx.octagon()) {
+            body.append(pair(corner[0], corner[1])).append(' ');
+        }
+        return "<g class=\"robot\" transform=\"translate(" + Html.number(robot.xMeters(), 3) + ","
+                + Html.number(robot.yMeters(), 3) + ")\"><g transform=\"rotate("
+                + Html.number(StatusJson.degrees(robot.headingRadians()), 1) + ")\"><polygon class=\"body\" points=\""
+                + body.toString().strip() + "\"/><path class=\"nose\" d=\"M.14 0L-.02 .09L-.02-.09Z\"/></g>"
+                + "<text transform=\"scale(1,-1)\" x=\".3\" y=\"-.22\">" + Html.text(robot.name()) + "</text></g>\n";
+    }
+}
