@@ -12,8 +12,9 @@ import simrobot.simulation.SimulationSnapshot;
  */
 final class Page {
     /** Nothing from elsewhere, whatever stands in a name. */
-    static final String POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self';"
-            + " connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    static final String POLICY =
+            "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self';"
+                    + " connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
     /** So many pictures a browser fetches at ease. */
     private static final int MOST_CAMERAS = 12;
@@ -34,7 +35,8 @@ final class Page {
                 .limit(MOST_ROWS)
                 .map(robot -> row(robot, source))
                 .collect(Collectors.joining());
-        String cameras = scene.robots().stream().limit(MOST_CAMERAS).map(this::camera).collect(Collectors.joining());
+        String cameras =
+                scene.robots().stream().limit(MOST_CAMERAS).map(this::camera).collect(Collectors.joining());
         int more = scene.robots().size() - MOST_CAMERAS;
         return template.replace("{{language}}", texts.of("page.language"))
                 .replace("{{h.robots}}", word("page.robots"))
@@ -82,7 +84,8 @@ final class Page {
         String path = "/robots/" + Html.text(Paths.encoded(robot.name()));
         return "<figure><img class=\"camera\" src=\"" + path + "/camera.jpg\" width=\"320\" height=\"240\" alt=\""
                 + Html.text(texts.of("page.camera", robot.name())) + "\"><figcaption>" + Html.text(robot.name())
-                + " \u00b7 <a href=\"" + path + "/camera.jpg\">" + word("page.picture") + "</a> \u00b7 <a href=\"" + path
+                + " \u00b7 <a href=\"" + path + "/camera.jpg\">" + word("page.picture") + "</a> \u00b7 <a href=\""
+                + path
                 + "/camera.mjpg\">" + word("page.stream") + "</a></figcaption></figure>\n";
     }
 }

@@ -8,6 +8,7 @@ import java.io.OutputStream;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
@@ -35,11 +36,13 @@ final class Router implements HttpHandler {
 
     @Override
     public void handle(HttpExchange exchange) throws IOException {
-        String path = exchange.getRequestURI().getRawPath();
+        String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
             requireReading(exchange);
             List<String> parts = Paths.parts(path);
-            if (parts.size() == 3 && parts.get(0).equals("robots") && parts.get(2).equals(STREAM)) {
+            if (parts.size() == 3
+                    && parts.get(0).equals("robots")
+                    && parts.get(2).equals(STREAM)) {
                 String robot = robot(scenes.now(), parts.get(1)).name();
                 streams.begin(exchange, robot);
             } else {

@@ -88,7 +88,10 @@ final class Streams implements AutoCloseable {
     }
 
     private static double rate(String query) throws RefusedException {
-        Optional<String> wanted = Optional.ofNullable(query).map(RATE::matcher).filter(Matcher::matches).map(m -> m.group(1));
+        Optional<String> wanted = Optional.ofNullable(query)
+                .map(RATE::matcher)
+                .filter(Matcher::matches)
+                .map(m -> m.group(1));
         if (wanted.isEmpty()) {
             return USUAL_RATE;
         }
@@ -105,7 +108,9 @@ final class Streams implements AutoCloseable {
             while (true) {
                 Thread.sleep(LOOK_MILLIS);
                 long now = System.nanoTime();
-                running.stream().filter(stream -> stream.isStuck(now, PATIENCE_NANOS)).forEach(Stream::cut);
+                running.stream()
+                        .filter(stream -> stream.isStuck(now, PATIENCE_NANOS))
+                        .forEach(Stream::cut);
             }
         } catch (InterruptedException ending) {
             Thread.currentThread().interrupt();

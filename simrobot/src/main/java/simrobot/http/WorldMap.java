@@ -53,7 +53,8 @@ final class WorldMap {
 
     private static String lines(List<Segment> segments) {
         return segments.stream()
-                .map(line -> "M" + pair(line.x1Meters(), line.y1Meters()) + "L" + pair(line.x2Meters(), line.y2Meters()))
+                .map(line ->
+                        "M" + pair(line.x1Meters(), line.y1Meters()) + "L" + pair(line.x2Meters(), line.y2Meters()))
                 .collect(Collectors.joining());
     }
 

@@ -1,0 +1,363 @@
+package simrobot.http;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.HttpURLConnection;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.World;
+
+/** The web server over a simulation that only the test moves. */
+class WebServerTest {
+    private static final String ODD = "\u00f1a+nd\u00fa 1/<2>&\"3\"%";
+    private static final String ODD_ENCODED = "%C3%B1a+nd%C3%BA%201%2F%3C2%3E%26%223%22%25";
+    private static final int PATIENCE_MILLIS = 30_000;
+
+    private final Simulation simulation =
+            new Simulation(World.ofSegments("wall & co", List.of(new Segment(2, -3, 2, 3))), 1);
+    private WebServer server;
+
+    @BeforeEach
+    void start() throws IOException {
+        simulation.addRobot("ann", new Position(0, 0), 0);
+        simulation.addRobot(ODD, new Position(0, 1), Math.PI / 2);
+        server = open(Locale.ENGLISH);
+    }
+
+    private WebServer open(Locale language) throws IOException {
+        WebServer opened = new WebServer(InetAddress.getLoopbackAddress(), 0, language, new WebSource() {
+            @Override
+            public SimulationSnapshot scene() {
+                synchronized (simulation) {
+                    return simulation.snapshot();
+                }
+            }
+
+            @Override
+            public String number(String robot) {
+                return robot.equals("ann") ? "5550200" : "";
+            }
+        });
+        opened.start();
+        return opened;
+    }
+
+    @AfterEach
+    void stop() {
+        server.close();
+    }
+
+    private HttpURLConnection ask(String method, String path) throws IOException {
+        return ask(server, method, path);
+    }
+
+    private static HttpURLConnection ask(WebServer asked, String method, String path) throws IOException {
+        HttpURLConnection connection = (HttpURLConnection)
+                new URL("http", InetAddress.getLoopbackAddress().getHostAddress(), asked.port(), path).openConnection();
+        connection.setRequestMethod(method);
+        connection.setConnectTimeout(PATIENCE_MILLIS);
+        connection.setReadTimeout(PATIENCE_MILLIS);
+        return connection;
+    }
+
+    private static String text(HttpURLConnection answer) throws IOException {
+        try (InputStream in = answer.getResponseCode() < 400 ? answer.getInputStream() : answer.getErrorStream()) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    // ---- the page --------------------------------------------------------------------------------------------------
+
+    @Test
+    void thePageShowsMapRobotsAndCamerasAndTakesNothingFromElsewhere() throws Exception {
+        HttpURLConnection answer = ask("GET", "/");
+        String page = text(answer);
+        assertEquals(200, answer.getResponseCode());
+        assertEquals("text/html; charset=utf-8", answer.getContentType());
+        assertTrue(page.startsWith("<!DOCTYPE html>\n<html lang=\"en\">"), page);
+        assertTrue(page.contains("aria-label=\"Map of the world wall &amp; co with its robots\""), page);
+        assertTrue(page.contains("M2.000 -3.000L2.000 3.000"), page);
+        assertTrue(page.contains("src=\"/robots/ann/camera.jpg\""), page);
+        assertTrue(page.contains("src=\"/robots/" + ODD_ENCODED.replace("+", "%2B") + "/camera.jpg\""), page);
+        assertTrue(page.contains(">\u00f1a+nd\u00fa 1/&lt;2&gt;&amp;&quot;3&quot;%</a>"), page);
+        assertFalse(page.contains("://") || page.contains("{{"), page);
+        assertTrue(page.contains("prefers-color-scheme: dark"), page);
+    }
+
+    @Test
+    void thePageSpeaksSpanishToo() throws Exception {
+        try (WebServer spanish = open(Locale.forLanguageTag("es"))) {
+            String page = text(ask(spanish, "GET", "/"));
+            assertTrue(page.contains("<html lang=\"es\">"), page);
+            assertTrue(page.contains("C\u00e1maras"), page);
+        }
+    }
+
+    // ---- status ----------------------------------------------------------------------------------------------------
+
+    @Test
+    void allRobotsAreOneJsonList() throws Exception {
+        HttpURLConnection answer = ask("GET", "/robots");
+        String json = text(answer);
+        assertEquals("application/json", answer.getContentType());
+        assertTrue(json.startsWith("[{\"name\":\"ann\",\"number\":\"5550200\",\"status\":\"Stopped\","), json);
+        assertTrue(json.contains("},{\"name\":\"\u00f1a+nd\u00fa 1/<2>&\\\"3\\\"%\""), json);
+        assertTrue(json.endsWith("}]"), json);
+    }
+
+    @Test
+    void aRobotsStatusTellsWhereItIsAndHowItIs() throws Exception {
+        SimulatedRobot ann = simulation.robot("ann").orElseThrow();
+        synchronized (simulation) {
+            ann.drive().move(5);
+            simulation.run(1500);
+        }
+        String json = text(ask("GET", "/robots/ann"));
+        for (String expected : List.of(
+                "\"status\":\"Collision\"",
+                "\"x\":1.7500,\"y\":0.0000,\"heading\":0.00",
+                "\"stalled\":true",
+                "\"front\":[false,false,true,false,false]",
+                "\"odometry\":{\"x\":1.7500,",
+                "\"world\":\"wall & co\",\"time\":15.00",
+                "\"camera\":\"/robots/ann/camera.jpg\"")) {
+            assertTrue(json.contains(expected), expected + " in " + json);
+        }
+        assertTrue(json.matches(".*\"sonar\":\\[([0-9]+,){15}[0-9]+].*"), json);
+    }
+
+    @Test
+    void aNameOfAnyCharactersIsReadFromItsPath() throws Exception {
+        String json = text(ask("GET", "/robots/" + ODD_ENCODED));
+        assertTrue(json.contains("\"heading\":90.00"), json);
+        assertEquals(200, ask("GET", "/robots/" + ODD_ENCODED + "/camera.jpg").getResponseCode());
+    }
+
+    // ---- what is refused -------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "/robots/bob",
+                "/robots/bob/camera.jpg",
+                "/robots/bob/camera.mjpg",
+                "/robots/ANN",
+                "/robots/an%6e%6e"
+            })
+    void anUnknownRobotIsNotFoundAndTheErrorIsJson(String path) throws Exception {
+        HttpURLConnection answer = ask("GET", path);
+        assertEquals(404, answer.getResponseCode());
+        assertEquals("application/json", answer.getContentType());
+        String error = text(answer);
+        assertTrue(error.startsWith("{\"error\":\"no robot ") && error.contains("expected one of ann"), error);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"/nothing", "/robots/ann/camera.png", "/robots/ann/camera.jpg/more", "/robots//ann"})
+    void anyOtherPathIsNotFound(String path) throws Exception {
+        HttpURLConnection answer = ask("GET", path);
+        assertEquals(404, answer.getResponseCode());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"POST, /", "PUT, /robots", "DELETE, /robots/ann", "OPTIONS, /robots", "POST, /robots/ann/camera.mjpg"})
+    void whoWantsMoreThanToReadIsToldWhatIsAllowed(String method, String path) throws Exception {
+        HttpURLConnection answer = ask(method, path);
+        assertEquals(405, answer.getResponseCode());
+        assertEquals("GET, HEAD", answer.getHeaderField("Allow"));
+        assertTrue(text(answer).contains("expected GET or HEAD"));
+    }
+
+    @Test
+    void headAnswersAsGetWithoutItsBody() throws Exception {
+        for (String path : List.of("/", "/robots", "/robots/ann", "/robots/ann/camera.jpg")) {
+            int length = text(ask("GET", path)).getBytes(StandardCharsets.UTF_8).length;
+            HttpURLConnection answer = ask("HEAD", path);
+            assertEquals(200, answer.getResponseCode());
+            assertEquals("", text(answer));
+            assertTrue(path.endsWith(".jpg") || answer.getContentLength() == length, path);
+        }
+        HttpURLConnection stream = ask("HEAD", "/robots/ann/camera.mjpg");
+        assertEquals("multipart/x-mixed-replace; boundary=simrobot-frame", stream.getContentType());
+        assertEquals("", text(stream));
+        assertEquals(404, ask("HEAD", "/robots/bob").getResponseCode());
+    }
+
+    // ---- cameras ---------------------------------------------------------------------------------------------------
+
+    @Test
+    void aPictureIsAJpegOfTheCamerasSize() throws Exception {
+        HttpURLConnection answer = ask("GET", "/robots/ann/camera.jpg?any=thing");
+        assertEquals("image/jpeg", answer.getContentType());
+        assertEquals("no-store", answer.getHeaderField("Cache-Control"));
+        assertEquals(320, ImageIO.read(answer.getInputStream()).getWidth());
+    }
+
+    /** A stream's client: reads it part by part, or does not read at all. */
+    private final class Watcher implements AutoCloseable {
+        private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+        private final DataInputStream in = new DataInputStream(new BufferedInputStream(socket.getInputStream()));
+
+        Watcher(String query) throws IOException {
+            socket.setSoTimeout(PATIENCE_MILLIS);
+            String question = "GET /robots/ann/camera.mjpg" + query + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+            socket.getOutputStream().write(question.getBytes(StandardCharsets.US_ASCII));
+        }
+
+        @SuppressWarnings("deprecation")
+        String line() throws IOException {
+            return in.readLine();
+        }
+
+        /** All lines up to the next empty one. */
+        List<String> head() throws IOException {
+            List<String> lines = new ArrayList<>();
+            for (String line = line(); line != null && !line.isEmpty(); line = line()) {
+                lines.add(line);
+            }
+            return lines;
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+
+    /** The chunks of the transfer are taken off by the JDK's own client. */
+    private static byte[] part(DataInputStream in) throws IOException {
+        int length = -1;
+        for (String line = lineOf(in); !line.isEmpty(); line = lineOf(in)) {
+            if (line.startsWith("Content-Length: ")) {
+                length = Integer.parseInt(line.substring(16));
+            }
+        }
+        byte[] jpeg = new byte[length];
+        in.readFully(jpeg);
+        assertEquals("", lineOf(in));
+        assertEquals("--simrobot-frame", lineOf(in));
+        return jpeg;
+    }
+
+    @SuppressWarnings("deprecation")
+    private static String lineOf(DataInputStream in) throws IOException {
+        String line = in.readLine();
+        return line == null ? "(end)" : line;
+    }
+
+    @Test
+    void aStreamSendsAPictureForEachThingThatMoves() throws Exception {
+        HttpURLConnection answer = ask("GET", "/robots/ann/camera.mjpg?fps=20");
+        assertEquals("multipart/x-mixed-replace; boundary=simrobot-frame", answer.getContentType());
+        try (DataInputStream in = new DataInputStream(answer.getInputStream())) {
+            assertEquals("--simrobot-frame", lineOf(in));
+            byte[] first = part(in);
+            assertEquals(240, ImageIO.read(new ByteArrayInputStream(first)).getHeight());
+            synchronized (simulation) {
+                simulation.robot("ann").orElseThrow().place(0, 0, 1);
+            }
+            byte[] second = part(in);
+            assertFalse(java.util.Arrays.equals(first, second));
+            assertArrayEquals(second, part(in), "and the same again, now and then");
+        }
+    }
+
+    @Test
+    void aStreamEndsWhenItsRobotGoes() throws Exception {
+        HttpURLConnection answer = ask("GET", "/robots/ann/camera.mjpg");
+        try (DataInputStream in = new DataInputStream(answer.getInputStream())) {
+            lineOf(in);
+            part(in);
+            synchronized (simulation) {
+                simulation.removeRobot(simulation.robot("ann").orElseThrow());
+            }
+            assertEquals("(end)", lineOf(in));
+        }
+    }
+
+    @Test
+    void thoseWhoReadNothingDoNotHoldUpOthersAndTheirNumberIsLimited() throws Exception {
+        List<Watcher> watchers = new ArrayList<>();
+        try {
+            for (int i = 0; i < Streams.MOST; i++) {
+                Watcher watcher = new Watcher("?fps=20");
+                watchers.add(watcher);
+                assertEquals("HTTP/1.1 200 OK", watcher.line());
+            }
+            HttpURLConnection tooMany = ask("GET", "/robots/ann/camera.mjpg");
+            assertEquals(503, tooMany.getResponseCode());
+            assertEquals("5", tooMany.getHeaderField("Retry-After"));
+            assertTrue(text(tooMany).contains("all 16 streams are taken"));
+            assertEquals(200, ask("GET", "/robots/ann/camera.jpg").getResponseCode());
+        } finally {
+            for (Watcher watcher : watchers) {
+                watcher.close();
+            }
+        }
+        // a stream notices within its next picture that its client has gone
+        int status = 503;
+        for (int i = 0; i < 600 && status == 503; i++) {
+            HttpURLConnection again = ask("GET", "/robots/ann/camera.mjpg");
+            status = again.getResponseCode();
+            again.disconnect();
+            synchronized (simulation) {
+                simulation.robot("ann").orElseThrow().place(0, 0, i);
+                simulation.wait(50);
+            }
+        }
+        assertEquals(200, status);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"?fps=1, 200", "?fps=20, 200", "?fps=0, 400", "?fps=21, 400", "?fps=x, 400", "?other=1, 200"})
+    void theRateIsWithinBounds(String query, int status) throws Exception {
+        HttpURLConnection answer = ask("HEAD", "/robots/ann/camera.mjpg" + query);
+        assertEquals(status, answer.getResponseCode());
+    }
+
+    // ---- hostile clients -------------------------------------------------------------------------------------------
+
+    @Test
+    void halfQuestionsAndRubbishDoNotHoldUpOthers() throws Exception {
+        List<Socket> clients = new ArrayList<>();
+        try {
+            for (String rubbish :
+                    List.of("GET / HT", "\0\0\0\0\r\n\r\n", "GET /%zz HTTP/1.1\r\n\r\n", "\r\n\r\n\r\n", "")) {
+                Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+                clients.add(socket);
+                socket.getOutputStream().write(rubbish.getBytes(StandardCharsets.US_ASCII));
+                assertEquals(200, ask("GET", "/robots/ann").getResponseCode());
+            }
+        } finally {
+            for (Socket client : clients) {
+                client.close();
+            }
+        }
+        assertEquals(200, ask("GET", "/").getResponseCode());
+    }
+}
