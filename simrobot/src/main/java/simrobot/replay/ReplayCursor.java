@@ -1,6 +1,7 @@
 package simrobot.replay;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -131,9 +132,8 @@ public final class ReplayCursor {
 
     private void setStage() {
         stage = new Simulation(scene.world(), 0);
-        for (int i = 0; i < tracks.length; i++) {
-            stage.restoreRobot(scene.robots().get(i), tracks[i].state());
-        }
+        stage.restoreRobots(
+                scene.robots(), Arrays.stream(tracks).map(Track::state).toList());
         stage.restoredAt(timeNanos);
         watch(watched);
     }

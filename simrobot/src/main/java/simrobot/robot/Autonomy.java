@@ -15,7 +15,6 @@ import vericommand.RobotStatus;
  */
 public final class Autonomy {
     private final SimulatedRobot robot;
-    private final int robotNumber;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
     private Optional<Behaviour> behaviour = Optional.empty();
@@ -23,10 +22,8 @@ public final class Autonomy {
     /** Told when the robot stands; null when nobody waits for that. */
     private Runnable awaiting;
 
-    /** @param robotNumber of the robots in their order, the first is 0 */
-    Autonomy(SimulatedRobot robot, int robotNumber) {
+    Autonomy(SimulatedRobot robot) {
         this.robot = robot;
-        this.robotNumber = robotNumber;
     }
 
     public BehaviourKind kind() {
@@ -55,7 +52,7 @@ public final class Autonomy {
         if (!robot.hasMotors() || robot.isUnderOrder()) {
             return false;
         }
-        become(next, next.begin(robotNumber));
+        become(next, next.begin(robot.number()));
         sinceDecisionNanos = Behaviour.TICK_NANOS;
         return true;
     }

@@ -25,6 +25,7 @@ public final class SimulatedRobot implements Robot {
     private static final double FREE_WAY_METERS = 0.01;
 
     private final String name;
+    private final int number;
     private final Floor floor;
     private StatusMachine machine = new StatusMachine(RobotStatus.STOPPED);
     private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
@@ -51,21 +52,27 @@ public final class SimulatedRobot implements Robot {
     /**
      * A robot that stands there with power and motors on.
      *
-     * @param number of the robots in their order, the first is 0
+     * @param number no other robot of the floor has it; they count from 0 in the order in which they came
      */
     public SimulatedRobot(String name, int number, Floor floor, double xMeters, double yMeters, double headingRadians) {
         this.name = Objects.requireNonNull(name);
+        this.number = number;
         this.floor = Objects.requireNonNull(floor);
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
         ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
-        autonomy = new Autonomy(this, number);
+        autonomy = new Autonomy(this);
     }
 
     public String name() {
         return name;
+    }
+
+    /** From 0 in the order in which the robots came to their floor. */
+    public int number() {
+        return number;
     }
 
     @Override
@@ -82,8 +89,6 @@ public final class SimulatedRobot implements Robot {
     public void addFirstMotionListener(Runnable listener) {
         ordered.addFirstMotionListener(listener);
     }
-
-    // ---- switches ------------------------------------------------------------------------------------------------
 
     public boolean isPowered() {
         return status() != RobotStatus.DISCONNECTED;
@@ -143,7 +148,7 @@ public final class SimulatedRobot implements Robot {
         }
     }
 
-    /** True while it executes an instruction, or comes to a stand for one; its drive is not to be touched then. */
+    /** True while it executes an instruction or comes to a stand for one: its drive is not to be touched. */
     public boolean isUnderOrder() {
         return ordered.isUnderWay() || autonomy.isAwaited();
     }
@@ -170,8 +175,8 @@ public final class SimulatedRobot implements Robot {
 
     /** Moves the robot through a step of simulated time. */
     public void step(long nanos) {
-        autonomy.step(nanos);
         double seconds = nanos * 1e-9;
+        autonomy.step(nanos);
         steps++;
         if (isPowered()) {
             battery.drain(seconds, speed, turnSpeed);
@@ -223,8 +228,8 @@ public final class SimulatedRobot implements Robot {
         turnSpeed = 0;
     }
 
+    /** A gap of exactly the free way, less the gap that contact leaves, counts as free. */
     boolean isWayBlocked() {
-        // a gap of exactly the free way, less the gap that contact leaves, counts as free
         return !isWayFree(FREE_WAY_METERS - 1e-6);
     }
 
@@ -266,8 +271,6 @@ public final class SimulatedRobot implements Robot {
             change(StatusEvent.MOTION_ENDED);
         }
     }
-
-    // ---- place ---------------------------------------------------------------------------------------------------
 
     /**
      * Puts the robot there by hand, standing. In Collision it comes free when the way ahead of it is free there, by the
@@ -378,8 +381,6 @@ public final class SimulatedRobot implements Robot {
     public Trail trail() {
         return trail;
     }
-
-    // ---- sonar ---------------------------------------------------------------------------------------------------
 
     /** What the sixteen sonars hear now, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {

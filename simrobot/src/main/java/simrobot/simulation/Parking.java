@@ -1,57 +1,92 @@
 package simrobot.simulation;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.Queue;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.world.Area;
+import simrobot.world.DiscGrid;
 import simrobot.world.Home;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** Finds a place for a robot that nobody has put anywhere. */
+/**
+ * Finds places for robots that nobody has put anywhere: the world's homes in their order, then free places in ever wider
+ * rings around the first home. What was not free once is not tried again, so a thousand robots take a thousand times as
+ * long as one.
+ */
 final class Parking {
     private static final double RASTER_METERS = 0.75;
     private static final int MAX_RINGS = 400;
+    private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
     /** True when a robot fits there. */
     interface Free {
         boolean at(double xMeters, double yMeters);
     }
 
-    private Parking() {}
+    private final World world;
+    private final Free free;
+    private final Position middle;
+    private final Queue<Position> ring = new ArrayDeque<>();
+    private int nextHome;
+    private int nextRing;
 
-    /** The first free home; else a free place near the first home, or near the origin (MobileSim's start). */
-    static Optional<Home> spot(World world, Free free) {
-        for (Home home : world.homes()) {
-            if (free.at(home.position().xMeters(), home.position().yMeters())) {
-                return Optional.of(home);
+    /** For robots that are put where they are told before the next place is asked for. */
+    Parking(World world, Free free) {
+        this.world = world;
+        this.free = free;
+        middle = middle(world);
+    }
+
+    /** @throws NoSuchElementException when there is none left */
+    Home next() {
+        while (nextHome < world.homes().size()) {
+            Home home = world.homes().get(nextHome++);
+            if (isFree(home.position())) {
+                return home;
             }
         }
-        return ringsAround(middle(world), free);
+        while (!ring.isEmpty() || nextRing < MAX_RINGS) {
+            if (ring.isEmpty()) {
+                layRing(nextRing++);
+            }
+            Position place = ring.remove();
+            if (isFree(place)) {
+                return new Home("", place, 0, Optional.empty());
+            }
+        }
+        throw new NoSuchElementException("no free place in " + world.name());
     }
 
-    /** Places for so many robots at once. */
+    private boolean isFree(Position place) {
+        return free.at(place.xMeters(), place.yMeters());
+    }
+
+    /** Places for so many robots at once, on the floor without any. */
     static List<Home> spots(World world, int count) {
         ObstacleGrid obstacles = new ObstacleGrid(world);
-        double radius = Pioneer2Dx.RADIUS_METERS;
-        List<Home> taken = new ArrayList<>();
-        Free free = (x, y) -> obstacles.clearance(x, y, radius) >= radius
-                && taken.stream()
-                        .allMatch(home -> Math.hypot(
-                                        home.position().xMeters() - x,
-                                        home.position().yMeters() - y)
-                                >= 2 * radius);
+        DiscGrid taken = new DiscGrid(RADIUS);
+        Parking parking =
+                new Parking(world, (x, y) -> obstacles.isFree(x, y, RADIUS) && !taken.isCrowded(-1, x, y, 2 * RADIUS));
+        List<Home> spots = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {
-            int next = i + 1;
-            taken.add(spot(world, free)
-                    .orElseThrow(() ->
-                            new IllegalArgumentException("no free place for robot " + next + " in " + world.name())));
+            try {
+                Home spot = parking.next();
+                taken.put(i, spot.position().xMeters(), spot.position().yMeters());
+                spots.add(spot);
+            } catch (NoSuchElementException full) {
+                throw new IllegalArgumentException("no free place for robot " + (i + 1) + " in " + world.name());
+            }
         }
-        return taken;
+        return spots;
     }
 
+    /** The first home, or near the origin (MobileSim's start). */
     private static Position middle(World world) {
         if (!world.homes().isEmpty()) {
             return world.homes().get(0).position();
@@ -60,19 +95,13 @@ final class Parking {
         return bounds.contains(0, 0) ? new Position(0, 0) : bounds.center();
     }
 
-    private static Optional<Home> ringsAround(Position middle, Free free) {
-        for (int ring = 0; ring < MAX_RINGS; ring++) {
-            for (int row = -ring; row <= ring; row++) {
-                boolean edge = Math.abs(row) == ring;
-                for (int column = -ring; column <= ring; column += edge || ring == 0 ? 1 : 2 * ring) {
-                    double x = middle.xMeters() + column * RASTER_METERS;
-                    double y = middle.yMeters() + row * RASTER_METERS;
-                    if (free.at(x, y)) {
-                        return Optional.of(new Home("", new Position(x, y), 0, Optional.empty()));
-                    }
-                }
+    private void layRing(int number) {
+        for (int row = -number; row <= number; row++) {
+            boolean edge = Math.abs(row) == number;
+            for (int column = -number; column <= number; column += edge || number == 0 ? 1 : 2 * number) {
+                ring.add(new Position(
+                        middle.xMeters() + column * RASTER_METERS, middle.yMeters() + row * RASTER_METERS));
             }
         }
-        return Optional.empty();
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.LongConsumer;
@@ -38,6 +39,7 @@ public final class Simulation {
     private World world;
     private SimulatedRobot watched;
     private long timeNanos;
+    private int nextNumber;
 
     /** An empty floor of this world; the seed feeds {@link #random()}. */
     public Simulation(World world, long seed) {
@@ -79,30 +81,52 @@ public final class Simulation {
 
     /** Puts a robot on the first home that is free, or near the middle of the world when none is. */
     public SimulatedRobot addRobot(String name) {
-        return Parking.spot(world, (x, y) -> crowd.isFree(null, x, y))
-                .map(spot -> addRobot(name, spot.position(), spot.headingRadians()))
-                .orElseThrow(
-                        () -> new IllegalStateException("no free place for robot " + name + " in " + world.name()));
+        return addRobots(List.of(name)).get(0);
+    }
+
+    /** The same for many at once, in their order. */
+    public List<SimulatedRobot> addRobots(List<String> names) {
+        Parking parking = new Parking(world, (x, y) -> crowd.isFree(null, x, y));
+        List<SimulatedRobot> added = new ArrayList<>(names.size());
+        try {
+            for (String name : names) {
+                requireNew(name);
+                Home spot = parking.next();
+                added.add(settle(name, spot.position(), spot.headingRadians()));
+            }
+        } catch (NoSuchElementException full) {
+            throw new IllegalStateException(
+                    "no free place for robot " + names.get(added.size()) + " in " + world.name(), full);
+        } finally {
+            robots = Stream.concat(robots.stream(), added.stream()).toList();
+        }
+        return added;
     }
 
     /** Puts a robot exactly there. */
     public SimulatedRobot addRobot(String name, Position position, double headingRadians) {
-        if (byName.containsKey(name)) {
-            throw new IllegalArgumentException("robot " + name + " is there already, expected another name");
-        }
+        requireNew(name);
         if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
             throw new IllegalArgumentException("no free place for robot " + name + " at " + position.xMeters() + " "
                     + position.yMeters() + ": something is in the way there");
         }
-        SimulatedRobot robot =
-                new SimulatedRobot(name, robots.size(), crowd, position.xMeters(), position.yMeters(), headingRadians);
-        robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
-        return enter(robot);
+        SimulatedRobot robot = settle(name, position, headingRadians);
+        robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
+        return robot;
     }
 
-    private SimulatedRobot enter(SimulatedRobot robot) {
-        byName.put(robot.name(), robot);
-        robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
+    private void requireNew(String name) {
+        if (byName.containsKey(name)) {
+            throw new IllegalArgumentException("robot " + name + " is there already, expected another name");
+        }
+    }
+
+    /** On the floor, but not yet among {@link #robots}. */
+    private SimulatedRobot settle(String name, Position position, double headingRadians) {
+        SimulatedRobot robot =
+                new SimulatedRobot(name, nextNumber++, crowd, position.xMeters(), position.yMeters(), headingRadians);
+        robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
+        byName.put(name, robot);
         crowd.moved(robot);
         return robot;
     }
@@ -166,11 +190,15 @@ public final class Simulation {
 
     // ---- replay --------------------------------------------------------------------------------------------------
 
-    /** Adds a robot exactly as it was, wherever that is. */
-    public SimulatedRobot restoreRobot(String name, RobotState state) {
-        return enter(new SimulatedRobot(
-                        name, robots.size(), crowd, state.xMeters(), state.yMeters(), state.headingRadians()))
-                .restore(state);
+    /** Adds robots exactly as they were, wherever that is. */
+    public void restoreRobots(List<String> names, List<RobotState> states) {
+        List<SimulatedRobot> restored = new ArrayList<>(names.size());
+        for (int i = 0; i < names.size(); i++) {
+            RobotState state = states.get(i);
+            Position place = new Position(state.xMeters(), state.yMeters());
+            restored.add(settle(names.get(i), place, state.headingRadians()).restore(state));
+        }
+        robots = Stream.concat(robots.stream(), restored.stream()).toList();
     }
 
     /** The robots have been restored as they were at this time. */

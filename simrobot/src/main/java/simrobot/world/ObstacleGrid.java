@@ -222,16 +222,20 @@ public final class ObstacleGrid {
         return Math.hypot(points[p] - x, points[p + 1] - y);
     }
 
+    /** Whether no obstacle is nearer to the place than the radius. */
+    public boolean isFree(double x, double y, double radiusMeters) {
+        return clearance(x, y, radiusMeters) >= radiusMeters;
+    }
+
     /** The distance at which a cone (a sonar's) first holds an obstacle, or {@code max}; metres and radians. */
     public double coneRange(Cone cone, double maxMeters) {
         double nearest = maxMeters;
+        int left = column(cone.minX(maxMeters));
         int right = column(cone.maxX(maxMeters));
         int top = row(cone.maxY(maxMeters));
         for (int r = row(cone.minY(maxMeters)); r <= top; r++) {
-            for (int c = column(cone.minX(maxMeters)); c <= right; c++) {
-                for (int k = first[r * columns + c]; k < first[r * columns + c + 1]; k++) {
-                    nearest = Math.min(nearest, inCone(items[k], cone));
-                }
+            for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
+                nearest = Math.min(nearest, inCone(items[k], cone));
             }
         }
         return nearest;
