@@ -104,10 +104,15 @@ public final class Exchange {
         listener.happened(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
     }
 
-    /** A terminal has connected. The link stands for it in all further calls. */
+    /** A terminal of this machine has connected. The link stands for it in all further calls. */
     public Link linkOpened(long nowNanos, LinkPort port, String address) {
+        return linkOpened(nowNanos, port, address, true);
+    }
+
+    /** A terminal has connected. @param isLocal whether from this machine: only others are held to what one person does */
+    public Link linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
         timers.advance(nowNanos);
-        Link link = new Link(port, address, parts);
+        Link link = new Link(port, address, isLocal, parts);
         links.add(link);
         link.keepAlive.start();
         settle();

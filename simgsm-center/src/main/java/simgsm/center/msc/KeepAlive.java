@@ -5,14 +5,17 @@ import simgsm.air.CcmMessage;
 import simgsm.center.timer.Timer;
 import simgsm.center.timer.Timers;
 
-/** Asks each peer who it is and, every half minute, whether it still lives. */
+/** Asks each peer who it is, does not keep who does not say it, and asks every half minute whether it still lives. */
 final class KeepAlive {
     private static final long PERIOD_NANOS = Duration.ofSeconds(30).toNanos();
     private static final int MAX_UNANSWERED = 3;
+    /** How long a peer may take to say what it is, or to register: a port scanner says nothing. */
+    static final long IDENTITY_NANOS = Duration.ofSeconds(15).toNanos();
 
     private final Link link;
     private final Timers timers;
     private Timer next;
+    private Timer anonymity;
     private int unanswered;
 
     KeepAlive(Link link, Timers timers) {
@@ -23,9 +26,16 @@ final class KeepAlive {
     void start() {
         link.sendCcm(new CcmMessage.IdentityRequest());
         next = timers.start(PERIOD_NANOS, this::ping);
+        anonymity = timers.start(IDENTITY_NANOS, () -> link.drop("has not said who it is"));
+    }
+
+    /** The peer has said who it is. */
+    void identified() {
+        timers.cancel(anonymity);
     }
 
     void stop() {
+        timers.cancel(anonymity);
         timers.cancel(next);
     }
 
@@ -35,6 +45,7 @@ final class KeepAlive {
         } else if (message instanceof CcmMessage.Pong) {
             unanswered = 0;
         } else if (message instanceof CcmMessage.IdentityResponse) {
+            identified();
             link.sendCcm(new CcmMessage.IdentityAcknowledge());
         }
     }

@@ -33,6 +33,7 @@ public final class Link {
     final Paging paging;
     final KeepAlive keepAlive;
     final Authenticity authenticity;
+    final Moderation moderation;
     final ShortMessageTransfers shortMessages;
     final List<CallLeg> callLegs = new ArrayList<>(2);
 
@@ -47,7 +48,7 @@ public final class Link {
     private String lifeline;
     private int violations;
 
-    Link(LinkPort port, String address, ExchangeParts parts) {
+    Link(LinkPort port, String address, boolean isLocal, ExchangeParts parts) {
         this.port = port;
         this.address = address;
         this.lifeline = address;
@@ -55,6 +56,7 @@ public final class Link {
         this.radio = new RadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
         this.keepAlive = new KeepAlive(this, parts.timers());
+        this.moderation = new Moderation(isLocal, parts.timers());
         this.authenticity = new Authenticity(this, parts.timers());
         this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
     }
@@ -67,6 +69,7 @@ public final class Link {
     /** From now on somebody is registered here. */
     void become(Subscriber who) {
         subscriber = who;
+        keepAlive.identified();
         lifeline = who.number().digits();
     }
 

@@ -145,6 +145,10 @@ final class Mobility {
         if (!isSubscriberOf(link, request.identity())) {
             return Optional.of(RejectCause.IMSI_UNKNOWN_IN_VLR);
         }
+        if (request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL
+                && !link.moderation.admitsCall()) {
+            return Optional.of(RejectCause.CONGESTION);
+        }
         return switch (request.service()) {
             case MOBILE_ORIGINATED_CALL, EMERGENCY_CALL, SHORT_MESSAGE -> Optional.empty();
             case SUPPLEMENTARY_SERVICE -> Optional.of(RejectCause.SERVICE_OPTION_NOT_SUPPORTED);

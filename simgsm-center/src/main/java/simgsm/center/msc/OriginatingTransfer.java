@@ -54,7 +54,9 @@ final class OriginatingTransfer {
 
     private void relay(RelayMessage message) {
         int reference = message.reference();
-        if (message instanceof RelayMessage.RpData data) {
+        if (message instanceof RelayMessage.RpData && !link.moderation.admitsMessage()) {
+            answer(reference, Optional.of(RpCause.CONGESTION));
+        } else if (message instanceof RelayMessage.RpData data) {
             center.submit(link.subscriber.number(), data.tpdu(), refusal -> answer(reference, refusal));
         } else if (message instanceof RelayMessage.RpSmma) {
             answer(reference, Optional.empty());

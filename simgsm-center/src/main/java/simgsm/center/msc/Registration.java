@@ -46,7 +46,9 @@ final class Registration {
     }
 
     void start(MobileIdentity identity) {
-        if (identity instanceof Imsi said) {
+        if (!link.moderation.admitsRegistration()) {
+            reject(RejectCause.CONGESTION);
+        } else if (identity instanceof Imsi said) {
             identified(said);
         } else if (identity instanceof Tmsi tmsi) {
             Optional<Subscriber> known = mobility.register().ofTmsi(tmsi);

@@ -44,6 +44,7 @@ public final class CenterLoop implements AutoCloseable {
     private final long startNanos = System.nanoTime();
     private final Host host = new Host();
     private final ArrayDeque<SmppConnection> unsent = new ArrayDeque<>();
+    private final Turns turns = new Turns();
     private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Thread thread = new Thread(this::run, "centre");
     private Exchange exchange;
@@ -86,7 +87,17 @@ public final class CenterLoop implements AutoCloseable {
 
         @Override
         public void closed(Peer peer) {
-            (peer instanceof SmppConnection ? applications : terminals).left();
+            (peer instanceof SmppConnection ? applications : terminals).left(peer);
+        }
+
+        @Override
+        public long nowNanos() {
+            return CenterLoop.this.nowNanos();
+        }
+
+        @Override
+        public void awaitsTurn(Connection connection, Intake.Rest rest) {
+            turns.add(connection, rest, nowNanos());
         }
     }
 
@@ -125,9 +136,16 @@ public final class CenterLoop implements AutoCloseable {
         capture = Optional.of(running);
     }
 
-    private Peer terminal(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
-        Connection connection = new Connection(channel, key, host, tap(channel, address));
-        return welcomed(connection, () -> connection.link = exchange.linkOpened(nowNanos(), connection, text(address)));
+    private Peer terminal(Peer.Incoming incoming) {
+        Connection connection = new Connection(incoming, host, tap(incoming.channel(), incoming.address()));
+        return welcomed(
+                connection,
+                () -> connection.link =
+                        exchange.linkOpened(nowNanos(), connection, text(incoming.address()), isLocal(incoming)));
+    }
+
+    private static boolean isLocal(Peer.Incoming incoming) {
+        return incoming.address().getAddress().isLoopbackAddress();
     }
 
     private WireTap tap(SocketChannel channel, InetSocketAddress peer) {
@@ -136,17 +154,14 @@ public final class CenterLoop implements AutoCloseable {
                 .orElse(WireTap.NONE);
     }
 
-    private Peer application(SocketChannel channel, SelectionKey key, InetSocketAddress address) {
-        SmppConnection connection = new SmppConnection(channel, key, host);
+    private Peer application(Peer.Incoming incoming) {
+        SmppConnection connection = new SmppConnection(incoming, host);
         return welcomed(
                 connection,
                 () -> exchange.perform(
                         nowNanos(),
-                        () -> connection.session = exchange.smpp()
-                                .opened(
-                                        connection,
-                                        text(address),
-                                        address.getAddress().isLoopbackAddress())));
+                        () -> connection.session =
+                                exchange.smpp().opened(connection, text(incoming.address()), isLocal(incoming))));
     }
 
     /** An error of our own while a peer is introduced to the exchange costs that peer alone. */
@@ -220,8 +235,9 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     private void round() throws IOException {
-        selector.select(this::ready, millisToWait());
+        select();
         advance();
+        takeTurns();
         isWoken.set(false);
         for (Consumer<Exchange> task = mailbox.poll(); task != null; task = mailbox.poll()) {
             Consumer<Exchange> next = task;
@@ -239,6 +255,38 @@ public final class CenterLoop implements AutoCloseable {
         guarded("the view", () -> view.lookIfDue(nowNanos(), exchange));
     }
 
+    private void select() throws IOException {
+        if (turns.dueNanos() <= nowNanos()) {
+            selector.selectNow(this::ready);
+        } else {
+            selector.select(this::ready, millisToWait());
+        }
+    }
+
+    /** Those who had more than a portion go on, once each, now that all others have been served. */
+    private void takeTurns() {
+        long now = nowNanos();
+        for (int left = turns.size(); left > 0; left--) {
+            Connection connection = turns.next(now);
+            if (connection == null) {
+                return;
+            }
+            view.changed();
+            faultless(connection, connection::turn);
+            closeBroken();
+        }
+    }
+
+    /** An error of our own costs the connection that met it. */
+    private void faultless(Peer peer, Runnable action) {
+        try {
+            action.run();
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "a connection is given up after an error of our own", e);
+            host.broken(peer, "internal error");
+        }
+    }
+
     private void advance() {
         long now = nowNanos();
         if (exchange.nextDeadlineNanos().orElse(Long.MAX_VALUE) <= now) {
@@ -254,7 +302,9 @@ public final class CenterLoop implements AutoCloseable {
         }
         long now = nowNanos();
         OptionalLong deadline = exchange.nextDeadlineNanos();
-        long next = Math.min(deadline.orElse(Long.MAX_VALUE), Math.min(acceptAgainNanos(), view.dueNanos()));
+        long next = Math.min(
+                Math.min(deadline.orElse(Long.MAX_VALUE), turns.dueNanos()),
+                Math.min(acceptAgainNanos(), view.dueNanos()));
         return next == Long.MAX_VALUE ? 0 : Math.max(1, (next - now + NANOS_PER_MILLI - 1) / NANOS_PER_MILLI);
     }
 
@@ -266,7 +316,7 @@ public final class CenterLoop implements AutoCloseable {
     /** What a turn has brought to an application goes out together. */
     private void flush() {
         for (SmppConnection each = unsent.poll(); each != null; each = unsent.poll()) {
-            each.flush();
+            each.endTurn();
         }
     }
 
@@ -275,12 +325,7 @@ public final class CenterLoop implements AutoCloseable {
         if (key.attachment() instanceof Door door) {
             guarded("accepting", () -> door.accept(nowNanos()));
         } else if (key.attachment() instanceof Peer peer && peer.isOpen()) {
-            try {
-                serve(peer, key);
-            } catch (RuntimeException e) {
-                LOG.log(Level.ERROR, "a connection is given up after an error of our own", e);
-                host.broken(peer, "internal error");
-            }
+            faultless(peer, () -> serve(peer, key));
         }
         closeBroken();
     }

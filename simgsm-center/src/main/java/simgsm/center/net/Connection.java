@@ -3,11 +3,8 @@ package simgsm.center.net;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.SocketChannel;
-import java.util.Optional;
+import java.nio.channels.WritableByteChannel;
 import simgsm.air.IpaFrame;
-import simgsm.air.IpaFramer;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Link;
@@ -15,96 +12,92 @@ import simgsm.center.msc.LinkPort;
 import simgsm.station.OutgoingFrames;
 
 /** One terminal's TCP connection: octets in, frames to the loop; frames in, octets out. */
-final class Connection implements Peer, LinkPort {
-    /** What a connection asks of its loop. */
+final class Connection extends Peer implements LinkPort {
+    /** What the connection needs beside its loop's usual services. */
     interface Host extends Peer.Host {
         void frameArrived(Connection connection, IpaFrame frame);
 
         void lost(Connection connection, String reason);
+
+        long nowNanos();
+
+        /** The connection has frames to hand on, and waits for {@link Connection#turn}. */
+        void awaitsTurn(Connection connection, Intake.Rest rest);
     }
 
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
     /** Many terminals may fall behind at once. */
     private static final int MOST_SIGNALLING_FRAMES = 2_000;
 
-    private final SocketChannel channel;
-    private final SelectionKey key;
     private final Host host;
-    private final IpaFramer framer = new IpaFramer();
+    private final Intake intake;
     private final WireTap tap;
     private final OutgoingFrames outgoing;
+    private boolean isBehind;
 
     /** What this connection is to the exchange. */
     Link link;
 
-    private boolean isOpen = true;
-    private boolean hasPeerLeft;
-
-    Connection(SocketChannel channel, SelectionKey key, Host host, WireTap tap) {
-        this.channel = channel;
-        this.key = key;
+    Connection(Incoming incoming, Host host, WireTap tap) {
+        super(incoming, host);
         this.host = host;
         this.tap = tap;
+        this.intake = new Intake(address().isLoopbackAddress());
         this.outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES, tap::sent);
     }
 
     @Override
-    public boolean isOpen() {
-        return isOpen;
+    void received(ByteBuffer octets) {
+        intake.accept(octets);
+        turn();
     }
 
-    @Override
-    public void readable(ByteBuffer buffer) {
+    /** Hands on a portion of the frames that have come; until all are, nothing further is read. */
+    void turn() {
+        if (!isOpen()) {
+            return;
+        }
         try {
-            buffer.clear();
-            if (channel.read(buffer) < 0) {
-                hasPeerLeft = true;
-                host.broken(this, "closed by the peer");
-                return;
+            Intake.Rest rest = intake.hand(host.nowNanos(), this::arrived);
+            isBehind = rest != Intake.Rest.NONE;
+            if (isBehind) {
+                host.awaitsTurn(this, rest);
             }
-            buffer.flip();
-            framer.accept(buffer);
-            for (Optional<IpaFrame> frame = framer.next(); frame.isPresent() && isOpen; frame = framer.next()) {
-                tap.received(frame.get());
-                host.frameArrived(this, frame.get());
-            }
-        } catch (IOException e) {
-            host.broken(this, String.valueOf(e.getMessage()));
+            listen();
         } catch (ProtocolViolation violation) {
-            host.broken(this, violation.getMessage());
+            broken(violation.getMessage());
+        }
+    }
+
+    private void arrived(IpaFrame frame) {
+        if (isOpen()) {
+            tap.received(frame);
+            host.frameArrived(this, frame);
         }
     }
 
     @Override
-    public void writable() {
-        try {
-            outgoing.flush(channel);
-            listenForRoom();
-        } catch (IOException e) {
-            host.broken(this, String.valueOf(e.getMessage()));
-        }
+    boolean wantsToRead() {
+        return !isBehind;
+    }
+
+    @Override
+    boolean wantsToWrite() {
+        return !outgoing.isEmpty();
+    }
+
+    @Override
+    void flush(WritableByteChannel channel) throws IOException {
+        outgoing.flush(channel);
     }
 
     @Override
     public void send(IpaFrame frame) {
-        if (!isOpen) {
-            return;
-        }
-        try {
+        transmit(channel -> {
             if (!outgoing.send(frame, channel)) {
-                host.broken(this, outgoing.size() + " frames not taken");
+                broken(outgoing.size() + " frames not taken");
             }
-            listenForRoom();
-        } catch (IOException e) {
-            host.broken(this, String.valueOf(e.getMessage()));
-        }
-    }
-
-    private void listenForRoom() {
-        int wanted = outgoing.isEmpty() ? SelectionKey.OP_READ : SelectionKey.OP_READ | SelectionKey.OP_WRITE;
-        if (key.isValid() && key.interestOps() != wanted) {
-            key.interestOps(wanted);
-        }
+        });
     }
 
     @Override
@@ -113,26 +106,15 @@ final class Connection implements Peer, LinkPort {
     }
 
     @Override
-    public void lost(String reason) {
-        host.lost(this, reason);
-    }
-
-    @Override
-    public void shut() {
-        if (!isOpen) {
-            return;
-        }
-        isOpen = false;
+    void closing(boolean isByPeer) {
         if (outgoing.droppedSpeechFrames() > 0) {
             LOG.log(Level.INFO, "{0}: too slow for {1} speech frames", link, outgoing.droppedSpeechFrames());
         }
-        tap.closed(hasPeerLeft);
-        host.closed(this);
-        key.cancel();
-        try {
-            channel.close();
-        } catch (IOException e) {
-            // It is gone either way.
-        }
+        tap.closed(isByPeer);
+    }
+
+    @Override
+    void lost(String reason) {
+        host.lost(this, reason);
     }
 }

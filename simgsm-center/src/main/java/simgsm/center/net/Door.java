@@ -14,25 +14,29 @@ import java.nio.channels.SocketChannel;
 final class Door {
     private static final System.Logger LOG = System.getLogger(Door.class.getName());
     private static final int BACKLOG = 1_024;
+    /** So many at a time. */
+    private static final int ACCEPTED_A_TURN = 64;
+
+    private static final int LOGGED_EACH = 1_000;
     /** A pause before accepting again when the process may open no more files. */
     private static final long ACCEPT_PAUSE_NANOS = 500_000_000;
 
     /** Makes something of an accepted connection. */
     interface Welcome {
-        Peer peer(SocketChannel channel, SelectionKey key, InetSocketAddress address);
+        Peer peer(Peer.Incoming incoming);
     }
 
     private final ServerSocketChannel server;
     private final SelectionKey key;
-    private final int most;
+    private final Admissions admissions;
     private final Welcome welcome;
-    private int open;
+    private long turnedAway;
     private long acceptAgainNanos = Long.MAX_VALUE;
 
     private Door(ServerSocketChannel server, SelectionKey key, int most, Welcome welcome) {
         this.server = server;
         this.key = key;
-        this.most = most;
+        this.admissions = new Admissions(most);
         this.welcome = welcome;
     }
 
@@ -63,16 +67,13 @@ final class Door {
         return server.socket().getLocalPort();
     }
 
-    /** Lets in whoever waits. */
+    /** Lets in whoever waits; the rest of a crowd at the next turn, after those who are in already. */
     void accept(long nowNanos) {
         try {
-            for (SocketChannel channel = server.accept(); channel != null; channel = server.accept()) {
-                if (open >= most) {
-                    LOG.log(Level.WARNING, "{0}: turned away, {1} connections are open", channel, open);
-                    channel.close();
-                } else {
-                    let(channel);
-                }
+            SocketChannel channel = server.accept();
+            for (int count = 1; channel != null; count++) {
+                let(channel);
+                channel = count < ACCEPTED_A_TURN ? server.accept() : null;
             }
         } catch (IOException e) {
             LOG.log(Level.WARNING, "cannot accept: {0}; trying again soon", e.getMessage());
@@ -87,17 +88,32 @@ final class Door {
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
             InetSocketAddress address = (InetSocketAddress) channel.getRemoteAddress();
             SelectionKey peerKey = channel.register(key.selector(), SelectionKey.OP_READ);
-            open++;
-            peerKey.attach(welcome.peer(channel, peerKey, address));
+            if (admissions.admit(address.getAddress())) {
+                peerKey.attach(welcome.peer(new Peer.Incoming(channel, peerKey, address)));
+            } else {
+                turnAway(channel, address);
+            }
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "a peer left before it was welcomed: {0}", e.getMessage());
             channel.close();
         }
     }
 
+    /** A flood must not fill the log either. */
+    private void turnAway(SocketChannel channel, InetSocketAddress address) throws IOException {
+        turnedAway++;
+        LOG.log(
+                turnedAway % LOGGED_EACH == 1 ? Level.WARNING : Level.DEBUG,
+                "{0}: turned away, {1} connections are open; the {2}. so far",
+                address,
+                admissions.open(),
+                turnedAway);
+        channel.close();
+    }
+
     /** One of those who came in has gone. */
-    void left() {
-        open--;
+    void left(Peer peer) {
+        admissions.left(peer.address());
     }
 
     /** When to call {@link #acceptAgain}. */

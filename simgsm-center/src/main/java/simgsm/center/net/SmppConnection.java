@@ -2,8 +2,7 @@ package simgsm.center.net;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.SocketChannel;
+import java.nio.channels.WritableByteChannel;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
 
@@ -11,7 +10,7 @@ import simgsm.center.smpp.SmppPort;
  * An application's TCP connection. What is sent within one turn of the loop goes out in one write; a peer that does not
  * take it is not read from either, until it does.
  */
-final class SmppConnection implements Peer, SmppPort {
+final class SmppConnection extends Peer implements SmppPort {
     /** With more than this unsent, nothing further is read. */
     static final int ENOUGH_UNSENT = 256 * 1024;
     /** With more than this unsent, the peer is not worth keeping. */
@@ -26,50 +25,31 @@ final class SmppConnection implements Peer, SmppPort {
 
         void lost(SmppConnection connection, String reason);
 
-        /** There is something to flush at the end of this turn. */
+        /** There is something to write at the end of this turn. */
         void hasUnsent(SmppConnection connection);
     }
 
-    private final SocketChannel channel;
-    private final SelectionKey key;
     private final Server server;
     private ByteBuffer unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
-    private boolean isOpen = true;
     private boolean isAnnounced;
     private boolean isEnding;
 
     /** What this connection is to the exchange. */
     EsmeSession session;
 
-    SmppConnection(SocketChannel channel, SelectionKey key, Server server) {
-        this.channel = channel;
-        this.key = key;
+    SmppConnection(Incoming incoming, Server server) {
+        super(incoming, server);
         this.server = server;
     }
 
     @Override
-    public boolean isOpen() {
-        return isOpen;
-    }
-
-    @Override
-    public void readable(ByteBuffer buffer) {
-        try {
-            buffer.clear();
-            if (channel.read(buffer) < 0) {
-                server.broken(this, "closed by the peer");
-                return;
-            }
-            buffer.flip();
-            server.received(this, buffer);
-        } catch (IOException e) {
-            server.broken(this, String.valueOf(e.getMessage()));
-        }
+    void received(ByteBuffer octets) {
+        server.received(this, octets);
     }
 
     @Override
     public void send(byte[] pdu) {
-        if (!isOpen) {
+        if (!isOpen()) {
             return;
         }
         if (unsent.remaining() < pdu.length) {
@@ -77,7 +57,7 @@ final class SmppConnection implements Peer, SmppPort {
         }
         unsent.put(pdu);
         if (unsent.position() > TOO_MUCH_UNSENT) {
-            server.broken(this, unsent.position() + " octets not taken");
+            broken(unsent.position() + " octets not taken");
         }
         announce();
     }
@@ -96,40 +76,32 @@ final class SmppConnection implements Peer, SmppPort {
     }
 
     /** Writes what the turn has brought. */
-    void flush() {
+    void endTurn() {
         isAnnounced = false;
-        if (isOpen) {
-            writable();
+        writable();
+    }
+
+    @Override
+    void flush(WritableByteChannel channel) throws IOException {
+        unsent.flip();
+        channel.write(unsent);
+        unsent.compact();
+        if (unsent.position() == 0 && unsent.capacity() > KEPT_CAPACITY) {
+            unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
+        }
+        if (unsent.position() == 0 && isEnding) {
+            broken("ended");
         }
     }
 
     @Override
-    public void writable() {
-        try {
-            unsent.flip();
-            channel.write(unsent);
-            unsent.compact();
-            if (unsent.position() == 0 && unsent.capacity() > KEPT_CAPACITY) {
-                unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
-            }
-            listen();
-        } catch (IOException e) {
-            server.broken(this, String.valueOf(e.getMessage()));
-        }
+    boolean wantsToRead() {
+        return unsent.position() < ENOUGH_UNSENT && !isEnding;
     }
 
-    private void listen() {
-        if (unsent.position() == 0 && isEnding) {
-            server.broken(this, "ended");
-            return;
-        }
-        int wanted = unsent.position() > 0 ? SelectionKey.OP_WRITE : 0;
-        if (unsent.position() < ENOUGH_UNSENT && !isEnding) {
-            wanted |= SelectionKey.OP_READ;
-        }
-        if (key.isValid() && key.interestOps() != wanted) {
-            key.interestOps(wanted);
-        }
+    @Override
+    boolean wantsToWrite() {
+        return unsent.position() > 0;
     }
 
     @Override
@@ -140,26 +112,11 @@ final class SmppConnection implements Peer, SmppPort {
 
     @Override
     public void close(String reason) {
-        server.broken(this, reason);
+        broken(reason);
     }
 
     @Override
-    public void shut() {
-        if (!isOpen) {
-            return;
-        }
-        isOpen = false;
-        server.closed(this);
-        key.cancel();
-        try {
-            channel.close();
-        } catch (IOException e) {
-            // It is gone either way.
-        }
-    }
-
-    @Override
-    public void lost(String reason) {
+    void lost(String reason) {
         server.lost(this, reason);
     }
 }

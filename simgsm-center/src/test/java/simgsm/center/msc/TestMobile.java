@@ -46,10 +46,14 @@ final class TestMobile implements LinkPort {
     private int nextSequence;
 
     TestMobile(TestNetwork network, String number, Imei imei) {
+        this(network, number, imei, true);
+    }
+
+    TestMobile(TestNetwork network, String number, Imei imei, boolean isLocal) {
         this.network = network;
         this.imsi = Imsi.ofOpenNumber(new Msisdn(number));
         this.imei = imei;
-        this.link = network.exchange.linkOpened(network.nowNanos, this, "peer of " + number);
+        this.link = network.exchange.linkOpened(network.nowNanos, this, "peer of " + number, isLocal);
     }
 
     @Override

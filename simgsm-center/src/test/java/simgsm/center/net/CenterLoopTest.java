@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
@@ -232,6 +234,59 @@ class CenterLoopTest {
         }
         assertServes();
         assertFalse(failure.isDone());
+    }
+
+    /** It is read no faster than it may send, in portions; and everybody else has his turn in between. */
+    @Test
+    void aFloodDelaysNobodyElseAndIsAnsweredInFull() throws Exception {
+        try (TestClient flooder = new TestClient(loop.port());
+                TestClient good = new TestClient(loop.port())) {
+            int flood = 3 * Intake.LOCAL_BURST_FRAMES / 2;
+            byte[] ping = TestClient.frame(new CcmMessage.Ping());
+            byte[] all = new byte[flood * ping.length];
+            for (int i = 0; i < flood; i++) {
+                System.arraycopy(ping, 0, all, i * ping.length, ping.length);
+            }
+            Thread writer = new Thread(() -> {
+                try {
+                    flooder.write(all);
+                } catch (IOException e) {
+                    failure.complete(e);
+                }
+            });
+            writer.start();
+            readPongs(flooder, 1_000);
+            good.register("5550100");
+            assertEquals(ATTACHED, nextEvent());
+            readPongs(flooder, flood - 1_000);
+            writer.join();
+            assertFalse(failure.isDone());
+        }
+    }
+
+    private static void readPongs(TestClient client, int count) throws IOException {
+        for (int left = count; left > 0; ) {
+            IpaFrame frame = client.read();
+            if (frame.stream() == IpaFrame.CCM && frame.payload()[0] == 1) {
+                left--;
+            }
+        }
+    }
+
+    @Test
+    void silentPeersDelayNobody() throws Exception {
+        List<TestClient> silent = new ArrayList<>();
+        try {
+            for (int i = 0; i < 200; i++) {
+                silent.add(new TestClient(loop.port()));
+                silent.get(i).write(new byte[] {0, 17});
+            }
+            assertServes();
+        } finally {
+            for (TestClient each : silent) {
+                each.close();
+            }
+        }
     }
 
     private static void await(CountDownLatch latch) {
