@@ -65,6 +65,8 @@ final class MessageReceiver {
         if (answer != null && answer.to().equals(data)) {
             return;
         }
+        // Whoever begins anew without CP-ACK has not heard our answer to the last one.
+        radioLost();
         if (data.relay() instanceof RpData relayed) {
             answer(data, take(relayed), relayed.tpdu());
         } else {
@@ -73,9 +75,12 @@ final class MessageReceiver {
         }
     }
 
-    /** The network has our answer, or wants none. */
-    void ended(TransactionIdentifier received) {
+    /** The network has our answer; or it wants none, because it has given the transaction up, and may bring the message again. */
+    void ended(TransactionIdentifier received, boolean isAcknowledged) {
         if (answer != null && answer.to().transaction().equals(received)) {
+            if (!isAcknowledged) {
+                duplicates.unconfirmed(answer.tpdu());
+            }
             forgetAnswer();
         }
     }

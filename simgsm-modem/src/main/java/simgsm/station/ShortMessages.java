@@ -83,7 +83,7 @@ final class ShortMessages {
         } else if (message instanceof CpData data) {
             receiver.arrived(data);
         } else {
-            receiver.ended(message.transaction());
+            receiver.ended(message.transaction(), message instanceof CpAck);
         }
     }
 

@@ -94,6 +94,32 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
+    void aMessageWhoseAcknowledgementTheNetworkRefusesMayComeAgain() {
+        openForDelivery();
+        OctetString tpdu = deliver(UserData.of("hola"));
+        down(1, tpdu);
+        scene.expect(CpAck.class);
+        scene.expect(CpData.class);
+        scene.down(new CpError(THEIRS, 81));
+        delivered(2, tpdu);
+        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+    }
+
+    @Test
+    void aMessageThatComesAgainInANewTransactionBeforeItsAcknowledgementArrivedIsToldOnce() {
+        openForDelivery();
+        OctetString tpdu = deliver(UserData.of("hola"));
+        down(1, tpdu);
+        scene.expect(CpAck.class);
+        scene.expect(CpData.class);
+        TransactionIdentifier next = new TransactionIdentifier(3, false);
+        scene.down(new CpData(next, new RpData(2, StationIdentity.TEST_SERVICE_CENTER, tpdu)));
+        scene.expect(new CpAck(next.answered()));
+        scene.expect(new CpData(next.answered(), new RpAck(2, Optional.empty())));
+        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+    }
+
+    @Test
     void partsAreJoinedInWhateverOrderTheyCome() {
         openForDelivery();
         String text = "abc".repeat(150);

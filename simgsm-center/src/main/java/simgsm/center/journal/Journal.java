@@ -3,7 +3,9 @@ package simgsm.center.journal;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.StoreEntry;
 
@@ -29,7 +31,9 @@ public final class Journal {
     private final Disk disk;
     private final long minCompactedOctets;
     private final Ledger ledger;
-    private final List<StoreEntry> owed = new ArrayList<>();
+    /** In order; what is asked for again is owed once. */
+    private final Set<StoreEntry> owed = new LinkedHashSet<>();
+
     private Segment segment;
     /** The segment may hold more than is certain. */
     private boolean isSuspect;

@@ -52,6 +52,9 @@ final class Recovery {
                 replaySegment(number);
             }
         }
+        if (lastNumber != NONE) {
+            disk.sync();
+        }
         removeSuperseded(names, snapshot);
     }
 
@@ -78,6 +81,8 @@ final class Recovery {
             if (reader.goodEnd() < file.size()) {
                 cut(name, file, reader.goodEnd());
             }
+            // An earlier process may have died before it did so, and the machine may die after us.
+            file.sync();
         }
     }
 

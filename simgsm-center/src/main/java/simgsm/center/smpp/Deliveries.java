@@ -26,6 +26,6 @@ final class Deliveries {
                 0,
                 content.dataCoding(),
                 content.octets(),
-                List.of());
+                List.of(Tlv.ofTwoOctets(Tlv.USER_MESSAGE_REFERENCE, (int) (message.id() & 0xffff))));
     }
 }

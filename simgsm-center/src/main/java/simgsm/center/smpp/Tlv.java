@@ -6,6 +6,9 @@ import simgsm.air.OctetString;
 /** One optional parameter (5.3). */
 public record Tlv(int tag, OctetString value) {
     static final int RECEIPTED_MESSAGE_ID = 0x001e;
+    /** Of the message, in two octets: what is delivered once more bears the same. */
+    static final int USER_MESSAGE_REFERENCE = 0x0204;
+
     static final int SAR_REFERENCE = 0x020c;
     static final int SAR_TOTAL = 0x020e;
     static final int SAR_PART = 0x020f;
@@ -15,6 +18,10 @@ public record Tlv(int tag, OctetString value) {
 
     static Tlv ofOctet(int tag, int value) {
         return new Tlv(tag, OctetString.of(new byte[] {(byte) value}));
+    }
+
+    static Tlv ofTwoOctets(int tag, int value) {
+        return new Tlv(tag, OctetString.of(new byte[] {(byte) (value >> 8), (byte) value}));
     }
 
     static Tlv ofText(int tag, String text) {

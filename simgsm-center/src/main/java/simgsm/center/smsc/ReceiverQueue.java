@@ -135,6 +135,10 @@ final class ReceiverQueue {
         gone.isGone = true;
         timers.cancel(gone.expiry);
         waiting.remove(gone.place);
+        if (waiting.isEmpty()) {
+            timers.cancel(retry);
+            retry = null;
+        }
         ends.ended(gone.envelope, state);
     }
 

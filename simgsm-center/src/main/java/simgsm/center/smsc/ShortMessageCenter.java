@@ -31,6 +31,9 @@ public final class ShortMessageCenter {
     /** So many submissions may wait for the store; a disk that is slower is congested. */
     static final int MAX_UNCOMMITTED = 50_000;
 
+    /** When to ask a store again that has failed. */
+    private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
+
     private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
 
     /** How long a message without a validity period is kept, and every report. */
@@ -164,7 +167,7 @@ public final class ShortMessageCenter {
         Submission submission = submissions.remove(ticket);
         Envelope.Report report = reports.remove(ticket);
         if (report != null) {
-            report(report);
+            endStored(report, isDurable);
         } else if (submission != null) {
             answer(submission, isDurable);
         }
@@ -262,12 +265,27 @@ public final class ShortMessageCenter {
 
     private void deliveryEnded(ShortMessage message, MessageState state) {
         boolean reportFollows = TransferUnits.wantsReport(message, state);
-        long ticket = nextTicket++;
         if (reportFollows) {
-            reports.put(ticket, reportOf(message, state, now()));
+            storeEnd(reportOf(message, state, now()));
+        } else {
+            store.commit(MessageStore.NO_TICKET, new StoreEntry.Ended(message.id(), state, now(), false));
         }
-        store.commit(ticket, new StoreEntry.Ended(message.id(), state, now(), reportFollows));
         listener.changed(message, state);
+    }
+
+    private void storeEnd(Envelope.Report report) {
+        long ticket = nextTicket++;
+        reports.put(ticket, report);
+        store.commit(ticket, new StoreEntry.Ended(report.message().id(), report.state(), report.at(), true));
+    }
+
+    /** After a crash the message of an end that was not stored waits again, and may end in another way. */
+    private void endStored(Envelope.Report report, boolean isDurable) {
+        if (isDurable) {
+            report(report);
+        } else {
+            timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
+        }
     }
 
     private static Envelope.Report reportOf(ShortMessage message, MessageState state, Instant at) {

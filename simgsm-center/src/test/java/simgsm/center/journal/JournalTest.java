@@ -3,6 +3,7 @@ package simgsm.center.journal;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -90,6 +91,20 @@ class JournalTest {
         assertEquals(message(2), restored.waiting().get(0));
         assertEquals(4, restored.lastId());
         assertEquals(4, restored.recent().size(), "the ended one may be sent again by mistake, too");
+    }
+
+    @Test
+    void whatAnEarlierProcessLeftInTheCacheIsMadeDurableBeforeItCounts() throws IOException {
+        for (int seed = 0; seed < 20; seed++) {
+            SimulatedDisk other = new SimulatedDisk(new Random(seed));
+            Journal killed = Journal.open(other);
+            other.dieAfter(3);
+            assertThrows(SimulatedDisk.MachineDied.class, () -> killed.commit(List.of(accepted(1))));
+            other.restart();
+            assertEquals(List.of(1L), ids(Journal.open(other).restored()), "read from the cache");
+            other.crash();
+            assertEquals(List.of(1L), ids(Journal.open(other).restored()), "seed " + seed);
+        }
     }
 
     @Test

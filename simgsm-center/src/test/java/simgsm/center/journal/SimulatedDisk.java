@@ -69,6 +69,12 @@ public final class SimulatedDisk implements Disk {
         operationsToLive = Integer.MAX_VALUE;
     }
 
+    /** The process has died and another one lives; the machine, and with it the cache, goes on. */
+    public void restart() {
+        isDead = false;
+        operationsToLive = Integer.MAX_VALUE;
+    }
+
     private void tear(Contents contents) {
         byte[] now = contents.octets;
         byte[] left = contents.durable;

@@ -3,10 +3,11 @@ package simgsm.center.journal;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
@@ -25,23 +26,61 @@ import simgsm.station.Uplink;
 final class SimulatedPhone implements StationListener {
     final Msisdn number;
     final MobileStation station;
-    final Deque<IpaFrame> up = new ArrayDeque<>();
-    final Deque<IpaFrame> down = new ArrayDeque<>();
-    /** How often each text was shown, whichever phone showed it. */
-    private final Map<String, Integer> shown;
-    /** What the network has acknowledged. */
-    private final Set<String> acknowledged;
+    private final Account account;
+    /** Under each message reference, oldest first, what is not yet acknowledged. */
+    private final Map<Integer, Deque<Account.Key>> sending = new HashMap<>();
 
-    private final Map<Integer, String> sending = new HashMap<>();
+    private final Set<String> broadcasts = new HashSet<>();
     /** Null while there is no connection. */
-    Link link;
+    Wire wire;
 
-    boolean isDropped;
+    /** One connection, which may outlive its use on either side. */
+    static final class Wire implements Uplink {
+        final Deque<IpaFrame> up = new ArrayDeque<>();
+        final Deque<IpaFrame> down = new ArrayDeque<>();
+        /** What sees the frames that go down. */
+        private final Consumer<IpaFrame> watch;
 
-    SimulatedPhone(String digits, SplittableRandom random, Map<String, Integer> shown, Set<String> acknowledged) {
+        Link link;
+        boolean isDropped;
+
+        Wire(Consumer<IpaFrame> watch) {
+            this.watch = watch;
+        }
+
+        boolean isIdle() {
+            return up.isEmpty() && down.isEmpty();
+        }
+
+        @Override
+        public void send(IpaFrame frame) {
+            up.add(frame);
+        }
+
+        @Override
+        public void drop() {
+            isDropped = true;
+        }
+
+        LinkPort downlink() {
+            return new LinkPort() {
+                @Override
+                public void send(IpaFrame frame) {
+                    watch.accept(frame);
+                    down.add(frame);
+                }
+
+                @Override
+                public void close(String reason) {
+                    isDropped = true;
+                }
+            };
+        }
+    }
+
+    SimulatedPhone(String digits, SplittableRandom random, Account account) {
         this.number = new Msisdn(digits);
-        this.shown = shown;
-        this.acknowledged = acknowledged;
+        this.account = account;
         station = new MobileStation(
                 StationIdentity.ofOpenNumber(number, Imei.random(random), "simulated"),
                 Sim.WITHOUT_KEY,
@@ -52,63 +91,41 @@ final class SimulatedPhone implements StationListener {
     }
 
     void write(Msisdn to, String text) {
-        // Within one turn of the references no message stays under way.
-        sending.put(station.sendMessage(to, text), text);
+        if (station.snapshot().powered()) {
+            Account.Key key = new Account.Key(number.digits(), to.digits(), text);
+            account.written(key);
+            sending.computeIfAbsent(station.sendMessage(to, text), id -> new ArrayDeque<>())
+                    .add(key);
+        }
     }
 
     boolean isConnected() {
-        return link != null;
+        return wire != null;
     }
 
     /** The connection is gone on this side. */
     void disconnected(long nowNanos) {
-        link = null;
-        isDropped = false;
-        up.clear();
-        down.clear();
+        wire = null;
         station.linkDown(nowNanos);
-    }
-
-    Uplink uplink() {
-        return new Uplink() {
-            @Override
-            public void send(IpaFrame frame) {
-                up.add(frame);
-            }
-
-            @Override
-            public void drop() {
-                isDropped = true;
-            }
-        };
-    }
-
-    LinkPort downlink() {
-        return new LinkPort() {
-            @Override
-            public void send(IpaFrame frame) {
-                down.add(frame);
-            }
-
-            @Override
-            public void close(String reason) {
-                isDropped = true;
-            }
-        };
     }
 
     @Override
     public void messageReceived(String from, String text) {
-        shown.merge(text, 1, Integer::sum);
+        account.shown(new Account.Key(from, number.digits(), text));
     }
 
     @Override
     public void messageSent(int id, Msisdn to, int parts) {
-        Optional.ofNullable(sending.get(id)).ifPresent(acknowledged::add);
+        account.acknowledged(sending.get(id).remove());
     }
 
     @Override
     public void messageFailed(int id, Msisdn to, RpCause cause) {
-        sending.remove(id);
+        sending.get(id).remove();
+    }
+
+    @Override
+    public void broadcastReceived(int channel, int pages, String text) {
+        Invariant.holds(broadcasts.add(text), () -> "broadcast \"" + text + "\" is shown twice");
     }
 }

@@ -1,254 +1,217 @@
 package simgsm.center.journal;
 
 import java.io.IOException;
-import java.time.Instant;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
-import java.util.HashMap;
-import java.util.HashSet;
+import java.util.HexFormat;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.SplittableRandom;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
-import simgsm.center.msc.Exchange;
-import simgsm.center.msc.ExchangeSettings;
-import simgsm.center.smsc.ShortMessage;
-import simgsm.center.smsc.StoreEntry;
 
 /**
- * Exchange core, journal, disk and phones under one clock and one seed: phones call, text, vanish and come back, the disk
- * fails, the centre dies at any step and starts again from its journal. Whatever happens: no acknowledged message is
- * lost, none is shown twice, none whose delivery is on the disk comes back, no call is stuck, no timer forgotten.
+ * Exchange core, journal, disk, phones and an application under one clock and one seed: phones call, text, fill up, vanish
+ * and come back, the application submits, refuses and leaves, the disk fails, the centre dies at any step and starts again
+ * from its journal. Whatever happens: no acknowledged message is lost; none is shown twice; none whose delivery is on the
+ * disk is sent again; one that is sent again is the same, octet for octet; a receipt says the same each time; a broadcast is
+ * shown once; no number is held twice; no call is stuck; no timer is forgotten.
  */
 final class Simulation {
-    private static final Instant START = Instant.parse("2026-11-21T12:00:00Z");
+    /** Texts that begin so are written once. */
+    static final String UNIQUE = "text ";
+
     private static final long MILLI = 1_000_000;
-    private static final int STEPS = 1_500;
+    private static final int STEPS = 1_200;
     private static final int PHONES = 4;
+    /** Longer than the pause after which a store that failed is asked again. */
+    private static final int LEAST_ROUNDS_TO_REST = 40;
 
-    private record Order(long ticket, StoreEntry entry) {}
-
-    private record Answer(List<Long> tickets, boolean isDurable) {}
+    /** Longer than any of the network's short timers, in total. */
+    private static final int MOST_ROUNDS_TO_REST = 600;
 
     private final SplittableRandom random;
-    private final SimulatedDisk disk;
+    private final Act.Choice acts;
+    private final Account account = new Account();
+    private final SimulatedCenter center;
     private final List<SimulatedPhone> phones = new ArrayList<>();
-    private final Map<String, Integer> shown = new HashMap<>();
-    private final Set<String> acknowledged = new HashSet<>();
-    /** Ids on the disk as accepted; ids on the disk as ended; ids that were ended, on the disk or not. */
-    private final Set<Long> durable = new HashSet<>();
+    private final SimulatedApplication application;
+    /** Connections that are gone on the phone's side and not yet on the centre's. */
+    private final List<SimulatedPhone.Wire> unnoticed = new ArrayList<>();
 
-    private final Set<Long> durablyEnded = new HashSet<>();
-    private final Set<Long> ended = new HashSet<>();
-
-    private final Deque<Order> orders = new ArrayDeque<>();
-    private final Deque<Answer> answers = new ArrayDeque<>();
     private long nowNanos = 1_000_000_000_000L;
-    private long bornNanos;
-    private Exchange exchange;
-    private Journal journal;
     private int texts;
-    int deaths;
+    private int broadcasts;
+    private int callsSetUp;
+    private long trace = 1;
 
     Simulation(long seed) {
         random = new SplittableRandom(seed);
-        disk = new SimulatedDisk(random.split());
+        acts = Act.choice(random);
+        center = new SimulatedCenter(random.split(), account, nowNanos);
         for (int i = 0; i < PHONES; i++) {
-            phones.add(new SimulatedPhone("555010" + i, random.split(), shown, acknowledged));
+            phones.add(new SimulatedPhone("555010" + i, random.split(), account));
         }
+        application = new SimulatedApplication(random.split(), account);
     }
 
-    /** How many messages were acknowledged to their senders. */
     int acknowledgedCount() {
-        return acknowledged.size();
+        return account.acknowledgedCount();
+    }
+
+    int deaths() {
+        return center.deaths;
+    }
+
+    int callsSetUp() {
+        return callsSetUp;
+    }
+
+    /** Another for every course that things may take; the same seed takes the same. */
+    long trace() {
+        return trace;
     }
 
     void run() throws IOException {
-        live();
+        center.live();
         for (int step = 0; step < STEPS; step++) {
             try {
-                step();
+                step(acts.next(random));
             } catch (SimulatedDisk.MachineDied death) {
-                die();
+                die(true);
             }
-            check(shown.values().stream().allMatch(times -> times == 1), "shown twice: " + shown);
         }
         comeToRest();
     }
 
-    private static void check(boolean holds, String otherwise) {
-        if (!holds) {
-            throw new AssertionError(otherwise);
+    private void step(Act act) throws IOException {
+        trace = trace * 31 + act.ordinal() + account.shownCount() * 7L;
+        SimulatedPhone phone = phones.get(random.nextInt(PHONES));
+        Invariant.tell(() -> nowNanos / MILLI + " ms: " + act + " " + phone.number);
+        switch (act) {
+            case CARRY -> carry(phone, random.nextBoolean(), 1 + random.nextInt(8));
+            case SERVE_ALL -> serveAll(2);
+            case COMMIT -> center.commit();
+            case ANSWER -> center.answer();
+            case PASS_MILLIS -> pass(random.nextLong(700));
+            case PASS_A_MINUTE -> pass(random.nextLong(60_000));
+            case PASS_MANY_MINUTES -> pass(random.nextLong(40 * 60_000));
+            case CONNECT -> connect(phone);
+            case WRITE -> write(phone);
+            case DIAL -> phone.station.dial(phones.get(random.nextInt(PHONES)).number);
+            case PICK_UP -> callsSetUp += phone.station.answer() ? 1 : 0;
+            case HANG_UP -> phone.station.hangUp();
+            case SWITCH_ON -> phone.station.powerOn();
+            case SWITCH_OFF -> phone.station.powerOff();
+            case VANISH -> vanish(phone);
+            case VANISH_UNNOTICED -> vanishUnnoticed(phone);
+            case NOTICE -> noticeOne();
+            case MEMORY_FULL -> phone.station.memoryFull();
+            case MEMORY_FREE -> phone.station.memoryAvailable();
+            case BROADCAST -> center.exchange().broadcast(center.ownNanos(), random.nextInt(3), "news " + broadcasts++);
+            case APPLICATION_BINDS -> application.bind(center.exchange(), center.ownNanos());
+            case APPLICATION_SUBMITS -> application.submit(phone.number.digits(), UNIQUE + texts++);
+            case APPLICATION_ANSWERS -> application.answer(false);
+            case APPLICATION_LEAVES -> application.leave(center.exchange(), center.ownNanos());
+            case DISK_FAILS -> center.disk.failureRate = random.nextBoolean() ? 0.3 : 1;
+            case DISK_RECOVERS -> center.disk.failureRate = 0;
+            case POWER_CUT -> center.disk.dieAfter(random.nextInt(12));
+            case KILL -> die(false);
+        }
+        dropBroken();
+    }
+
+    /** Some texts are long, and some alike. An application would see the parts of a long one. */
+    private void write(SimulatedPhone phone) {
+        int index = random.nextInt(PHONES + 1);
+        boolean isToApplication = index == PHONES;
+        Msisdn to = isToApplication ? new Msisdn(SimulatedApplication.NUMBER) : phones.get(index).number;
+        switch (random.nextInt(16)) {
+            case 0 -> phone.write(to, "long " + texts++ + "x".repeat(isToApplication ? 0 : 300));
+            case 1, 2 -> phone.write(to, "ping");
+            default -> phone.write(to, UNIQUE + texts++);
         }
     }
 
-    // The centre's lives.
-
-    private void live() throws IOException {
-        while (true) {
-            try {
-                journal = Journal.open(disk, 2_000, 50);
-                break;
-            } catch (SimulatedDisk.MachineDied death) {
-                disk.crash();
-            }
-        }
-        checkRestored();
-        bornNanos = nowNanos;
-        exchange = new Exchange(
-                new ExchangeSettings("SimGSM", random.nextLong(), START.plusNanos(nowNanos)), this::order, event -> {});
-        exchange.restore(journal.restored());
-    }
-
-    private void order(long ticket, StoreEntry entry) {
-        if (entry instanceof StoreEntry.Ended end) {
-            ended.add(end.id());
-        }
-        orders.add(new Order(ticket, entry));
-    }
-
-    private void checkRestored() {
-        Set<Long> waiting = new HashSet<>();
-        journal.restored().waiting().stream().map(ShortMessage::id).forEach(waiting::add);
-        for (long id : durable) {
-            check(waiting.contains(id) || ended.contains(id), "message " + id + " is lost");
-        }
-        for (long id : durablyEnded) {
-            check(!waiting.contains(id), "message " + id + " has ended and comes back");
-        }
-    }
-
-    private void die() throws IOException {
-        deaths++;
-        orders.clear();
-        answers.clear();
+    private void die(boolean isPowerCut) throws IOException {
         for (SimulatedPhone phone : phones) {
             if (phone.isConnected()) {
                 phone.disconnected(nowNanos);
             }
         }
-        disk.crash();
-        live();
-    }
-
-    // What may happen next.
-
-    private void step() throws IOException {
-        SimulatedPhone phone = phones.get(random.nextInt(PHONES));
-        switch (random.nextInt(40)) {
-            case 0 -> pass(random.nextLong(60_000));
-            case 1, 2, 3 -> pass(random.nextLong(500));
-            case 4, 5, 6, 7 -> commit();
-            case 8, 9, 10, 11 -> answer();
-            case 12, 13, 14 -> phone.write(other(), "text " + texts++ + "x".repeat(random.nextInt(20) == 0 ? 300 : 0));
-            case 15 -> phone.station.dial(other());
-            case 16 -> phone.station.answer();
-            case 17 -> phone.station.hangUp();
-            case 18 -> power(phone);
-            case 19 -> vanish(phone);
-            case 20 -> mishap();
-            case 21, 22 -> connect(phone);
-            default -> carry(phone);
-        }
-        dropBroken();
-    }
-
-    private Msisdn other() {
-        return phones.get(random.nextInt(PHONES)).number;
-    }
-
-    private void power(SimulatedPhone phone) {
-        if (phone.station.snapshot().powered()) {
-            phone.station.powerOff();
-        } else {
-            phone.station.powerOn();
-        }
-    }
-
-    private void mishap() throws IOException {
-        switch (random.nextInt(4)) {
-            case 0 -> disk.failureRate = random.nextBoolean() ? 0.3 : 1;
-            case 1 -> disk.dieAfter(random.nextInt(12));
-            case 2 -> {
-                if (random.nextInt(3) == 0) {
-                    die();
-                }
-            }
-            default -> disk.failureRate = 0;
-        }
+        unnoticed.clear();
+        application.disconnected();
+        center.die(isPowerCut);
     }
 
     private void pass(long millis) {
         nowNanos += millis * MILLI;
-        exchange.advance(nowNanos - bornNanos);
+        center.pass(nowNanos);
         phones.forEach(phone -> phone.station.timePassed(nowNanos));
     }
 
-    private void commit() {
-        List<Order> group = new ArrayList<>();
-        int count = 1 + random.nextInt(5);
-        while (!orders.isEmpty() && group.size() < count) {
-            group.add(orders.remove());
-        }
-        boolean isDurable = journal.commit(group.stream().map(Order::entry).toList());
-        for (Order order : group) {
-            note(order.entry(), isDurable);
-        }
-        answers.add(new Answer(group.stream().map(Order::ticket).toList(), isDurable));
-        journal.compact();
-    }
-
-    private void note(StoreEntry entry, boolean isDurable) {
-        if (isDurable && entry instanceof StoreEntry.Accepted accepted) {
-            durable.add(accepted.message().id());
-        } else if (isDurable && entry instanceof StoreEntry.Ended end) {
-            durablyEnded.add(end.id());
-        }
-    }
-
-    private void answer() {
-        Answer answer = answers.poll();
-        if (answer != null) {
-            answer.tickets().forEach(ticket -> exchange.committed(nowNanos - bornNanos, ticket, answer.isDurable()));
-        }
-    }
+    // Connections.
 
     private void connect(SimulatedPhone phone) {
         if (!phone.isConnected()) {
-            phone.link = exchange.linkOpened(nowNanos - bornNanos, phone.downlink(), phone.number.digits());
-            phone.station.linkUp(phone.uplink(), nowNanos);
+            SimulatedPhone.Wire wire = new SimulatedPhone.Wire(center::watch);
+            phone.wire = wire;
+            wire.link = center.exchange().linkOpened(center.ownNanos(), wire.downlink(), phone.number.digits());
+            phone.station.linkUp(wire, nowNanos);
         }
     }
 
-    /** Sometimes the centre notices later than the phone, when the phone is back on a new connection. */
     private void vanish(SimulatedPhone phone) {
         if (phone.isConnected()) {
-            exchange.linkClosed(nowNanos - bornNanos, phone.link, "vanished");
+            SimulatedPhone.Wire gone = phone.wire;
             phone.disconnected(nowNanos);
+            closed(gone);
+        }
+    }
+
+    private void closed(SimulatedPhone.Wire wire) {
+        center.exchange().linkClosed(center.ownNanos(), wire.link, "vanished");
+    }
+
+    /** What was on its way up may still arrive; what goes down is lost. */
+    private void vanishUnnoticed(SimulatedPhone phone) {
+        if (phone.isConnected()) {
+            unnoticed.add(phone.wire);
+            phone.disconnected(nowNanos);
+        }
+    }
+
+    private void noticeOne() {
+        if (!unnoticed.isEmpty()) {
+            SimulatedPhone.Wire wire = unnoticed.remove(random.nextInt(unnoticed.size()));
+            for (int i = random.nextInt(wire.up.size() + 1); i > 0 && !wire.isDropped; i--) {
+                center.exchange().frameReceived(center.ownNanos(), wire.link, wire.up.remove());
+            }
+            closed(wire);
         }
     }
 
     private void dropBroken() {
         for (SimulatedPhone phone : phones) {
-            if (phone.isDropped) {
+            if (phone.isConnected() && phone.wire.isDropped) {
                 vanish(phone);
             }
+        }
+        if (application.isDropped()) {
+            application.leave(center.exchange(), center.ownNanos());
         }
     }
 
     /** Some frames of one phone arrive, in one direction. */
-    private void carry(SimulatedPhone phone) {
-        boolean isUp = random.nextBoolean();
-        for (int i = random.nextInt(6); i >= 0 && phone.isConnected(); i--) {
-            IpaFrame frame = (isUp ? phone.up : phone.down).poll();
+    private void carry(SimulatedPhone phone, boolean isUp, int most) {
+        for (int i = 0; i < most && phone.isConnected(); i++) {
+            SimulatedPhone.Wire wire = phone.wire;
+            IpaFrame frame = (isUp ? wire.up : wire.down).poll();
             if (frame == null) {
                 return;
             }
+            Invariant.tell(() ->
+                    phone.number + (isUp ? " up " : " down ") + HexFormat.of().formatHex(frame.payload()));
             if (isUp) {
-                exchange.frameReceived(nowNanos - bornNanos, phone.link, frame);
+                center.exchange().frameReceived(center.ownNanos(), wire.link, frame);
             } else {
                 phone.station.frameArrived(frame, nowNanos);
             }
@@ -256,59 +219,70 @@ final class Simulation {
         }
     }
 
-    // The end.
-
-    private void comeToRest() throws IOException {
-        disk.failureRate = 0;
-        disk.dieAfter(Integer.MAX_VALUE);
-        phones.forEach(phone -> {
-            phone.station.powerOn();
-            phone.station.hangUp();
-        });
-        // Longer than the retry schedule's pauses can have grown; in ever longer steps, but shorter than any timer.
-        long stepMillis = 100;
-        for (int i = 0; i < 400; i++) {
-            phones.forEach(this::connect);
-            serveAll();
-            pass(stepMillis);
-            stepMillis = Math.min(20_000, stepMillis * 21 / 20);
-            phones.forEach(phone -> phone.station.hangUp());
-        }
-        serveAll();
-        check(exchange.calls().isEmpty(), "a call is stuck: " + exchange.calls());
-        check(
-                exchange.shortMessages().waitingCount() == 0,
-                exchange.shortMessages().waitingCount() + " wait for ever ");
-        for (String text : acknowledged) {
-            check(
-                    shown.getOrDefault(text, 0) == 1,
-                    "\"" + text + "\" was acknowledged and shown " + shown.getOrDefault(text, 0) + " times");
-        }
-        check(shown.values().stream().allMatch(times -> times == 1), "shown twice: " + shown);
-        phones.forEach(this::vanish);
-        serveAll();
-        check(exchange.linkCount() == 0, "a link is left");
-        check(exchange.nextDeadlineNanos().isEmpty(), "a timer is forgotten");
-        check(Journal.open(disk, 2_000, 50).restored().waiting().isEmpty(), "the journal still holds a message");
-    }
-
-    /** Everything that can travel travels, and the disk does all it is asked. */
-    private void serveAll() {
+    /** Everything that can travel travels, and the disk does all it is asked; in so many rounds at most. */
+    private void serveAll(int rounds) {
         boolean isBusy = true;
-        while (isBusy) {
-            isBusy = !orders.isEmpty() || !answers.isEmpty();
-            while (!orders.isEmpty()) {
-                commit();
-            }
-            while (!answers.isEmpty()) {
-                answer();
-            }
+        for (int i = 0; i < rounds && isBusy; i++) {
+            isBusy = center.serveAll() | application.carry(center.exchange(), center.ownNanos());
             for (SimulatedPhone phone : phones) {
-                while (!phone.up.isEmpty() || !phone.down.isEmpty()) {
+                if (phone.isConnected() && !phone.wire.isIdle()) {
                     isBusy = true;
-                    carry(phone);
+                    carry(phone, true, Integer.MAX_VALUE);
+                    carry(phone, false, Integer.MAX_VALUE);
                 }
             }
         }
+    }
+
+    // The end.
+
+    /** All that hindered is over; in ever longer steps, but shorter than any timer, everything finds its end. */
+    private void comeToRest() throws IOException {
+        center.disk.failureRate = 0;
+        center.disk.dieAfter(Integer.MAX_VALUE);
+        while (!unnoticed.isEmpty()) {
+            noticeOne();
+        }
+        long stepMillis = 100;
+        for (int i = 0; i < MOST_ROUNDS_TO_REST; i++) {
+            phones.forEach(this::bringBack);
+            application.bind(center.exchange(), center.ownNanos());
+            while (application.hasUnanswered()) {
+                application.answer(true);
+            }
+            serveAll(Integer.MAX_VALUE);
+            if (i > LEAST_ROUNDS_TO_REST && center.isAtRest() && allAreRegistered()) {
+                break;
+            }
+            pass(stepMillis);
+            dropBroken();
+            stepMillis = Math.min(20_000, stepMillis * 21 / 20);
+        }
+        checkRest();
+    }
+
+    private void bringBack(SimulatedPhone phone) {
+        connect(phone);
+        phone.station.powerOn();
+        phone.station.hangUp();
+        phone.station.memoryAvailable();
+    }
+
+    private boolean allAreRegistered() {
+        return phones.stream().allMatch(phone -> phone.station.snapshot().registered());
+    }
+
+    private void checkRest() throws IOException {
+        Invariant.holds(
+                center.exchange().calls().isEmpty(),
+                () -> "a call is stuck: " + center.exchange().calls());
+        Invariant.holds(
+                center.isAtRest(), () -> center.exchange().shortMessages().waitingCount() + " wait for ever");
+        Invariant.holds(allAreRegistered(), () -> "a phone cannot come back");
+        account.close();
+        phones.forEach(this::vanish);
+        application.leave(center.exchange(), center.ownNanos());
+        serveAll(Integer.MAX_VALUE);
+        center.checkEmpty();
     }
 }
