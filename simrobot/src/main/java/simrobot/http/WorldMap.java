@@ -21,11 +21,23 @@ final class WorldMap {
     /** Points that fall into the same square of this size are drawn as one. */
     private static final double POINT_RASTER_METERS = 0.05;
 
-    private WorldMap() {}
+    private static final double LABEL_PIXELS = 17;
+    private static final double USUAL_PIXELS = 1000;
+
+    private final double pixelMeters;
+
+    private WorldMap(Area ground) {
+        pixelMeters = Math.max(ground.maxXMeters() - ground.minXMeters(), ground.maxYMeters() - ground.minYMeters())
+                / USUAL_PIXELS;
+    }
 
     static String svg(SimulationSnapshot scene, String title) {
+        Area ground = scene.world().ground();
+        return new WorldMap(ground).draw(scene, ground, title);
+    }
+
+    private String draw(SimulationSnapshot scene, Area ground, String title) {
         World world = scene.world();
-        Area ground = world.ground();
         String box = Stream.of(
                         ground.minXMeters() - MARGIN_METERS,
                         -ground.maxYMeters() - MARGIN_METERS,
@@ -40,15 +52,24 @@ final class WorldMap {
         world.boxes().forEach(each -> svg.append(area(each.area(), "box")));
         world.homes().forEach(home -> svg.append(ring(home.position(), "home")));
         world.goals().forEach(goal -> svg.append(ring(goal.position(), "goal")));
-        svg.append(path("wall", lines(world.segments())));
-        svg.append(path("point", dots(world.points())));
+        svg.append(path("wall", lines(world.segments()), 2.2));
+        svg.append(path("point", dots(world.points()), 2));
         svg.append("<g id=\"robots\">\n");
         scene.robots().forEach(robot -> svg.append(robot(robot)));
         return svg.append("</g>\n</g>\n</svg>\n").toString();
     }
 
-    private static String path(String kind, String steps) {
-        return steps.isEmpty() ? "" : "<path class=\"" + kind + "\" d=\"" + steps + "\"/>\n";
+    /** So many pixels wide, at the usual size of the map. */
+    private String stroke(double pixels) {
+        return " stroke-width=\"" + Html.number(pixels * pixelMeters, 4) + "\"";
+    }
+
+    private String dashes(double pixels) {
+        return " stroke-dasharray=\"" + Html.number(pixels * pixelMeters, 4) + "\"";
+    }
+
+    private String path(String kind, String steps, double pixels) {
+        return steps.isEmpty() ? "" : "<path class=\"" + kind + "\"" + stroke(pixels) + " d=\"" + steps + "\"/>\n";
     }
 
     private static String lines(List<Segment> segments) {
@@ -75,28 +96,36 @@ final class WorldMap {
         return Html.number(x, 3) + " " + Html.number(y, 3);
     }
 
-    private static String area(Area area, String kind) {
+    /** Lines that bind nobody's wheels are broken. */
+    private String dashesOf(String kind) {
+        return kind.equals("box") || kind.equals("goal") ? "" : dashes(4);
+    }
+
+    private String area(Area area, String kind) {
         String corners = area.corners().stream()
                 .map(corner -> pair(corner.xMeters(), corner.yMeters()))
                 .collect(Collectors.joining(" "));
-        return "<polygon class=\"" + kind + "\" points=\"" + corners + "\"/>\n";
+        return "<polygon class=\"" + kind + "\"" + stroke(1.2) + dashesOf(kind) + " points=\"" + corners + "\"/>\n";
     }
 
-    private static String ring(Position place, String kind) {
-        return "<circle class=\"" + kind + "\" cx=\"" + Html.number(place.xMeters(), 3) + "\" cy=\""
-                + Html.number(place.yMeters(), 3) + "\" r=\"" + HOME_METERS + "\"/>\n";
+    private String ring(Position place, String kind) {
+        return "<circle class=\"" + kind + "\"" + stroke(1.5) + dashesOf(kind) + " cx=\""
+                + Html.number(place.xMeters(), 3) + "\" cy=\"" + Html.number(place.yMeters(), 3) + "\" r=\""
+                + HOME_METERS + "\"/>\n";
     }
 
     /** The body, an arrowhead, and its name upright. */
-    private static String robot(RobotSnapshot robot) {
+    private String robot(RobotSnapshot robot) {
         StringBuilder body = new StringBuilder();
         for (double[] corner : Pioneer2Dx.octagon()) {
             body.append(pair(corner[0], corner[1])).append(' ');
         }
         return "<g class=\"robot\" transform=\"translate(" + Html.number(robot.xMeters(), 3) + ","
                 + Html.number(robot.yMeters(), 3) + ")\"><g transform=\"rotate("
-                + Html.number(StatusJson.degrees(robot.headingRadians()), 1) + ")\"><polygon class=\"body\" points=\""
+                + Html.number(StatusJson.degrees(robot.headingRadians()), 1) + ")\"><polygon class=\"body\"" + stroke(1)
+                + " points=\""
                 + body.toString().strip() + "\"/><path class=\"nose\" d=\"M.14 0L-.02 .09L-.02-.09Z\"/></g>"
-                + "<text transform=\"scale(1,-1)\" x=\".3\" y=\"-.22\">" + Html.text(robot.name()) + "</text></g>\n";
+                + "<text transform=\"scale(1,-1)\" x=\".3\" y=\"-.22\"" + stroke(3) + " font-size=\""
+                + Html.number(LABEL_PIXELS * pixelMeters, 3) + "\">" + Html.text(robot.name()) + "</text></g>\n";
     }
 }
