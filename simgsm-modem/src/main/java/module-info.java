@@ -8,8 +8,9 @@
  *   modem       -> modem.tools, station, console, dtmf, air
  *   modem.tools -> console, dtmf, speech
  *   station     -> sim, sms, dtmf, speech, air
- *   modem.tools -> modem.load, console, dtmf, speech
+ *   modem.tools -> modem.load, modem.fuzz, console, dtmf, speech
  *   modem.load  -> station, console, air
+ *   modem.fuzz  -> station, sms, dtmf, air
  *   station     -> sms, dtmf, speech, air
  *   ui          -> console, dtmf, speech
  *   sim         -> console, air
@@ -25,6 +26,7 @@ module simgsm.modem {
     exports simgsm.sms;
     exports simgsm.sim;
     exports simgsm.modem;
+    exports simgsm.modem.fuzz;
     exports simgsm.station;
     exports simgsm.dtmf;
     exports simgsm.speech;

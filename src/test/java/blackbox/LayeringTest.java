@@ -55,7 +55,9 @@ class LayeringTest {
                             "simgsm.dtmf",
                             "simgsm.speech",
                             "simgsm.console",
-                            "simgsm.modem.load")),
+                            "simgsm.modem.load",
+                            "simgsm.modem.fuzz")),
+            Map.entry("simgsm.modem.fuzz", Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.station")),
             Map.entry("simgsm.modem.load", Set.of("simgsm.air", "simgsm.station", "simgsm.console")),
             Map.entry("simgsm.ui", Set.of("simgsm.console", "simgsm.dtmf", "simgsm.speech")));
 

@@ -35,9 +35,9 @@ public final class Program {
         this.options = options;
     }
 
-    /** For tools: unless the user says otherwise, only warnings are logged. */
-    public Program quiet() {
-        logLevel = "warning";
+    /** What is logged unless the user says otherwise: one of the words of {@code --log-level}. */
+    public Program logging(String level) {
+        logLevel = level;
         return this;
     }
 

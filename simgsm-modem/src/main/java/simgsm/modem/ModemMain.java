@@ -24,7 +24,7 @@ public final class ModemMain {
         for (Tool tool : Tool.ALL) {
             if (!words.isEmpty() && words.get(0).equals(tool.word())) {
                 return new Program(NAME, tool.options())
-                        .quiet()
+                        .logging(tool.logLevel())
                         .run(words.subList(1, words.size()), out, err, arguments -> tool.run(arguments, out, err));
             }
         }
@@ -42,7 +42,9 @@ public final class ModemMain {
             String[] lines = tool.options().help().split("\n");
             usage.append(usage.length() == 0 ? "" : "\n       ").append(lines[0].replace("Usage: ", ""));
         }
-        return new Options(usage.toString(), "Tools for DTMF, speech, short messages and load; TOOL --help says more.")
+        return new Options(
+                        usage.toString(),
+                        "Tools for DTMF, speech, short messages, load and spoilt frames; TOOL --help says more.")
                 .arguments(Integer.MAX_VALUE);
     }
 }

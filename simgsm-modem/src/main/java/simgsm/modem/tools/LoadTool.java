@@ -73,7 +73,7 @@ final class LoadTool implements Tool {
     }
 
     /** Says at once what the stations, who never give up, would only wait for. */
-    private static void knock(HostPort center) throws UnavailableException {
+    static void knock(HostPort center) throws UnavailableException {
         try (Socket door = new Socket()) {
             door.connect(new InetSocketAddress(center.host(), center.port()), CONNECT_MILLIS);
         } catch (IOException e) {
