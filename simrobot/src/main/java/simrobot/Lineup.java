@@ -1,8 +1,10 @@
 package simrobot;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import simgsm.air.Imsi;
@@ -82,22 +84,26 @@ final class Lineup {
             throw new UsageException("--robots: " + world.name() + " has no RobotHome");
         }
         List<RobotName> robots = new ArrayList<>();
-        Set<String> names = new HashSet<>();
+        UniqueNames names = new UniqueNames();
         for (Home home : world.homes()) {
-            robots.add(new RobotName(nameOf(home, names), plus(first, robots.size())));
+            String word = home.name().strip().replaceAll("[^\\p{L}\\p{N}_.+-]+", "_");
+            robots.add(new RobotName(names.of(word.isEmpty() ? SINGLE_NAME : word), plus(first, robots.size())));
         }
         return robots;
     }
 
-    /** The home's name as one word, made different where two homes are called the same. */
-    private static String nameOf(Home home, Set<String> names) {
-        String word = home.name().strip().replaceAll("[^\\p{L}\\p{N}_.+-]+", "_");
-        String base = word.isEmpty() ? SINGLE_NAME : word;
-        String name = base;
-        for (int i = 2; !names.add(name); i++) {
-            name = base + "-" + i;
+    /** Makes names different where two are the same; ten thousand of one name as fast as any. */
+    private static final class UniqueNames {
+        private final Set<String> taken = new HashSet<>();
+        private final Map<String, Integer> counts = new HashMap<>();
+
+        String of(String base) {
+            String name = base;
+            while (!taken.add(name)) {
+                name = base + "-" + counts.merge(base, 2, (count, first) -> count + 1);
+            }
+            return name;
         }
-        return name;
     }
 
     private static Msisdn plus(Msisdn first, int count) throws UsageException {

@@ -76,6 +76,10 @@ public final class SimRobotMain {
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
                 .value("behaviour", "KIND", "wander, wall-follow or none: an autonomous process in every robot (none)")
+                .value(
+                        "run",
+                        "SECONDS",
+                        "simulate so long as fast as the machine can, without centre and console, and end")
                 .value("speed", "N", "simulated seconds per second (1)")
                 .value(
                         "noise",
@@ -97,6 +101,9 @@ public final class SimRobotMain {
         if (arguments.has("print-world")) {
             PrintedWorld.print(world, Program.standardOutput());
             return ExitStatus.OK;
+        }
+        if (arguments.has("run")) {
+            return BatchRun.run(arguments, world);
         }
         // Reads the rest of the command line, so before anything is said about a display.
         Built built = build(arguments, settings, world);
@@ -151,13 +158,11 @@ public final class SimRobotMain {
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         Recordings recordings = new Recordings(arguments.path("record-audio"), alone);
-        BehaviourKind behaviour =
-                arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
         return new Fleet.Kit(
                 seed(arguments),
                 power,
                 motors,
-                behaviour,
+                behaviour(arguments),
                 codec(arguments),
                 recordings,
                 number -> slot.card(Optional.of(number)));
@@ -183,7 +188,11 @@ public final class SimRobotMain {
                 : SpeechCodec.Kind.A_LAW;
     }
 
-    private static long seed(Arguments arguments) throws UsageException {
+    static BehaviourKind behaviour(Arguments arguments) throws UsageException {
+        return arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
+    }
+
+    static long seed(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE)
                 : new Random().nextLong();

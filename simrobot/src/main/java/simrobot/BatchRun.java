@@ -1,0 +1,82 @@
+package simrobot;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.ExitStatus;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simgsm.sim.SimSlot;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.RobotName;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.simulation.WanderRun;
+import simrobot.world.World;
+
+/**
+ * {@code --run SECONDS}: simulates so long, as fast as the machine can, on the main thread alone: no centre, no modem, no
+ * console. Robots that wander do so by the very rule with which simulators are compared ({@link WanderRun}).
+ */
+final class BatchRun {
+    private static final double MOST_SECONDS = 1e9;
+
+    private BatchRun() {}
+
+    static int run(Arguments arguments, World world) throws UsageException, IOException {
+        List<RobotName> robots = Lineup.of(arguments, SimSlot.of(arguments), world);
+        BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
+        double seconds = arguments.number("run", 0, 0.001, MOST_SECONDS);
+        long began = System.nanoTime();
+        if (behaviour == BehaviourKind.WANDER && !arguments.has("record")) {
+            wander(world, robots.size(), seconds);
+        } else {
+            simulate(arguments, world, robots, behaviour, seconds);
+        }
+        double wall = (System.nanoTime() - began) * 1e-9;
+        Program.standardOutput()
+                .println(Event.of("ran")
+                        .with("robots", robots.size())
+                        .with("simulated", three(seconds))
+                        .with("cpu", three(cpuSeconds()))
+                        .with("wall", three(wall)));
+        return ExitStatus.OK;
+    }
+
+    private static void wander(World world, int robots, double seconds) {
+        WanderRun run = new WanderRun(world, robots);
+        for (long left = Math.round(seconds * 1e9 / WanderRun.STEP_NANOS); left > 0; left--) {
+            run.step();
+        }
+    }
+
+    private static void simulate(
+            Arguments arguments, World world, List<RobotName> robots, BehaviourKind behaviour, double seconds)
+            throws UsageException, IOException {
+        Simulation simulation = new Simulation(world, SimRobotMain.seed(arguments));
+        for (SimulatedRobot robot :
+                simulation.addRobots(robots.stream().map(RobotName::name).toList())) {
+            robot.autonomy().begin(behaviour);
+        }
+        for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
+            simulation.step();
+        }
+    }
+
+    /** Of the whole process from its start, user and system. */
+    private static double cpuSeconds() {
+        return ProcessHandle.current()
+                        .info()
+                        .totalCpuDuration()
+                        .orElse(Duration.ZERO)
+                        .toNanos()
+                * 1e-9;
+    }
+
+    private static String three(double value) {
+        return String.format(Locale.ROOT, "%.3f", value);
+    }
+}
