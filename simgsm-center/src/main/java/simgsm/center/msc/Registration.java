@@ -1,5 +1,6 @@
 package simgsm.center.msc;
 
+import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.util.Optional;
 import simgsm.air.Imei;
@@ -25,6 +26,8 @@ final class Registration {
         AWAITING_IMEI,
         AWAITING_TMSI_COMPLETE
     }
+
+    private static final System.Logger LOG = System.getLogger(Registration.class.getName());
 
     /** T3270, identification, and T3250, TMSI reallocation: 12 s each (TS 24.008, table 11.2). */
     private static final long ANSWER_NANOS = Duration.ofSeconds(12).toNanos();
@@ -79,6 +82,15 @@ final class Registration {
         return false;
     }
 
+    /** The answer to an identity request breaks the standard: an IMEI with a wrong check digit is no equipment's. */
+    void identityIsNone() {
+        if (state == State.AWAITING_IMEI) {
+            reject(RejectCause.ILLEGAL_ME);
+        } else if (state == State.AWAITING_IMSI) {
+            reject(RejectCause.INVALID_MANDATORY_INFORMATION);
+        }
+    }
+
     private boolean receiveIdentity(MobileIdentity identity) {
         if (state == State.AWAITING_IMSI && identity instanceof Imsi said) {
             if (said.equals(imsi)) {
@@ -123,6 +135,7 @@ final class Registration {
 
     /** Whoever was registered here before has lost the right to be. */
     private void rejectCard() {
+        log("the card does not have its key");
         link.send(new MobilityManagement.AuthenticationReject());
         link.loseTransactions();
         mobility.depart(link);
@@ -171,8 +184,13 @@ final class Registration {
     }
 
     private void reject(RejectCause cause) {
+        log(cause.title());
         link.send(new MobilityManagement.LocationUpdatingReject(cause));
         end();
+    }
+
+    private void log(String reason) {
+        LOG.log(Level.INFO, "{0}: registration refused, {1}{2}", link, reason, imsi == null ? "" : ", IMSI " + imsi);
     }
 
     /** The connection served the update alone; whatever waits for the mobile pages it afterwards. */

@@ -1,10 +1,12 @@
 package simgsm.center.msc;
 
+import java.util.Optional;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
+import simgsm.air.Layer3Type;
 import simgsm.air.MessageText;
 import simgsm.air.MobilityManagement;
 import simgsm.air.OctetString;
@@ -101,6 +103,13 @@ final class SignallingDispatcher {
         ProtocolErrorAnswers.to(violation, callState).forEach(link::send);
         link.radio.takeService();
         link.violated(violation.getMessage());
+        if (link.registration != null && isType(violation, Layer3Type.IDENTITY_RESPONSE)) {
+            link.registration.identityIsNone();
+        }
+    }
+
+    private static boolean isType(ProtocolViolation violation, Layer3Type type) {
+        return violation.header().flatMap(Layer3Header::type).equals(Optional.of(type));
     }
 
     private void dispatch(Link link, Layer3Message message) {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.CcmMessage;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
@@ -131,6 +133,23 @@ class RegistrationTest {
                 mobile.next(MobilityManagement.LocationUpdatingReject.class).cause();
         mobile.next(RadioResource.ChannelRelease.class);
         return cause;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"IMEI with a wrong check digit, 0559084a09512430325771", "an IMEI of letters, 0559084a0951243032ab81"})
+    void equipmentWithAnImpossibleIdentityIsRejectedWithCause6(String what, String identityResponse) {
+        TestMobile mobile = network.connect("5550100");
+        mobile.received.clear();
+        mobile.requestUpdate(mobile.imsi);
+        mobile.next(MobilityManagement.IdentityRequest.class);
+        mobile.tellOctets(identityResponse);
+        mobile.next(MobilityManagement.MmStatus.class);
+        assertEquals(
+                RejectCause.ILLEGAL_ME,
+                mobile.next(MobilityManagement.LocationUpdatingReject.class).cause(),
+                what);
+        mobile.leaveReleasedChannel();
+        assertTrue(network.events.isEmpty());
     }
 
     @Test

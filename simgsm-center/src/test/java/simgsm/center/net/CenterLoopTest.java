@@ -247,6 +247,7 @@ class CenterLoopTest {
             for (int i = 0; i < flood; i++) {
                 System.arraycopy(ping, 0, all, i * ping.length, ping.length);
             }
+            flooder.write(TestClient.frame(new CcmMessage.IdentityResponse("flooder", "001017500000017")));
             Thread writer = new Thread(() -> {
                 try {
                     flooder.write(all);
