@@ -44,14 +44,16 @@ final class PioneerPorts implements AutoCloseable {
         PioneerPorts opened = new PioneerPorts(Optional.of(server));
         try {
             for (TelephoneRobot robot : simRobot.robots()) {
-                opened.ports.put(robot.name(), server.add(robot.robot()));
+                if (robot.simulated().isPresent()) {
+                    opened.ports.put(robot.name(), server.add(robot.simulated().get()));
+                }
             }
         } catch (IOException e) {
             opened.close();
             throw e;
         }
         simRobot.onAdded(robot -> {
-            if (opened.of(robot.name()).isEmpty()) {
+            if (robot.simulated().isPresent() && opened.of(robot.name()).isEmpty()) {
                 opened.come(robot);
             }
         });
@@ -74,7 +76,7 @@ final class PioneerPorts implements AutoCloseable {
     /** A robot that comes later gets a port, too, if robots have any. */
     private void come(TelephoneRobot robot) {
         try {
-            ports.put(robot.name(), server.orElseThrow().add(robot.robot()));
+            ports.put(robot.name(), server.orElseThrow().add(robot.simulated().orElseThrow()));
         } catch (IOException e) {
             LOG.log(Level.WARNING, robot.name() + " has no P2OS port: " + e.getMessage());
         }
@@ -82,7 +84,7 @@ final class PioneerPorts implements AutoCloseable {
 
     private void gone(TelephoneRobot robot) {
         if (ports.remove(robot.name()) != null) {
-            server.orElseThrow().remove(robot.robot());
+            server.orElseThrow().remove(robot.simulated().orElseThrow());
         }
     }
 

@@ -17,8 +17,8 @@ import simrobot.control.Fleet;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
-import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.SimulationThread;
 import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
@@ -115,8 +115,15 @@ final class WindowModel implements Operator {
     }
 
     /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
-    private void act(String robot, Consumer<SimulatedRobot> act) {
-        simulation.withSimulation(owned -> owned.robot(robot).ifPresent(act));
+    private void act(String name, Consumer<Pioneer> act) {
+        simulation.post(() -> robot(name).map(TelephoneRobot::robot).ifPresent(act));
+    }
+
+    private Optional<TelephoneRobot> robot(String name) {
+        return lines.stream()
+                .map(Line::robot)
+                .filter(robot -> robot.name().equals(name))
+                .findFirst();
     }
 
     @Override
@@ -168,16 +175,16 @@ final class WindowModel implements Operator {
 
     @Override
     public void brake(String robot) {
-        act(robot, SimulatedRobot::brake);
+        act(robot, Pioneer::brake);
     }
 
     @Override
     public void setBehaviour(String robot, BehaviourKind kind) {
-        act(robot, owned -> {
+        simulation.withSimulation(here -> here.robot(robot).ifPresent(owned -> {
             if (!owned.autonomy().begin(kind)) {
                 tell(robot + ": " + kind.text() + " - " + owned.status().text());
             }
-        });
+        }));
     }
 
     @Override

@@ -14,6 +14,7 @@ import simgsm.console.Event;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.camera.Camera;
 import simrobot.camera.PictureFile;
+import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
@@ -72,7 +73,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     private void perform(TelephoneRobot meant, Command command) throws CommandException {
-        SimulatedRobot robot = meant.robot();
+        Pioneer robot = meant.robot();
         ConsoleEvents events = new ConsoleEvents(meant.name(), out);
         switch (command.name()) {
             case "status" -> {
@@ -91,7 +92,7 @@ public final class RobotConsole implements Console.Commands {
             case "motors" -> motors(robot, isOn(command), events);
             case "place" -> place(robot, command, events);
             case "camera" -> camera(meant, command, events);
-            case "behaviour" -> behaviour(robot, command, events);
+            case "behaviour" -> behaviour(meant, command, events);
             case "remove" -> fleet.remove(meant, command);
             default ->
                 throw new CommandException("unknown command "
@@ -109,11 +110,11 @@ public final class RobotConsole implements Console.Commands {
         return word.equals("on");
     }
 
-    private void power(SimulatedRobot robot, boolean on, ConsoleEvents events) throws CommandException {
+    private void power(Pioneer robot, boolean on, ConsoleEvents events) throws CommandException {
         onSimulation(() -> answerUnlessToldBy(robot, events, () -> robot.setPower(on)));
     }
 
-    private void motors(SimulatedRobot robot, boolean on, ConsoleEvents events) throws CommandException {
+    private void motors(Pioneer robot, boolean on, ConsoleEvents events) throws CommandException {
         onSimulation(() -> {
             if (on && !robot.isPowered()) {
                 throw new CommandException("motors on: the robot is off, expected power on first");
@@ -123,7 +124,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** A change tells the status by itself; without one the answer has still to come. */
-    private static void answerUnlessToldBy(SimulatedRobot robot, ConsoleEvents events, Runnable act) {
+    private static void answerUnlessToldBy(Pioneer robot, ConsoleEvents events, Runnable act) {
         RobotStatus before = robot.status();
         act.run();
         if (robot.status() == before) {
@@ -132,7 +133,10 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** A change tells itself; without a name, or without a change, the answer has still to come. */
-    private void behaviour(SimulatedRobot robot, Command command, ConsoleEvents events) throws CommandException {
+    private void behaviour(TelephoneRobot meant, Command command, ConsoleEvents events) throws CommandException {
+        SimulatedRobot robot = meant.simulated()
+                .orElseThrow(
+                        () -> new CommandException("behaviour: " + meant.name() + " is a real robot and runs none"));
         if (command.rest().isEmpty()) {
             onSimulation(() -> events.behaviour(robot.autonomy().kind()));
             return;
@@ -158,7 +162,7 @@ public final class RobotConsole implements Console.Commands {
         }
     }
 
-    private void place(SimulatedRobot robot, Command command, ConsoleEvents events) throws CommandException {
+    private void place(Pioneer robot, Command command, ConsoleEvents events) throws CommandException {
         List<String> words = command.words(3, "X Y HEADING");
         Pose pose = pose(command.name(), words);
         onSimulation(() -> {

@@ -3,6 +3,7 @@ package simrobot.control;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.function.LongSupplier;
+import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import vericommand.Instruction;
 import vericommand.Reply;
@@ -21,7 +22,7 @@ import vericommand.VeriCommandSnapshot;
 final class RobotControl {
     private static final Logger LOG = System.getLogger(RobotControl.class.getName());
 
-    private final SimulatedRobot robot;
+    private final Pioneer robot;
     private final Settings settings;
     private final ModemPort modem;
     private final ControlListeners listener = new ControlListeners();
@@ -31,7 +32,7 @@ final class RobotControl {
     private volatile RobotStatus status;
     private volatile VeriCommandSnapshot snapshot;
 
-    RobotControl(SimulatedRobot robot, Settings settings, ModemPort modem, LongSupplier clockNanos) {
+    RobotControl(Pioneer robot, Settings settings, ModemPort modem, LongSupplier clockNanos) {
         this.robot = robot;
         this.settings = settings;
         this.modem = modem;
@@ -41,7 +42,9 @@ final class RobotControl {
         snapshot = veriCommand.snapshot();
         robot.addStatusListener(this::statusChanged);
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
-        robot.autonomy().addListener(kind -> listener.behaviour(kind));
+        if (robot instanceof SimulatedRobot simulated) {
+            simulated.autonomy().addListener(kind -> listener.behaviour(kind));
+        }
     }
 
     /** The first tone for a caller; any thread may ask, the answer goes by the newest status. */
@@ -54,7 +57,7 @@ final class RobotControl {
         return snapshot;
     }
 
-    SimulatedRobot robot() {
+    Pioneer robot() {
         return robot;
     }
 

@@ -23,7 +23,7 @@ import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
-import simrobot.robot.SimulatedRobot;
+import simrobot.robot.Pioneer;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.simulation.SimulationThread;
@@ -78,16 +78,16 @@ public final class SimRobot implements AutoCloseable {
      *
      * @throws IllegalArgumentException when another robot has the number
      */
-    public TelephoneRobot add(SimulatedRobot robot, Msisdn number, Imei imei, StationOptions options) {
+    public TelephoneRobot add(Pioneer robot, Msisdn number, Imei imei, StationOptions options) {
         return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
     }
 
     /** As before, with a card in the modem's slot. */
-    public TelephoneRobot add(SimulatedRobot robot, SimCard card, Imei imei, StationOptions options) {
+    public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, StationOptions options) {
         return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
     }
 
-    private TelephoneRobot add(SimulatedRobot robot, StationIdentity identity, Sim sim, StationOptions options) {
+    private TelephoneRobot add(Pioneer robot, StationIdentity identity, Sim sim, StationOptions options) {
         if (robots.stream().anyMatch(other -> other.number().equals(identity.number()))) {
             throw new IllegalArgumentException(
                     "another robot has the number " + identity.number() + ", expected a free one");
@@ -107,7 +107,7 @@ public final class SimRobot implements AutoCloseable {
     /** Takes a robot off the floor and its modem off the network; on the simulation's thread. */
     void remove(TelephoneRobot robot) {
         if (robots.remove(robot)) {
-            simulationThread.owned().removeRobot(robot.robot());
+            robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
             toldOfLeaving.forEach(each -> each.accept(robot));
             CallTap tap = taps.remove(robot);
             stationThread.remove(robot.station(), tap::close);

@@ -1,5 +1,6 @@
 package simrobot.control;
 
+import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneTrace;
 import simgsm.station.MobileStation;
@@ -7,6 +8,7 @@ import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simgsm.station.StationSnapshot;
+import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import vericommand.Settings;
 import vericommand.VeriCommandSnapshot;
@@ -19,7 +21,7 @@ public final class TelephoneRobot {
 
     /** A robot joined to a verifier and to a modem that has no link yet; who drives it gives the station time and a link. */
     public TelephoneRobot(
-            SimulatedRobot robot,
+            Pioneer robot,
             StationIdentity identity,
             Sim sim,
             StationOptions options,
@@ -45,8 +47,13 @@ public final class TelephoneRobot {
     }
 
     /** For the simulation's thread only. */
-    public SimulatedRobot robot() {
+    public Pioneer robot() {
         return control.robot();
+    }
+
+    /** The same, if it is a simulated one. */
+    public Optional<SimulatedRobot> simulated() {
+        return robot() instanceof SimulatedRobot simulated ? Optional.of(simulated) : Optional.empty();
     }
 
     /** For the thread that owns the station. */

@@ -8,7 +8,6 @@ import java.util.function.Consumer;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
-import vericommand.Robot;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 import vericommand.StatusMachine;
@@ -20,7 +19,7 @@ import vericommand.StatusTable;
  * <p>A step takes the wheels' stretch of way from the motion's profile and the belt's from the floor, sweeps the robot's
  * circle along both, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
  */
-public final class SimulatedRobot implements Robot {
+public final class SimulatedRobot implements Pioneer {
     /** A turn made in Collision frees the robot when this much of the way ahead is free. */
     private static final double FREE_WAY_METERS = 0.01;
 
@@ -66,6 +65,7 @@ public final class SimulatedRobot implements Robot {
         autonomy = new Autonomy(this);
     }
 
+    @Override
     public String name() {
         return name;
     }
@@ -81,24 +81,19 @@ public final class SimulatedRobot implements Robot {
     }
 
     /** Told the new status at every change, on the owner thread, before a motion's outcome. */
+    @Override
     public void addStatusListener(Consumer<RobotStatus> listener) {
         statusListeners.add(listener);
     }
 
     /** Told at the end of the step in which the wheels first move for a motion, on the owner thread. */
+    @Override
     public void addFirstMotionListener(Runnable listener) {
         ordered.addFirstMotionListener(listener);
     }
 
-    public boolean isPowered() {
-        return status() != RobotStatus.DISCONNECTED;
-    }
-
-    public boolean hasMotors() {
-        return isPowered() && status() != RobotStatus.NO_MOTORS;
-    }
-
     /** Throws the power switch; on leaves the motors off. Off ends a motion at once. */
+    @Override
     public void setPower(boolean on) {
         if (on != isPowered()) {
             battery.refill();
@@ -107,6 +102,7 @@ public final class SimulatedRobot implements Robot {
     }
 
     /** Throws the motors' switch; without power nothing happens. Off ends a motion at once. */
+    @Override
     public void setMotors(boolean on) {
         if (isPowered() && on != hasMotors()) {
             cut(on ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
@@ -276,6 +272,7 @@ public final class SimulatedRobot implements Robot {
      * Puts the robot there by hand, standing. In Collision it comes free when the way ahead of it is free there, by the
      * rule that holds for a turn.
      */
+    @Override
     public Placement place(double xMeters, double yMeters, double headingRadians) {
         if (status() == RobotStatus.MOVING) {
             return Placement.MOVING;
@@ -392,6 +389,7 @@ public final class SimulatedRobot implements Robot {
     }
 
     /** The same in whole millimetres, 100 to 5000. */
+    @Override
     public int[] sonarRangesMillimeters() {
         return Arrays.stream(sonarRangesMeters())
                 .mapToInt(meters -> (int) Math.round(meters * 1000))
