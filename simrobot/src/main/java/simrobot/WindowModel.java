@@ -1,6 +1,8 @@
 package simrobot;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -24,12 +26,14 @@ import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.Operator;
 import simrobot.ui.WindowSnapshot;
+import simrobot.world.MapFile;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
 
 /** The program as its window sees it: pictures from every thread's newest snapshots, acts to the threads that own things. */
 final class WindowModel implements Operator {
+    private static final Logger LOG = System.getLogger(WindowModel.class.getName());
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final SimulationThread simulation;
@@ -211,6 +215,35 @@ final class WindowModel implements Operator {
     @Override
     public void load(Path file) {
         slowActs.execute(() -> read(file));
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        simulation.withSimulation(owned -> {
+            try {
+                int moved = owned.change(world);
+                worldFile = file;
+                tell("");
+                answer.accept(Optional.empty());
+                if (moved > 0) {
+                    LOG.log(Level.INFO, moved + " robots stood in the way of the changed world and went to homes");
+                }
+            } catch (IllegalArgumentException tooSmall) {
+                answer.accept(Optional.of(tooSmall.getMessage()));
+            }
+        });
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        slowActs.execute(() -> {
+            try {
+                MapFile.save(world, file);
+                answer.accept(Optional.empty());
+            } catch (IOException unwritable) {
+                answer.accept(Optional.of(String.valueOf(unwritable.getMessage())));
+            }
+        });
     }
 
     /** A file that is no world leaves everything as it was, and says why. */

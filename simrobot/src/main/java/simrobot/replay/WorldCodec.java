@@ -28,7 +28,7 @@ final class WorldCodec {
         list(out, world.forbiddenLines(), WorldCodec::segment);
         list(out, world.forbiddenAreas(), WorldCodec::area);
         list(out, world.treadmills(), WorldCodec::treadmill);
-        list(out, world.goals(), (o, goal) -> position(o.text(goal.name()), goal.position()));
+        list(out, world.goals(), WorldCodec::goal);
     }
 
     static World read(OctetReader in) {
@@ -43,7 +43,7 @@ final class WorldCodec {
                     list(in, WorldCodec::segment),
                     list(in, WorldCodec::area),
                     list(in, i -> new Treadmill(area(i), i.exact(), i.exact())),
-                    list(in, i -> new Goal(i.text(), position(i))));
+                    list(in, i -> new Goal(i.text(), i.text(), position(i), i.exact())));
         } catch (IllegalArgumentException impossible) {
             throw new DamagedException("a world with " + impossible.getMessage());
         }
@@ -101,6 +101,11 @@ final class WorldCodec {
         Position position = position(in);
         double heading = in.exact();
         return new Home(name, position, heading, in.octet() == 1 ? Optional.of(area(in)) : Optional.empty());
+    }
+
+    private static void goal(OctetWriter out, Goal goal) {
+        position(out.text(goal.type()).text(goal.name()), goal.position());
+        out.exact(goal.headingRadians());
     }
 
     private static void treadmill(OctetWriter out, Treadmill belt) {

@@ -69,8 +69,15 @@ final class Parking {
 
     /** Places for so many robots at once, on the floor without any. */
     static List<Home> spots(World world, int count) {
-        ObstacleGrid obstacles = new ObstacleGrid(world);
+        return spots(world, new ObstacleGrid(world), count, List.of());
+    }
+
+    /** The same beside robots that stay where they are. */
+    static List<Home> spots(World world, ObstacleGrid obstacles, int count, List<Position> staying) {
         DiscGrid taken = new DiscGrid(RADIUS);
+        for (int i = 0; i < staying.size(); i++) {
+            taken.put(count + i, staying.get(i).xMeters(), staying.get(i).yMeters());
+        }
         Parking parking =
                 new Parking(world, (x, y) -> obstacles.isFree(x, y, RADIUS) && !taken.isCrowded(-1, x, y, 2 * RADIUS));
         List<Home> spots = new ArrayList<>(count);

@@ -10,9 +10,11 @@ import java.util.Random;
 import java.util.function.LongConsumer;
 import java.util.stream.Stream;
 import simrobot.robot.Noise;
+import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;
+import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -157,6 +159,44 @@ public final class Simulation {
             robot.place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
             robot.trail().clear();
         }
+    }
+
+    /**
+     * Changes the world around the robots: they stand still and stay where they are. Those who would stand in something, or
+     * outside, go to homes.
+     *
+     * @return how many had to go
+     * @throws IllegalArgumentException when these do not all fit into it; then nothing has changed
+     */
+    public int change(World next) {
+        ObstacleGrid obstacles = new ObstacleGrid(next);
+        List<SimulatedRobot> going = new ArrayList<>();
+        List<Position> staying = new ArrayList<>();
+        for (SimulatedRobot robot : robots) {
+            double x = robot.xMeters();
+            double y = robot.yMeters();
+            if (next.ground().contains(x, y) && obstacles.isFree(x, y, Pioneer2Dx.RADIUS_METERS)) {
+                staying.add(new Position(x, y));
+            } else {
+                going.add(robot);
+            }
+        }
+        List<Home> spots = Parking.spots(next, obstacles, going.size(), staying);
+        robots.forEach(SimulatedRobot::halt);
+        going.forEach(crowd::remove);
+        world = next;
+        crowd.load(next);
+        for (int i = 0; i < going.size(); i++) {
+            Home spot = spots.get(i);
+            going.get(i).place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
+        }
+        for (SimulatedRobot robot : robots) {
+            if (!going.contains(robot)) {
+                // what it had run into may be gone
+                robot.place(robot.xMeters(), robot.yMeters(), robot.headingRadians());
+            }
+        }
+        return going.size();
     }
 
     // ---- time ----------------------------------------------------------------------------------------------------

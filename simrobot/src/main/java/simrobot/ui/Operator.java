@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.robot.Placement;
+import simrobot.world.World;
 import vericommand.Pose;
 
 /** What the person at the window may do; each act goes to the thread that owns what it touches. */
@@ -46,6 +47,21 @@ public interface Operator {
 
     /** One step while paused. */
     void stepOnce();
+
+    /**
+     * Puts an edited world under the robots; who stands in its walls goes to a home.
+     *
+     * @param file where the world is, or is to be, saved
+     * @param answer told by any thread: nothing when it is done, else why not
+     */
+    void apply(World world, Path file, Consumer<Optional<String>> answer);
+
+    /**
+     * Writes a world to a file, as a .map.
+     *
+     * @param answer told by any thread: nothing when it is on the disk, else why not
+     */
+    void save(World world, Path file, Consumer<Optional<String>> answer);
 
     /** Loads another world; a problem is told through {@link WindowSnapshot#notice}. */
     void load(Path worldFile);

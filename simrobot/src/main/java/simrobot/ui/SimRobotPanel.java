@@ -1,8 +1,10 @@
 package simrobot.ui;
 
 import java.awt.BorderLayout;
+import java.awt.CardLayout;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,9 +16,14 @@ import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.world.World;
 
 /** SimRobot's whole window without its frame: tools, floor and inspector, and below them modem and VeriCommand. */
 public final class SimRobotPanel extends JPanel {
+    private static final String RUNNING = "running";
+    private static final String EDITING = "editing";
+    private static final String NEW_WORLD = "new.map";
+
     private final Operator operator;
     private final ToolRow tools;
     private final WorldView world;
@@ -25,6 +32,10 @@ public final class SimRobotPanel extends JPanel {
     private final VeriCommandPanel orders;
     private final Line notice = new Line("notice", Theme::strong, Ink.DANGER);
     private final JPanel noticeRow;
+    private final CardLayout sheet = new CardLayout();
+    private final JPanel sheets = new JPanel(sheet);
+    private final EditorPanel editor;
+    private boolean pausedBefore;
     private WindowSnapshot shown;
     private final CalledElsewhere elsewhere;
     private String selected;
@@ -37,7 +48,8 @@ public final class SimRobotPanel extends JPanel {
         Texts texts = Messages.in(language);
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
-        tools = new ToolRow(texts, language, operator, world);
+        tools = new ToolRow(texts, language, operator, world, this::edit);
+        editor = new EditorPanel(texts, operator, this::stopEditing);
         inspector = new Inspector(texts, this::select, operator, world);
         modem = new ModemPanel(texts, language);
         orders = new VeriCommandPanel(texts, language);
@@ -49,8 +61,11 @@ public final class SimRobotPanel extends JPanel {
         JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom);
         JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);
         JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle));
-        all.setBorder(Theme.padding(Theme.GRID));
-        add(all, BorderLayout.CENTER);
+        sheets.setOpaque(false);
+        sheets.setBorder(Theme.padding(Theme.GRID));
+        sheets.add(all, RUNNING);
+        sheets.add(editor, EDITING);
+        add(sheets, BorderLayout.CENTER);
         setBackground(Ink.SURFACE.color());
         setName("simrobot");
         show(first);
@@ -74,6 +89,9 @@ public final class SimRobotPanel extends JPanel {
         }
         Optional<RobotSnapshot> robot = robot(selected);
         Optional<LineSnapshot> line = line(selected);
+        if (editor.isVisible()) {
+            editor.showRobots(newest.simulation().robots());
+        }
         world.select(selected);
         world.show(newest.simulation());
         tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
@@ -98,6 +116,35 @@ public final class SimRobotPanel extends JPanel {
             operator.watch(robot);
             show(shown);
         }
+    }
+
+    // ---- editing ---------------------------------------------------------------------------------------------------
+
+    /** While a world is edited, time stands still. @param fresh a new world, else the present one */
+    private void edit(boolean fresh) {
+        pausedBefore = shown.paused();
+        operator.setPaused(true);
+        World present = shown.simulation().world();
+        Path file = shown.worldFile();
+        editor.edit(
+                fresh ? World.bare().named(NEW_WORLD) : present,
+                fresh ? file.resolveSibling(NEW_WORLD) : file,
+                !fresh,
+                shown.simulation().robots());
+        sheet.show(sheets, EDITING);
+    }
+
+    private void stopEditing() {
+        sheet.show(sheets, RUNNING);
+        operator.setPaused(pausedBefore);
+        focusFloor();
+    }
+
+    // ----------------------------------------------------------------------------------------------------------------
+
+    /** For tests: its menu is not in the tree of components. */
+    WorldChoice worldChoice() {
+        return tools.worldChoice();
     }
 
     /** The floor, which should have the keyboard first. */

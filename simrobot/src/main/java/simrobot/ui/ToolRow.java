@@ -5,6 +5,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.AbstractButton;
 import javax.swing.Icon;
@@ -40,14 +41,14 @@ final class ToolRow extends JPanel {
     private String robot = "";
     private boolean paused;
 
-    ToolRow(Texts texts, Locale language, Operator operator, WorldView view) {
+    ToolRow(Texts texts, Locale language, Operator operator, WorldView view, Consumer<Boolean> editing) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
         this.operator = operator;
         this.view = view;
         setOpaque(false);
-        worlds = new WorldChoice(texts, operator);
+        worlds = new WorldChoice(texts, operator, editing);
         link = Lamp.ofLink(language);
         power = toggle("power", Symbol.POWER.icon(), KeyEvent.VK_P, () -> operator.setPower(robot, switchOf("power")));
         motors = toggle(
@@ -111,6 +112,10 @@ final class ToolRow extends JPanel {
             pause.setToolTipText(texts.of(key));
             pause.getAccessibleContext().setAccessibleName(texts.of(key));
         }
+    }
+
+    WorldChoice worldChoice() {
+        return worlds;
     }
 
     private void fit() {

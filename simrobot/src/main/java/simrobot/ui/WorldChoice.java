@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JFileChooser;
@@ -22,17 +23,22 @@ import simgsm.ui.Texts;
 final class WorldChoice {
     private final Texts texts;
     private final Operator operator;
+    private final Consumer<Boolean> editing;
     private final JButton button;
     private Path file = Path.of("");
 
-    WorldChoice(Texts texts, Operator operator) {
+    /** @param editing told true for a new world, false for the present one */
+    WorldChoice(Texts texts, Operator operator, Consumer<Boolean> editing) {
         this.texts = texts;
+        this.editing = editing;
         this.operator = operator;
         Act open = new Act("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
         button = new JButton(open);
         button.setHorizontalTextPosition(JButton.LEADING);
         button.setToolTipText(texts.of("tool.world"));
         open.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK));
+        new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK));
         Named.name(button, "tool.world", texts.of("tool.world"));
     }
 
@@ -58,6 +64,10 @@ final class WorldChoice {
             String name = neighbour.getFileName().toString();
             menu.add(new Act("world." + name, name, () -> operator.load(neighbour)));
         }
+        menu.addSeparator();
+        menu.add(new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK)));
+        menu.add(new Act("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
         menu.addSeparator();
         menu.add(new Act("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
         menu.add(new Act("world.open", texts.of("tool.world.open"), this::choose));

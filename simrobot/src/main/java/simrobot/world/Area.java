@@ -31,6 +31,32 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
         return x >= minXMeters && x <= maxXMeters && y >= minYMeters && y <= maxYMeters;
     }
 
+    /** Shifted on the floor, whichever way it is turned. */
+    public Area movedBy(double dxMeters, double dyMeters) {
+        Position by = local(dxMeters, dyMeters);
+        return new Area(
+                sum(minXMeters, by.xMeters()),
+                sum(minYMeters, by.yMeters()),
+                sum(maxXMeters, by.xMeters()),
+                sum(maxYMeters, by.yMeters()),
+                rotationRadians);
+    }
+
+    /** To the nanometre: free of the dust that adding decimals leaves. */
+    private static double sum(double meters, double more) {
+        return Math.rint((meters + more) * 1e9) / 1e9;
+    }
+
+    /** A place as the area's own corners count, before they are turned. */
+    public Position local(double xMeters, double yMeters) {
+        if (rotationRadians == 0) {
+            return new Position(xMeters, yMeters);
+        }
+        double cos = Math.cos(rotationRadians);
+        double sin = Math.sin(rotationRadians);
+        return new Position(xMeters * cos + yMeters * sin, yMeters * cos - xMeters * sin);
+    }
+
     public Position center() {
         return turned((minXMeters + maxXMeters) / 2, (minYMeters + maxYMeters) / 2);
     }

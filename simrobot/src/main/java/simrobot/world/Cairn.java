@@ -79,9 +79,9 @@ final class Cairn {
             throw tokens.fault('"' + name + '"', expected);
         }
         try {
-            double millimetersPerSecond = Double.parseDouble(name.substring(2).strip());
-            if (Math.abs(millimetersPerSecond) <= 10_000) {
-                return millimetersPerSecond / 1000;
+            double metersPerSecond = LineTokens.thousandth(name.substring(2).strip());
+            if (Math.abs(metersPerSecond) <= 10) {
+                return metersPerSecond;
             }
         } catch (NumberFormatException notANumber) {
             // falls through to the same complaint

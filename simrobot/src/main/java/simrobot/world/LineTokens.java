@@ -1,5 +1,6 @@
 package simrobot.world;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -52,8 +53,16 @@ final class LineTokens {
         throw fault('"' + word + '"', expected);
     }
 
+    /** The double that is nearest to the number of millimetres as it is written, so that a map survives reading and writing. */
     double meters(String what) throws WorldFormatException {
-        return number(what + " in mm") / 1000;
+        number(what + " in mm");
+        return thousandth(words.get(next - 1));
+    }
+
+    /** @throws NumberFormatException when it is no decimal number */
+    static double thousandth(String decimal) {
+        boolean scaled = decimal.indexOf('e') >= 0 || decimal.indexOf('E') >= 0;
+        return scaled ? new BigDecimal(decimal).movePointLeft(3).doubleValue() : Double.parseDouble(decimal + "e-3");
     }
 
     double radians(String what) throws WorldFormatException {

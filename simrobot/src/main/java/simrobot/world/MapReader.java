@@ -151,7 +151,7 @@ public final class MapReader {
         String type = tokens.word("a cairn's type");
         switch (type.toLowerCase(Locale.ROOT)) {
             case "robothome" -> home(new Cairn(tokens));
-            case "goal", "goalwithheading", "dock" -> goal(new Cairn(tokens));
+            case "goal", "goalwithheading", "dock" -> goal(new Cairn(tokens), type);
             case "forbiddenline" -> forbiddenLine(new Cairn(tokens));
             case "forbiddenarea" -> world.forbiddenAreas.add(new Cairn(tokens).requiredArea(type));
             case "sim.boxobstacle" -> box(new Cairn(tokens), type);
@@ -168,8 +168,8 @@ public final class MapReader {
         world.homes.add(new Home(cairn.name(), at, cairn.headingRadians(), cairn.area()));
     }
 
-    private void goal(Cairn cairn) {
-        world.goals.add(new Goal(cairn.name(), cairn.position()));
+    private void goal(Cairn cairn, String type) {
+        world.goals.add(new Goal(type, cairn.name(), cairn.position(), cairn.headingRadians()));
     }
 
     private void forbiddenLine(Cairn cairn) throws WorldFormatException {

@@ -62,6 +62,76 @@ public record World(
                 name, segments, List.of(), 0.02, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
     }
 
+    public World named(String newName) {
+        return new World(
+                newName,
+                segments,
+                points,
+                pointDiameterMeters,
+                boxes,
+                homes,
+                forbiddenLines,
+                forbiddenAreas,
+                treadmills,
+                goals);
+    }
+
+    public World withSegments(List<Segment> walls) {
+        return new World(
+                name,
+                walls,
+                points,
+                pointDiameterMeters,
+                boxes,
+                homes,
+                forbiddenLines,
+                forbiddenAreas,
+                treadmills,
+                goals);
+    }
+
+    public World withBoxes(List<Box> newBoxes) {
+        return new World(
+                name,
+                segments,
+                points,
+                pointDiameterMeters,
+                newBoxes,
+                homes,
+                forbiddenLines,
+                forbiddenAreas,
+                treadmills,
+                goals);
+    }
+
+    public World withHomes(List<Home> newHomes) {
+        return new World(
+                name,
+                segments,
+                points,
+                pointDiameterMeters,
+                boxes,
+                newHomes,
+                forbiddenLines,
+                forbiddenAreas,
+                treadmills,
+                goals);
+    }
+
+    public World withTreadmills(List<Treadmill> belts) {
+        return new World(
+                name,
+                segments,
+                points,
+                pointDiameterMeters,
+                boxes,
+                homes,
+                forbiddenLines,
+                forbiddenAreas,
+                belts,
+                goals);
+    }
+
     /** Every straight obstacle: walls, then the sides of the boxes. */
     public List<Segment> obstacles() {
         List<Segment> all = new ArrayList<>(segments);

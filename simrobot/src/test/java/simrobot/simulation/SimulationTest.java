@@ -9,8 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simrobot.robot.SimulatedRobot;
+import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -195,5 +197,24 @@ class SimulationTest {
         SimulationSnapshot picture = simulation.snapshot();
         assertEquals(0, picture.robots().get(0).sonarRangesMeters().length);
         assertEquals(16, picture.robots().get(3).sonarRangesMeters().length);
+    }
+
+    @Test
+    void aChangedWorldLeavesRobotsWhereTheyFitAndSendsTheOthersHome() {
+        Simulation office = new Simulation(World.ofSegments("a", List.of(new Segment(-5, -5, 5, 5))), 1);
+        SimulatedRobot stays = office.addRobot("stays", new Position(3, 0), 1);
+        SimulatedRobot goes = office.addRobot("goes", new Position(-3, 0), 2);
+        stays.start(new Instruction.Forward(500), ended -> {});
+        office.run(50);
+        double x = stays.xMeters();
+        World next = World.ofSegments("b", List.of(new Segment(-5, 0, -1, 0), new Segment(-5, 5, 5, -5)))
+                .withHomes(List.of(new Home("h", new Position(-4, 2), 0.5, Optional.empty())));
+        assertEquals(1, office.change(next));
+        assertEquals(x, stays.xMeters());
+        assertEquals(RobotStatus.STOPPED, stays.status());
+        assertEquals(-4, goes.xMeters());
+        assertEquals(2, goes.yMeters());
+        assertEquals(0.5, goes.headingRadians());
+        assertEquals(next, office.world());
     }
 }

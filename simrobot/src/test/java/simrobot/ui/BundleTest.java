@@ -61,9 +61,17 @@ class BundleTest {
                     sources.indexOf('"' + key + '"') >= 0
                             || composed
                                     && sources.indexOf('"' + key.substring(5).replace(".word", "") + '"') >= 0
+                            || isOfTheEditor(key, last, sources)
                             || isStatus(last),
                     key);
         }
+    }
+
+    /** Its tools, fields and buttons put their keys together. */
+    private static boolean isOfTheEditor(String key, String last, CharSequence sources) {
+        boolean tool = Stream.of(EditorTool.values()).anyMatch(each -> each.id().equals(last));
+        boolean field = key.startsWith("editor.field.");
+        return key.startsWith("editor.") && (tool || field || sources.toString().contains("button(\"" + last + '"'));
     }
 
     private static boolean isStatus(String word) {

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,6 +26,7 @@ import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
 import simrobot.robot.Placement;
 import simrobot.simulation.Simulation;
+import simrobot.world.MapFile;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
@@ -253,6 +255,24 @@ final class WindowBench implements Operator {
     public void stepOnce() {
         acts.add("step");
         simulation.step();
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        acts.add("apply " + file.getFileName());
+        simulation.change(world);
+        answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        acts.add("save " + file.getFileName());
+        try {
+            MapFile.save(world, file);
+            answer.accept(Optional.empty());
+        } catch (IOException refusal) {
+            answer.accept(Optional.of(refusal.getMessage()));
+        }
     }
 
     @Override

@@ -1,0 +1,171 @@
+package simrobot.world;
+
+import java.math.BigDecimal;
+import java.util.List;
+
+/**
+ * Writes a world as ARIA's {@code .map}, millimetres and degrees. What {@link MapReader} reads from it is the same world, to
+ * the last bit of every coordinate.
+ */
+public final class MapWriter {
+    private final StringBuilder out = new StringBuilder();
+    private final World world;
+
+    private MapWriter(World world) {
+        this.world = world;
+    }
+
+    /** The file's text, lines ended by LF. */
+    public static String text(World world) {
+        MapWriter writer = new MapWriter(world);
+        writer.headers();
+        writer.cairns();
+        writer.lines();
+        return writer.out.toString();
+    }
+
+    private void row(String... words) {
+        out.append(String.join(" ", words)).append('\n');
+    }
+
+    // ---- headers ---------------------------------------------------------------------------------------------------
+
+    private void headers() {
+        row("2D-Map");
+        double[] lines = new Bounds().around(world.segments()).corners();
+        row("LineMinPos:", millimeters(lines[0]), millimeters(lines[1]));
+        row("LineMaxPos:", millimeters(lines[2]), millimeters(lines[3]));
+        row("NumLines:", String.valueOf(world.segments().size()));
+        row("LinesAreSorted: false");
+        Bounds points = new Bounds();
+        world.points().forEach(p -> points.grow(p.xMeters(), p.yMeters()));
+        row("MinPos:", millimeters(points.corners()[0]), millimeters(points.corners()[1]));
+        row("MaxPos:", millimeters(points.corners()[2]), millimeters(points.corners()[3]));
+        row("NumPoints:", String.valueOf(world.points().size()));
+        row("PointsAreSorted: false");
+        row("Resolution:", millimeters(world.pointDiameterMeters()));
+    }
+
+    /** What the headers tell; 0 where there is nothing. */
+    private static final class Bounds {
+        private final double[] corners = {
+            Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+        };
+
+        Bounds around(List<Segment> walls) {
+            walls.forEach(wall -> {
+                grow(wall.x1Meters(), wall.y1Meters());
+                grow(wall.x2Meters(), wall.y2Meters());
+            });
+            return this;
+        }
+
+        void grow(double x, double y) {
+            corners[0] = Math.min(corners[0], x);
+            corners[1] = Math.min(corners[1], y);
+            corners[2] = Math.max(corners[2], x);
+            corners[3] = Math.max(corners[3], y);
+        }
+
+        double[] corners() {
+            return corners[0] > corners[2] ? new double[4] : corners;
+        }
+    }
+
+    // ---- cairns ----------------------------------------------------------------------------------------------------
+
+    private void cairns() {
+        world.homes().forEach(this::home);
+        for (Goal goal : world.goals()) {
+            cairn(goal.type(), goal.position(), goal.headingRadians(), goal.name(), "");
+        }
+        for (Segment line : world.forbiddenLines()) {
+            Position middle =
+                    new Position((line.x1Meters() + line.x2Meters()) / 2, (line.y1Meters() + line.y2Meters()) / 2);
+            cairn("ForbiddenLine", middle, 0, "", corners(line));
+        }
+        for (Area area : world.forbiddenAreas()) {
+            cairn("ForbiddenArea", area.center(), area.rotationRadians(), "", corners(area));
+        }
+        for (Box box : world.boxes()) {
+            Area area = box.area();
+            cairn("Sim.BoxObstacle", area.center(), area.rotationRadians(), box.name(), corners(area));
+        }
+        for (Treadmill belt : world.treadmills()) {
+            String speed = "v=" + millimeters(belt.speedMetersPerSecond());
+            cairn("Sim.Treadmill", belt.area().center(), belt.directionRadians(), speed, corners(belt.area()));
+        }
+    }
+
+    /** A home's area is turned by the home's heading: one that is not cannot be written and is left out. */
+    private void home(Home home) {
+        String area = home.area()
+                .filter(a -> a.rotationRadians() == home.headingRadians())
+                .map(MapWriter::corners)
+                .orElse("");
+        cairn("RobotHome", home.position(), home.headingRadians(), home.name(), area);
+    }
+
+    private void cairn(String type, Position at, double radians, String name, String corners) {
+        row(
+                "Cairn:",
+                type,
+                millimeters(at.xMeters()),
+                millimeters(at.yMeters()),
+                degrees(radians),
+                "\"\"",
+                "ICON",
+                quoted(name) + (corners.isEmpty() ? "" : " " + corners));
+    }
+
+    private static String corners(Area area) {
+        return millimeters(area.minXMeters()) + " " + millimeters(area.minYMeters()) + " "
+                + millimeters(area.maxXMeters()) + " " + millimeters(area.maxYMeters());
+    }
+
+    private static String corners(Segment line) {
+        return millimeters(line.x1Meters()) + " " + millimeters(line.y1Meters()) + " " + millimeters(line.x2Meters())
+                + " " + millimeters(line.y2Meters());
+    }
+
+    private static String quoted(String name) {
+        StringBuilder quoted = new StringBuilder("\"");
+        name.chars().forEach(c -> {
+            boolean marked = c == '"' || c == '\\';
+            quoted.append(marked ? "\\" : "").append(Character.isISOControl(c) ? ' ' : (char) c);
+        });
+        return quoted.append('"').toString();
+    }
+
+    // ---- walls and points ------------------------------------------------------------------------------------------
+
+    private void lines() {
+        row("LINES");
+        world.segments().forEach(wall -> row(corners(wall)));
+        row("DATA");
+        world.points().forEach(point -> row(millimeters(point.xMeters()), millimeters(point.yMeters())));
+    }
+
+    /** The shortest decimal from which the reader makes the same metres again. */
+    private static String millimeters(double meters) {
+        return plain(BigDecimal.valueOf(meters).movePointRight(3));
+    }
+
+    /** Round degrees where they make the same radians again, else all digits. */
+    static String degrees(double radians) {
+        double exact = Math.toDegrees(radians);
+        BigDecimal round = BigDecimal.valueOf(Math.rint(exact * 1e6)).movePointLeft(6);
+        if (Math.toRadians(round.doubleValue()) == radians) {
+            return plain(round);
+        }
+        double degrees = exact;
+        for (int i = 0; i < 4 && Math.toRadians(degrees) != radians; i++) {
+            degrees = Math.toRadians(degrees) < radians ? Math.nextUp(degrees) : Math.nextDown(degrees);
+        }
+        return plain(BigDecimal.valueOf(degrees));
+    }
+
+    private static String plain(BigDecimal number) {
+        return number.signum() == 0 ? "0" : number.stripTrailingZeros().toPlainString();
+    }
+}

@@ -1,0 +1,99 @@
+package simrobot.editor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import simrobot.world.Segment;
+import simrobot.world.World;
+
+class DraftTest {
+    private static final Segment WALL = new Segment(0, 0, 1, 0);
+    private final Draft draft = new Draft(World.bare());
+
+    private static World with(World world, Segment wall) {
+        return Edits.with(world, wall);
+    }
+
+    @Test
+    void stepsAreUndoneAndRedoneInTheirOrder() {
+        World none = draft.world();
+        draft.change(with(draft.world(), WALL));
+        World one = draft.world();
+        draft.change(with(draft.world(), new Segment(1, 0, 1, 1)));
+        draft.undo();
+        assertSame(one, draft.world());
+        draft.undo();
+        assertSame(none, draft.world());
+        assertFalse(draft.canUndo());
+        draft.redo();
+        draft.redo();
+        assertEquals(2, draft.world().segments().size());
+        assertFalse(draft.canRedo());
+    }
+
+    @Test
+    void aNewStepEndsWhatCouldBeRedone() {
+        draft.change(with(draft.world(), WALL));
+        draft.undo();
+        draft.change(with(draft.world(), new Segment(5, 5, 6, 6)));
+        assertFalse(draft.canRedo());
+    }
+
+    @Test
+    void aDragIsOneStepHoweverManyTriesItTook() {
+        for (int i = 1; i < 20; i++) {
+            draft.attempt(with(draft.settled(), new Segment(0, 0, i, 0)));
+            assertEquals(i, draft.world().segments().get(0).x2Meters());
+        }
+        draft.settle();
+        assertEquals(1, draft.world().segments().size());
+        draft.undo();
+        assertEquals(0, draft.world().segments().size());
+    }
+
+    @Test
+    void aTryThatIsForgottenOrChangesNothingLeavesNoStep() {
+        draft.attempt(with(draft.settled(), WALL));
+        draft.forget();
+        draft.settle();
+        draft.attempt(draft.settled().named(draft.settled().name()));
+        draft.settle();
+        assertFalse(draft.canUndo());
+        assertFalse(draft.isChanged());
+    }
+
+    @Test
+    void itIsChangedUntilItIsSavedAndAgainAfterUndo() {
+        draft.change(with(draft.world(), WALL));
+        assertTrue(draft.isChanged());
+        draft.saved(draft.world());
+        assertFalse(draft.isChanged());
+        draft.undo();
+        assertTrue(draft.isChanged());
+    }
+
+    @Test
+    void whatIsGoneIsNotSelected() {
+        draft.change(with(draft.world(), WALL));
+        draft.select(new Item(Item.Kind.WALL, 0));
+        draft.undo();
+        assertEquals(Optional.empty(), draft.selected());
+        draft.select(new Item(Item.Kind.HOME, 3));
+        assertEquals(Optional.empty(), draft.selected());
+    }
+
+    @Test
+    void theSelectedItemIsDeleted() {
+        draft.change(with(with(draft.world(), WALL), new Segment(5, 5, 6, 6)));
+        draft.select(new Item(Item.Kind.WALL, 0));
+        draft.deleteSelected();
+        assertEquals(List.of(new Segment(5, 5, 6, 6)), draft.world().segments());
+        draft.deleteSelected();
+        assertEquals(1, draft.world().segments().size());
+    }
+}

@@ -1,0 +1,188 @@
+package simrobot.editor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import simrobot.world.Area;
+import simrobot.world.Box;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.Treadmill;
+import simrobot.world.World;
+
+/** Every kind of thing is made, moved, pulled, typed and found. */
+class EditsTest {
+    private World world;
+
+    @BeforeEach
+    void oneOfEach() {
+        world = Edits.with(World.bare(), new Segment(0, 0, 3, 0));
+        world = Edits.with(world, new Box("Desk", Area.between(1, 1, 2, 3, 0)));
+        world = Edits.with(world, new Home("A", new Position(5, 5), Math.PI / 2, Optional.empty()));
+        world = Edits.with(world, new Treadmill(Area.between(7, 0, 8, 4, 0), -0.3, 0));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Item.Kind.class)
+    void movingThereAndBackChangesNothing(Item.Kind kind) {
+        Item item = new Item(kind, 0);
+        World there = Edits.moved(world, item, 0.1, -0.7);
+        assertEquals(world, Edits.moved(there, item, -0.1, 0.7));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Item.Kind.class)
+    void whatIsDeletedIsGoneAndNothingElse(Item.Kind kind) {
+        World less = Edits.without(world, new Item(kind, 0));
+        for (Item.Kind each : Item.Kind.values()) {
+            assertEquals(each == kind ? 0 : 1, Edits.count(less, each), each.toString());
+        }
+    }
+
+    @Test
+    void tenStepsOfATenthAreAMetreWithoutDust() {
+        Item wall = new Item(Item.Kind.WALL, 0);
+        for (int i = 0; i < 10; i++) {
+            world = Edits.moved(world, wall, 0.1, 0.1);
+        }
+        assertEquals(new Segment(1, 1, 4, 1), world.segments().get(0));
+    }
+
+    @Test
+    void anEndOfAWallIsPulled() {
+        Handle end = Edits.handles(world, new Item(Item.Kind.WALL, 0)).get(1);
+        assertEquals(
+                new Segment(0, 0, 4, 2),
+                Edits.pulled(world, end, 4, 2).segments().get(0));
+        Handle begin = Edits.handles(world, new Item(Item.Kind.WALL, 0)).get(0);
+        assertEquals(
+                new Segment(-1, 2, 3, 0),
+                Edits.pulled(world, begin, -1, 2).segments().get(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0,0,0,2,3", "1,5,0,1,3", "2,5,9,1,1", "3,0,9,2,1"})
+    void aCornerIsPulledWhileTheOneOppositeStays(int corner, double x, double y, double fixedX, double fixedY) {
+        Handle handle = Edits.handles(world, new Item(Item.Kind.BOX, 0)).get(corner);
+        Area area = Edits.pulled(world, handle, x, y).boxes().get(0).area();
+        assertEquals(Area.between(x, y, fixedX, fixedY, 0), area);
+    }
+
+    @Test
+    void aTurnedBoxFollowsTheHandAllTheSame() {
+        World turned = Edits.with(World.bare(), new Box("", new Area(1, 1, 2, 2, Math.PI / 2)));
+        Item item = new Item(Item.Kind.BOX, 0);
+        Position before = turned.boxes().get(0).area().center();
+        Position after = Edits.moved(turned, item, 1, 0).boxes().get(0).area().center();
+        assertEquals(before.xMeters() + 1, after.xMeters(), 1e-9);
+        assertEquals(before.yMeters(), after.yMeters(), 1e-9);
+    }
+
+    @Test
+    void aHomeIsTurnedByItsHandleInWholeDegrees() {
+        Handle handle = Edits.handles(world, new Item(Item.Kind.HOME, 0)).get(0);
+        assertEquals(5, handle.xMeters(), 1e-9);
+        assertEquals(5.6, handle.yMeters(), 1e-9);
+        Home turned = Edits.pulled(world, handle, 4, 5.001).homes().get(0);
+        assertEquals(180, Math.toDegrees(turned.headingRadians()), 1e-9);
+    }
+
+    @Test
+    void aNewHomeGetsANameThatNoneHas() {
+        assertEquals("Home2", Edits.freeHomeName(world));
+        World more = Edits.with(world, new Home("Home3", new Position(0, 0), 0, Optional.empty()));
+        assertEquals("Home4", Edits.freeHomeName(more));
+    }
+
+    // ---- typed
+    // -------------------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @EnumSource(Item.Kind.class)
+    void fieldsThatWereNotTouchedLeaveTheWorldAsItIs(Item.Kind kind) throws Exception {
+        Item item = new Item(kind, 0);
+        assertSame(world, ItemFields.changed(world, item, ItemFields.of(world, item)));
+    }
+
+    private World typed(Item.Kind kind, String field, String text) throws ItemFields.Refusal {
+        Item item = new Item(kind, 0);
+        Map<String, String> fields = new LinkedHashMap<>(ItemFields.of(world, item));
+        assertEquals(true, fields.containsKey(field));
+        fields.put(field, text);
+        return ItemFields.changed(world, item, fields);
+    }
+
+    @Test
+    void whatIsTypedIsSo() throws Exception {
+        assertEquals(4.5, typed(Item.Kind.WALL, "x2", "4,5").segments().get(0).x2Meters());
+        assertEquals(
+                "Table", typed(Item.Kind.BOX, "name", " Table ").boxes().get(0).name());
+        assertEquals(
+                Math.toRadians(45),
+                typed(Item.Kind.HOME, "heading", "45").homes().get(0).headingRadians());
+        assertEquals(
+                0.25,
+                typed(Item.Kind.TREADMILL, "speed", ".25").treadmills().get(0).speedMetersPerSecond());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"WALL,x1,abc", "WALL,y2,''", "BOX,x1,1e3", "HOME,heading,400", "TREADMILL,speed,11", "WALL,x1,999999"})
+    void whatIsNoNumberIsRefusedByItsField(Item.Kind kind, String field, String text) {
+        ItemFields.Refusal refusal = assertThrows(ItemFields.Refusal.class, () -> typed(kind, field, text));
+        assertEquals(field, refusal.field());
+        assertEquals(text, refusal.getMessage());
+    }
+
+    // ---- found
+    // -------------------------------------------------------------------------------------------------------
+
+    @Test
+    void whatLiesUnderThePointerIsFound() {
+        assertEquals(Optional.of(new Item(Item.Kind.WALL, 0)), Picking.itemAt(world, 1.5, 0.04, 0.05));
+        assertEquals(Optional.empty(), Picking.itemAt(world, 1.5, 0.06, 0.05));
+        assertEquals(Optional.of(new Item(Item.Kind.BOX, 0)), Picking.itemAt(world, 1.5, 2, 0.05));
+        assertEquals(Optional.of(new Item(Item.Kind.HOME, 0)), Picking.itemAt(world, 5.2, 5, 0.05));
+        assertEquals(Optional.of(new Item(Item.Kind.TREADMILL, 0)), Picking.itemAt(world, 7.5, 2, 0.05));
+    }
+
+    @Test
+    void theNearestHandleIsTaken() {
+        Item wall = new Item(Item.Kind.WALL, 0);
+        assertEquals(
+                1, Picking.handleAt(world, wall, 2.95, 0, 0.1).orElseThrow().number());
+        assertEquals(Optional.empty(), Picking.handleAt(world, wall, 2, 0, 0.1));
+    }
+
+    // ---- snapped
+    // -----------------------------------------------------------------------------------------------------
+
+    @Test
+    void placesFallOnTheRasterAndOnWallEndsThatAreNear() {
+        Snap snap = new Snap(0.5);
+        assertEquals(new Position(1.5, -0.5), snap.of(world, 1.7, -0.3, 0.1));
+        World odd = Edits.with(World.bare(), new Segment(0.123, 0.456, 9, 9));
+        assertEquals(new Position(0.123, 0.456), snap.of(odd, 0.2, 0.4, 0.1));
+        assertEquals(0.3, new Snap(0.1).of(0.3000000001));
+        assertEquals(1.235, new Snap(0).of(1.23456));
+    }
+
+    @Test
+    void withShiftAWallIsLevelUprightOrDiagonal() {
+        Snap snap = new Snap(0.1);
+        Position from = new Position(1, 1);
+        assertEquals(new Position(4.2, 1), snap.straight(from, 4.22, 1.5));
+        assertEquals(new Position(1, -2), snap.straight(from, 0.7, -2.03));
+        assertEquals(new Position(3, 3), snap.straight(from, 3.1, 2.9));
+        assertEquals(new Position(-1, 3), snap.straight(from, -1.1, 2.9));
+    }
+}
