@@ -5,6 +5,7 @@ import java.util.Locale;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
 import simgsm.station.CallState;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Arrange;
@@ -61,16 +62,35 @@ final class ModemPanel extends JPanel {
     void show(LineSnapshot line) {
         StationSnapshot modem = line.modem();
         number.show(line.number());
-        network.show(
-                modem.registered() && !modem.networkName().isEmpty()
-                        ? modem.networkName()
-                        : texts.of("modem.noNetwork"));
+        network.show(network(modem));
         signal.show(modem.registered() ? SignalBars.BARS : 0);
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
         showSound(line.audible());
         scope.show(line.heard());
+    }
+
+    private String network(StationSnapshot modem) {
+        if (modem.rejectCause().isPresent()) {
+            return refusal(modem);
+        }
+        return modem.registered() && !modem.networkName().isEmpty() ? modem.networkName() : texts.of("modem.noNetwork");
+    }
+
+    private String refusal(StationSnapshot modem) {
+        if (modem.cardRefused()) {
+            return texts.of("modem.refused.card");
+        }
+        RejectCause cause = modem.rejectCause().orElseThrow();
+        return switch (cause) {
+            // The centre says "illegal MS" to a second terminal that claims a number in use.
+            case ILLEGAL_MS -> texts.of("modem.refused.taken");
+            case IMSI_UNKNOWN_IN_HLR -> texts.of("modem.refused.unknown");
+            case ILLEGAL_ME -> texts.of("modem.refused.equipment");
+            case PLMN_NOT_ALLOWED -> texts.of("modem.refused.barred");
+            default -> cause.title();
+        };
     }
 
     private void showSound(boolean audible) {

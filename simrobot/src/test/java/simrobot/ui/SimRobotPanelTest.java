@@ -15,8 +15,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.air.RejectCause;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.CallState;
+import simgsm.station.StationSnapshot;
 import simgsm.ui.Appearance;
 import simgsm.ui.Chip;
 import simgsm.ui.Keycaps;
@@ -217,6 +221,34 @@ class SimRobotPanelTest {
         assertEquals("Call: in call with", bench.spoken("modem.call"));
         assertEquals("5550100", bench.spoken("modem.peer"));
         assertTrue(bench.spoken("lamp.link").endsWith("in service"), bench.spoken("lamp.link"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "3, true, SIM not accepted",
+        "3, false, number in use",
+        "2, false, SIM unknown here",
+        "6, false, modem barred",
+        "11, false, SIM barred",
+        "22, false, congestion"
+    })
+    void aModemThatTheNetworkRefusesSaysWhy(int cause, boolean cardRefused, String words) throws Exception {
+        LineSnapshot line = WindowBench.line("robot", false, false, WindowBench.noOrders(), "");
+        StationSnapshot refused = new StationSnapshot(
+                true,
+                true,
+                false,
+                Optional.of(RejectCause.ofCode(cause)),
+                cardRefused,
+                "",
+                CallState.NULL,
+                Optional.empty(),
+                SpeechCodec.Kind.A_LAW,
+                Optional.empty());
+        WindowBench bench = bench(new LineSnapshot(
+                line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
+        assertEquals(words, bench.spoken("modem.network"));
+        assertTrue(bench.spoken("lamp.link").endsWith("refused"), bench.spoken("lamp.link"));
     }
 
     @Test

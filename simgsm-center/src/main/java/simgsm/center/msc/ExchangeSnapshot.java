@@ -29,8 +29,13 @@ public record ExchangeSnapshot(
         Optional<Passing> latest) {
     public static final int MAX_ROWS = 1_000;
 
-    /** @param imei empty until the subscriber has registered once */
-    public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei) {}
+    /** @param imei empty until the subscriber has registered once; @param barred whether the operator lets him not register */
+    public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
+        /** Of a subscriber who may register. */
+        public SubscriberRow(Msisdn number, boolean attached, String imsi, String imei) {
+            this(number, attached, imsi, imei, false);
+        }
+    }
 
     public record MessageRow(long id, Msisdn from, Msisdn to, Instant acceptedAt, Instant expiresAt, String text) {}
 

@@ -45,7 +45,7 @@ final class SnapshotMaker {
                 register.attachedCount(),
                 shortMessages.waitingCount(),
                 calls.speechFramesSwitched(),
-                register.all().stream().limit(most).map(SnapshotMaker::row).toList(),
+                register.all().stream().limit(most).map(this::row).toList(),
                 calls.calls().stream().limit(most).map(CallView::of).toList(),
                 shortMessages.waiting(most).stream().map(SnapshotMaker::row).toList(),
                 ladder.entries(),
@@ -68,12 +68,13 @@ final class SnapshotMaker {
                 call.from(), call.to(), calls.keyTap().keys());
     }
 
-    private static ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
+    private ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
         return new ExchangeSnapshot.SubscriberRow(
                 subscriber.number(),
                 subscriber.isAttached(),
                 subscriber.imsi().digits(),
-                subscriber.imei().map(Imei::digits).orElse(""));
+                subscriber.imei().map(Imei::digits).orElse(""),
+                register.home().isBarred(subscriber.imsi()));
     }
 
     private static ExchangeSnapshot.MessageRow row(ShortMessage message) {

@@ -24,6 +24,7 @@ final class Tables {
 
     static RowsPanel<SubscriberRow> subscribers(Texts texts) {
         StateWord attached = new StateWord(Mark.DISC, Ink.GOOD, texts.of("window.subscriber.attached"));
+        StateWord barred = new StateWord(Mark.SLASHED_RING, Ink.DANGER, texts.of("window.subscriber.barred"));
         StateWord detached = new StateWord(Mark.RING, Ink.QUIET, texts.of("window.subscriber.detached"));
         return new RowsPanel<>(
                 "subscribers",
@@ -31,7 +32,10 @@ final class Tables {
                 texts.of("window.subscribers.empty"),
                 List.of(
                         new Column<>(texts.of("window.number"), 72, SubscriberRow::number),
-                        new Column<>(texts.of("window.state"), 104, row -> row.attached() ? attached : detached),
+                        new Column<>(
+                                texts.of("window.state"),
+                                104,
+                                row -> row.attached() ? attached : row.barred() ? barred : detached),
                         new Column<>("IMSI", 118, row -> new Digits(row.imsi())),
                         new Column<>("IMEI", 118, row -> new Digits(row.imei()))));
     }

@@ -100,6 +100,16 @@ class ClosedNetworkTest {
     }
 
     @Test
+    void thePictureOfTheNetworkSaysWhoIsBarred() {
+        attach(ANA);
+        assertEquals(
+                List.of("5550100 true false", "5550101 false false", "5550102 false true"),
+                network.exchange.snapshot().subscribers().stream()
+                        .map(row -> row.number() + " " + row.attached() + " " + row.barred())
+                        .toList());
+    }
+
+    @Test
     void noTwoChallengesAreTheSame() {
         TestMobile mobile = connect();
         mobile.requestUpdate(ANA.imsi());
