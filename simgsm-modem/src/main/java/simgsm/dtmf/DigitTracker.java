@@ -10,11 +10,11 @@ final class DigitTracker {
     /** A key must have stood out so often before it is worth a closer look. */
     private static final int LEAST_RUN = 2;
     /** One that has stood out for longer and is no key yet is looked at every fourth hop only. */
-    private static final int OFTEN = 10;
+    private static final int OFTEN = 14;
     /** 6 dB in each tone: something else, which has the same two tones, begins. */
     private static final float LOUDER = 16;
-    /** Hops without its standing out that a run survives. */
-    private static final int MOST_MISSED = 2;
+    /** Hops without its standing out that a run survives: one look of the gate, which an interruption of 10 ms blinds. */
+    private static final int MOST_MISSED = 4;
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
     private static final double END = 4.5;
     /** A tone that begins so soon after a key's, 60 ms, finds it still in the spectrum of the time before. */
@@ -59,17 +59,16 @@ final class DigitTracker {
             follow(hop, at);
         }
         if (key < 0) {
-            if (++missed > MOST_MISSED) {
-                run = 0;
-            }
-            return;
+            missed++;
+            run = missed > MOST_MISSED ? 0 : run;
+        } else {
+            run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
+            quietest = run == 1 ? loudness : Math.min(quietest, loudness);
+            runKey = key;
+            missed = 0;
         }
-        run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
-        quietest = run == 1 ? loudness : Math.min(quietest, loudness);
-        runKey = key;
-        missed = 0;
         boolean due = run >= LEAST_RUN && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
-        if (due && (current == null || current.key().ordinal() != key)) {
+        if (due && (current == null || current.key().ordinal() != runKey)) {
             consider(hop, at, end);
         }
     }

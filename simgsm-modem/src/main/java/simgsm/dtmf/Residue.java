@@ -172,6 +172,20 @@ final class Residue {
         return most;
     }
 
+    /** How much of what sounds beside the tones now lies within a bin of a multiple of that frequency. */
+    double familyShare(double hertz) {
+        double family = 0;
+        double all = TINY;
+        for (int k = LOWEST; k <= HIGHEST; k++) {
+            if (!isTones(k)) {
+                double multiple = k * BIN_HERTZ / hertz;
+                family += Math.abs(multiple - Math.rint(multiple)) * hertz < 1.5 * BIN_HERTZ ? during[k] : 0;
+                all += during[k];
+            }
+        }
+        return family / all;
+    }
+
     private boolean isTones(int k) {
         double hertz = k * BIN_HERTZ;
         return Math.abs(hertz - row) < HALF_LINE_HERTZ || Math.abs(hertz - column) < HALF_LINE_HERTZ;

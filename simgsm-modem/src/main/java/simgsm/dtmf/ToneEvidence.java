@@ -7,6 +7,12 @@ package simgsm.dtmf;
 final class ToneEvidence {
     /** So soon after the estimated beginning the time before it ends: 1 ms. */
     private static final int MARGIN = 8;
+    /** Share by which the ratio of two harmonics' frequencies, as measured, may miss that of their numbers. */
+    private static final double SAME_VOICE = 0.002;
+    /** The row's tone is looked for up to this harmonic; higher ones lie too close to be told apart. */
+    private static final int HIGHEST_ROW = 6;
+    /** Up to this harmonic of the row's tone a voice's harmonics lie seven bins of the spectrum apart. */
+    private static final int FAR_APART = 3;
 
     final Residue residue = new Residue();
 
@@ -49,6 +55,8 @@ final class ToneEvidence {
     private int onset;
     private double tones;
     private double weaker;
+    private int rowMultiple;
+    private int columnMultiple;
 
     /** @param end index just behind the newest sample */
     void measure(ToneFit toneFit, short[] line, int newestEnd, boolean afterKey) {
@@ -61,6 +69,8 @@ final class ToneEvidence {
         ripple = Math.max(fit.ripple[0], fit.ripple[1]);
         tones = square(fit.amplitude[0]) + square(fit.amplitude[1]);
         weaker = Math.min(square(fit.amplitude[0]), square(fit.amplitude[1]));
+        twist = fit.twist();
+        findHarmony();
         onset = (int) (end - ToneBank.HOP * (fit.sinceOnset + 1)) - MARGIN;
     }
 
@@ -70,7 +80,6 @@ final class ToneEvidence {
         shareOfAll = tones / all;
         newShareOfAll = tones / (tones + Math.max(0, all - tones - 1.2 * before));
         allBefore = before / tones;
-        twist = fit.twist();
     }
 
     void measureSpectrum() {
@@ -94,10 +103,31 @@ final class ToneEvidence {
         return residue.restBefore < 1.8 * residue.rest && allBefore < 1.6 * (1 / shareOfAll - 0.8);
     }
 
-    /** The strongest other harmonic of a voice of which the tones would be two, in decibels against the weaker tone. */
-    double family(int rowMultiple, int columnMultiple) {
+    /** The tones' frequencies are to each other as two of a voice's lower harmonics are. */
+    boolean isHarmony() {
+        return rowMultiple > 0;
+    }
+
+    /** The strongest other harmonic of the voice of which the tones would be two, in decibels against the weaker tone. */
+    double family() {
         double hertz = (fit.hertz[0] + fit.hertz[1]) / (rowMultiple + columnMultiple);
         return decibels(residue.family(hertz, rowMultiple, columnMultiple) / weaker);
+    }
+
+    /** What sounds beside the tones is mostly that voice's other harmonics; told only if they lie far apart. */
+    boolean isFamily() {
+        double hertz = (fit.hertz[0] + fit.hertz[1]) / (rowMultiple + columnMultiple);
+        return rowMultiple <= FAR_APART && residue.familyShare(hertz) > 0.7;
+    }
+
+    private void findHarmony() {
+        double ratio = fit.hertz[1] / fit.hertz[0];
+        for (rowMultiple = HIGHEST_ROW; rowMultiple > 0; rowMultiple--) {
+            columnMultiple = (int) Math.round(ratio * rowMultiple);
+            if (Math.abs(ratio * rowMultiple / columnMultiple - 1) < SAME_VOICE) {
+                return;
+            }
+        }
     }
 
     /** Tones far off their frequency, up to 2.4 %, are taken only if all else is as it should be. */

@@ -12,7 +12,7 @@ final class ToneFit {
     private static final int COLUMN = 1;
     /** For frequency and steadiness the newest 40 ms count: some codecs need time to settle on a tone. */
     private static final int LISTENED = 16;
-    /** Hops whose median is the tone's amplitude, to begin with. */
+    /** Hops whose median is the tone's power, to begin with. */
     private static final int REFERENCE = 8;
     /** A pause of the length that ends a digit, in half hops: what lies before it is another tone. */
     private static final double PAUSE = 4.5;
@@ -23,6 +23,13 @@ final class ToneFit {
     private static final double THREE_QUARTERS = 81 / 256.0;
     /** 9 dB in each tone. */
     private static final float FAR_WEAKER = 1 / 64f;
+
+    /** The same, louder: such hops before the newest mean that the tone is over, and what sounds now is not it. */
+    private static final double FAR_LOUDER = 64;
+
+    private static final int MOST_LOUDER = 2;
+    /** What an interruption of 10 ms touches, in hops. */
+    private static final int LONGEST_HOLE = 6;
 
     /** Farther off than this it is no key's tone; half-way between what Q.24 accepts (1.8 %) and rejects (3 %). */
     private static final double MOST_ERROR = 0.024;
@@ -59,6 +66,7 @@ final class ToneFit {
     boolean open;
 
     private int hops;
+    private int louder;
     private final double[][] re = new double[2][SPAN];
     private final double[][] im = new double[2][SPAN];
     private final double[][] power = new double[2][SPAN];
@@ -96,17 +104,21 @@ final class ToneFit {
         }
         double reference = reference(bank, newest);
         findOnset(bank, newest, most, rival, reference);
-        if (sinceOnset < leastHops || likeness[0] <= HALF) {
+        if (sinceOnset < leastHops || likeness[0] <= HALF || louder > MOST_LOUDER) {
             return false;
         }
         return tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
                 && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
     }
 
-    /** A glance that saves the closer look: so long ago the tones were far weaker than a moment ago. */
+    /** A glance that saves the closer look: so long ago, and before, the tones were far weaker than a moment ago. */
     private boolean isTooEarly(ToneBank bank, int newest, int hops) {
-        float now = bank.power(row, newest - 2) * bank.power(4 + column, newest - 2);
-        return bank.power(row, newest - hops) * bank.power(4 + column, newest - hops) < FAR_WEAKER * now;
+        float weak = FAR_WEAKER * product(bank, newest - 2);
+        return product(bank, newest - hops) < weak && product(bank, newest - hops - LONGEST_HOLE) < weak;
+    }
+
+    private float product(ToneBank bank, int at) {
+        return bank.power(row, at) * bank.power(4 + column, at);
     }
 
     private double reference(ToneBank bank, int newest) {
@@ -154,12 +166,14 @@ final class ToneFit {
         double sum = 0;
         double best = 0;
         hops = 0;
+        louder = 0;
         int i = 0;
         for (; i < most && sum > best - PAUSE; i++) {
             if (i >= REFERENCE) {
                 separate(bank, newest - i, i);
             }
             likeness[i] = isRivals(bank, newest - i, rival) ? 0 : power[ROW][i] * power[COLUMN][i] * perReference;
+            louder += likeness[i] > FAR_LOUDER ? 1 : 0;
             sum += sounding(likeness[i]) - 0.5;
             if (sum > best) {
                 best = sum;

@@ -23,7 +23,9 @@ enum ToneGround {
                     && e.newShareOfAll > 0.8
                     && e.coherence > 0.93
                     && e.ripple < 1.5
-                    && (e.error < 1.2 || e.error < 2.1 && e.coherence > 0.96 && e.line < -14 && e.isSteadyAndNew());
+                    && (e.error < 1.2
+                            || e.error < 2.1 && e.coherence > 0.96 && e.line < -14 && e.isSteadyAndNew()
+                            || e.error < 2.1 && e.isStationary() && e.residue.evenness() > EVEN);
         }
     },
 
@@ -54,6 +56,7 @@ enum ToneGround {
                     && e.restBefore < 0.05
                     && e.line < -13.5
                     && e.coherence > 0.45
+                    && e.fit.sinceOnset < 18
                     && e.error < 2.1
                     && e.twist > -12.5
                     && e.twist < 9;
@@ -76,10 +79,10 @@ enum ToneGround {
                     && e.coherence > 0.5
                     && e.isExplainedByNoise(0)
                     && e.isExplainedByNoise(1)
-                    && e.error < 1
+                    && e.error < (e.coherence > 0.9 ? 2.1 : 1)
                     && Math.abs(e.twist) < 10.5
                     && e.fit.sinceOnset < (e.restBefore > 0.9 ? 24 : 18)
-                    && e.residue.evenness() > 0.47;
+                    && e.residue.evenness() > EVEN;
         }
     },
 
@@ -94,7 +97,7 @@ enum ToneGround {
                     && e.coherence > 0.72
                     && e.tonesBefore < 0.13
                     && Math.abs(e.twist) < 6
-                    && e.fit.sinceOnset < 16
+                    && e.fit.sinceOnset < 14
                     && e.residue.evenness() > 0.46;
         }
     },
@@ -131,6 +134,9 @@ enum ToneGround {
                     && e.before(covered) < 0.4;
         }
     };
+
+    /** Of a hundred spectra of white noise ninety-nine are more even. */
+    private static final double EVEN = 0.47;
 
     private static final ToneGround[] ALL = values();
 

@@ -24,7 +24,7 @@ final class ToneJudge {
             return null;
         }
         evidence.measureLevels();
-        if (ToneGround.ALONE.holds(evidence)) {
+        if (!evidence.isHarmony() && ToneGround.ALONE.holds(evidence)) {
             return ToneGround.ALONE;
         }
         evidence.measureSpectrum();

@@ -28,6 +28,14 @@ enum ToneVeto {
         }
     },
 
+    /** One is 12.7 dB or more louder than the other. Keys stay within 10 (Q.24: 8), 15 must not count. */
+    TWISTED(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return Math.abs(e.twist) > 12.7;
+        }
+    },
+
     /** One is the other's octave: a string or a voice. No key comes nearer than 0.65 %, 1.8 % off either way. */
     OCTAVE(false) {
         @Override
@@ -48,20 +56,23 @@ enum ToneVeto {
     },
 
     /**
-     * They are the third and seventh, or fourth and seventh, harmonic of a voice near 232 Hz or 190 to 235 Hz, and others
-     * of its harmonics are there, too. A's tones lie only 0.4 % beside that, those of 1, 5, 9 and D 0.9 %.
+     * Their frequencies are to each other as two of a voice's harmonics are, and others of its harmonics are there, too: the
+     * third and seventh of a voice at 232 Hz lie only 0.4 % beside A, the fourth and seventh 0.9 % beside 1, 5, 9 and D.
      */
     HARMONICS(true) {
         @Override
         boolean holds(ToneEvidence e) {
-            double ratio = e.fit.hertz[1] / e.fit.hertz[0];
-            return Math.abs(3 * ratio / 7 - 1) < SAME_VOICE && e.family(3, 7) > -20
-                    || Math.abs(4 * ratio / 7 - 1) < SAME_VOICE && e.family(4, 7) > -20;
+            return e.isHarmony() && e.family() > -26 && (e.residue.evenness() < 0.42 || e.isFamily());
+        }
+    },
+
+    /** They keep their strength but not their frequencies: sirens, whistles, chirps. */
+    GLIDING(false) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.coherence < 0.97 && e.ripple < 1.1;
         }
     };
-
-    /** Share by which the ratio of two harmonics' frequencies, as measured, may miss that of their numbers. */
-    private static final double SAME_VOICE = 0.002;
 
     /** Hertz by which a line may miss twice a tone's frequency and still be its octave. */
     private static final double OCTAVE_HERTZ = 35;

@@ -31,7 +31,7 @@ final class Catalogue {
         return KINDS;
     }
 
-    private interface Recording {
+    interface Recording {
         void on(Tape tape);
     }
 
@@ -44,19 +44,19 @@ final class Catalogue {
         }));
     }
 
-    private static void required(String name, Recording recording) {
+    static void required(String name, Recording recording) {
         kind(Grade.REQUIRED, name, recording);
     }
 
-    private static void harder(String name, Recording recording) {
+    static void harder(String name, Recording recording) {
         kind(Grade.HARDER, name, recording);
     }
 
-    private static void silent(String name, Recording recording) {
+    static void silent(String name, Recording recording) {
         kind(Grade.SILENT, name, recording);
     }
 
-    private static String someKeys(Tape tape, int count) {
+    static String someKeys(Tape tape, int count) {
         StringBuilder keys = new StringBuilder();
         for (int i = 0; i < count; i++) {
             keys.append(ALL_KEYS.charAt(tape.random.nextInt(16)));
@@ -64,33 +64,33 @@ final class Catalogue {
         return keys.toString();
     }
 
-    private static double sign(Tape tape) {
+    static double sign(Tape tape) {
         return tape.random.nextBoolean() ? 1 : -1;
     }
 
-    private static void timing(Tape tape, double tone, double pause) {
+    static void timing(Tape tape, double tone, double pause) {
         tape.toneMillis = tone;
         tape.pauseMillis = pause;
     }
 
-    private static void level(Tape tape, double dbm0) {
+    static void level(Tape tape, double dbm0) {
         tape.rowDbm0 = dbm0;
         tape.columnDbm0 = dbm0;
     }
 
     /** High group over low by so much, the louder one at the level that both had. */
-    private static void twist(Tape tape, double decibels) {
+    static void twist(Tape tape, double decibels) {
         double loud = tape.rowDbm0;
         tape.rowDbm0 = decibels > 0 ? loud - decibels : loud;
         tape.columnDbm0 = decibels > 0 ? loud : loud + decibels;
     }
 
-    private static void corner(Tape tape, double error) {
+    static void corner(Tape tape, double error) {
         tape.rowError = error * sign(tape);
         tape.columnError = error * sign(tape);
     }
 
-    private static void tail(Tape tape) {
+    static void tail(Tape tape) {
         tape.silence(200);
     }
 
@@ -106,7 +106,7 @@ final class Catalogue {
         tape.replace(out);
     }
 
-    private static void voice(Tape tape, double dbm0) {
+    static void voice(Tape tape, double dbm0) {
         tape.add(Voices.atLevel(Voices.speech(tape.random, tape.length()), dbm0));
     }
 
@@ -114,9 +114,10 @@ final class Catalogue {
         plain();
         line();
         codecs();
-        hard();
-        wrong();
-        talkOff();
+        HarderTapes.add();
+        FieldTapes.add();
+        DecoyTapes.add();
+        TalkOffTapes.add();
     }
 
     private static void plain() {
@@ -296,261 +297,6 @@ final class Catalogue {
             through(tape, SpeechCodec.Kind.GSM_FULL_RATE);
             through(tape, SpeechCodec.Kind.A_LAW);
             through(tape, SpeechCodec.Kind.GSM_FULL_RATE);
-        });
-    }
-
-    private static void hard() {
-        for (int snr : new int[] {3, 0, -3}) {
-            harder("noise " + snr + " dB", tape -> {
-                timing(tape, 50, 50);
-                tape.digits(ALL_KEYS);
-                tail(tape);
-                tape.noiseBelowTones(snr);
-            });
-        }
-        for (int twist : new int[] {-10, 10}) {
-            harder("twist " + twist + " dB", tape -> {
-                twist(tape, twist);
-                tape.digits(ALL_KEYS);
-            });
-        }
-        for (int dbm0 : new int[] {-40, -45}) {
-            harder("level " + dbm0 + " dBm0", tape -> {
-                level(tape, dbm0);
-                tape.digits(ALL_KEYS);
-            });
-        }
-        harder(
-                "frequency 2 %",
-                tape -> {
-                    for (char key : ALL_KEYS.toCharArray()) {
-                        corner(tape, 0.02);
-                        tape.digits("" + key);
-                    }
-                });
-        harder("tone 30 ms", tape -> {
-            timing(tape, 30, 50);
-            tape.digits(ALL_KEYS);
-        });
-        harder("pause 25 ms", tape -> {
-            timing(tape, 50, 25);
-            tape.digits("1122##DD" + someKeys(tape, 12));
-        });
-        harder("interruption 20 ms", tape -> {
-            timing(tape, 110, 70);
-            tape.dropOutMillis = 20;
-            tape.digits(ALL_KEYS);
-        });
-        harder("dial tone 15 dB over", tape -> {
-            level(tape, -25);
-            tape.digits(ALL_KEYS);
-            tail(tape);
-            tape.hum(350, -10).hum(440, -10);
-        });
-        harder("dial tone and noise", tape -> {
-            level(tape, -15);
-            tape.digits(ALL_KEYS);
-            tail(tape);
-            tape.hum(425, -10).noiseBelowTones(9);
-        });
-        harder("heavy clipping", tape -> tape.digits(ALL_KEYS).clip(2000));
-        for (int down : new int[] {9, 6, 3}) {
-            harder("speech " + down + " dB under", tape -> {
-                tape.digits(ALL_KEYS);
-                voice(tape, -7 - down);
-            });
-        }
-        harder("music 9 dB under", tape -> {
-            tape.digits(ALL_KEYS);
-            tape.add(Voices.atLevel(Voices.music(tape.random, tape.length()), -16));
-        });
-        harder("echo 6 dB", tape -> {
-            timing(tape, 70, 70);
-            tape.digits(ALL_KEYS).echo(tape.uniform(3, 20), 6);
-        });
-        harder("echo 15 dB after 40 ms", tape -> {
-            timing(tape, 70, 90);
-            tape.digits(ALL_KEYS).echo(tape.uniform(30, 60), 15);
-        });
-        harder("third tone 12 dB under", tape -> {
-            tape.digits(ALL_KEYS);
-            tape.hum(tape.uniform(1000, 3000), -19);
-        });
-        harder("impulses, many", tape -> {
-            tape.digits(ALL_KEYS);
-            tape.impulses(40, 20000);
-        });
-        harder("coloured noise 6 dB", tape -> {
-            tape.digits(ALL_KEYS);
-            tail(tape);
-            tape.add(Voices.atLevel(Voices.colouredNoise(tape.random, tape.length()), -13));
-        });
-        harder("frames lost", tape -> {
-            timing(tape, 120, 80);
-            tape.digits(ALL_KEYS);
-            tape.frameLoss(0.03);
-        });
-        harder("slips, A-law, noise 12 dB", tape -> {
-            timing(tape, 50, 50);
-            tape.digits(ALL_KEYS);
-            tape.noiseBelowTones(12).slips(60);
-            through(tape, SpeechCodec.Kind.A_LAW);
-        });
-        harder("twist -8 dB, noise 9 dB", tape -> {
-            timing(tape, 50, 50);
-            twist(tape, -8);
-            tape.digits(ALL_KEYS);
-            tape.noiseBelowTones(9);
-        });
-    }
-
-    private static void wrong() {
-        for (double error : new double[] {0.035, 0.03, 0.04, 0.05}) {
-            silent("frequency " + 100 * error + " %", tape -> {
-                for (char key : ALL_KEYS.toCharArray()) {
-                    int which = tape.random.nextInt(3);
-                    tape.rowError = which == 0 ? 0 : error * sign(tape);
-                    tape.columnError = which == 1 ? 0 : error * sign(tape);
-                    tape.decoys("" + key);
-                }
-            });
-        }
-        for (int millis : new int[] {10, 15, 20, 22, 23}) {
-            silent("tones of " + millis + " ms", tape -> {
-                timing(tape, millis, 60);
-                level(tape, tape.uniform(-25, -3));
-                tape.decoys(ALL_KEYS);
-            });
-        }
-        for (int twist : new int[] {-20, -15, 15, 20}) {
-            silent("twist " + twist + " dB", tape -> {
-                level(tape, -3);
-                twist(tape, twist);
-                tape.decoys(ALL_KEYS);
-            });
-        }
-        for (int dbm0 : new int[] {-55, -60}) {
-            silent("level " + dbm0 + " dBm0", tape -> {
-                level(tape, dbm0);
-                tape.decoys(ALL_KEYS);
-            });
-        }
-        silent("single tones", tape -> {
-            for (char key : ALL_KEYS.toCharArray()) {
-                boolean row = tape.random.nextBoolean();
-                tape.rowDbm0 = row ? -6 : -100;
-                tape.columnDbm0 = row ? -100 : -6;
-                tape.decoys("" + key);
-            }
-        });
-        silent("two of one group", tape -> {
-            for (int i = 0; i < 16; i++) {
-                boolean row = tape.random.nextBoolean();
-                double[] group = row ? DtmfKey.ROW_HERTZ : DtmfKey.COLUMN_HERTZ;
-                int at = tape.length();
-                tape.silence(160);
-                double[] beep = Voices.atLevel(
-                        Voices.cadence(
-                                tape.random,
-                                640,
-                                new double[] {group[tape.random.nextInt(2)], group[2 + tape.random.nextInt(2)]},
-                                80,
-                                80),
-                        -8);
-                for (int k = 0; k < beep.length; k++) {
-                    tape.sound[at + k] += beep[k];
-                }
-            }
-        });
-        silent("two keys at once", tape -> {
-            for (int i = 0; i < 12; i++) {
-                int row = tape.random.nextInt(4);
-                int column = tape.random.nextInt(4);
-                int at = tape.length();
-                tape.silence(160);
-                double[] beep = Voices.atLevel(
-                        Voices.cadence(
-                                tape.random,
-                                640,
-                                new double[] {
-                                    DtmfKey.ROW_HERTZ[row],
-                                    DtmfKey.ROW_HERTZ[(row + 1 + tape.random.nextInt(3)) % 4],
-                                    DtmfKey.COLUMN_HERTZ[column]
-                                },
-                                80,
-                                80),
-                        -8);
-                for (int k = 0; k < beep.length; k++) {
-                    tape.sound[at + k] += beep[k];
-                }
-            }
-        });
-    }
-
-    private static final double[][] NETWORK_TONES = {
-        {350, 440},
-        {440, 480},
-        {480, 620},
-        {425},
-        {400},
-        {450},
-        {400, 450},
-        {1400},
-        {1100},
-        {2100},
-        {440},
-        {950},
-        {1400, 1800},
-        {950, 1400},
-        {2130, 2750},
-        {1300},
-        {914, 1429},
-        {985, 1371},
-        {2600},
-        {330, 440},
-        {1000},
-        {700, 900},
-        {1100, 1700},
-        {540, 660}
-    };
-
-    private static void talkOff() {
-        silent("network tones", tape -> {
-            double[] hertz = NETWORK_TONES[tape.random.nextInt(NETWORK_TONES.length)];
-            tape.silence(8000);
-            int[] cadence = {30 + tape.random.nextInt(600), 30 + tape.random.nextInt(600)};
-            tape.add(Voices.atLevel(Voices.cadence(tape.random, tape.length(), hertz, cadence), tape.uniform(-25, -5)));
-        });
-        silent("speech", tape -> {
-            tape.silence(20000);
-            voice(tape, tape.uniform(-30, -10));
-        });
-        silent("music", tape -> {
-            tape.silence(20000);
-            tape.add(Voices.atLevel(Voices.music(tape.random, tape.length()), tape.uniform(-30, -10)));
-        });
-        silent("sirens", tape -> {
-            tape.silence(10000);
-            tape.add(Voices.atLevel(Voices.siren(tape.random, tape.length()), tape.uniform(-30, -8)));
-        });
-        silent("noise", tape -> {
-            tape.silence(10000);
-            tape.noise(tape.uniform(-40, -5));
-        });
-        silent("coloured noise", tape -> {
-            tape.silence(10000);
-            tape.add(Voices.atLevel(Voices.colouredNoise(tape.random, tape.length()), tape.uniform(-30, -8)));
-        });
-        silent("speech through GSM", tape -> {
-            tape.silence(10000);
-            voice(tape, tape.uniform(-30, -10));
-            through(tape, SpeechCodec.Kind.GSM_FULL_RATE);
-        });
-        silent("speech in noise", tape -> {
-            tape.silence(10000);
-            double level = tape.uniform(-30, -12);
-            voice(tape, level);
-            tape.noise(level - tape.uniform(3, 25));
         });
     }
 

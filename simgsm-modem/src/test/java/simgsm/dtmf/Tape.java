@@ -16,6 +16,9 @@ final class Tape {
     /** Sample at which each expected digit's tone starts. */
     final List<Integer> starts = new ArrayList<>();
 
+    /** Samples were lost or doubled, so that starts hold no longer. */
+    boolean slipped;
+
     double[] sound = new double[0];
     private int length;
 
@@ -29,6 +32,8 @@ final class Tape {
     double rampMillis;
     /** Below 0: no interruption. */
     double dropOutMillis = -1;
+    /** What is left of the tone in an interruption. */
+    double dropOutRemains;
 
     Tape(long seed) {
         random = new Random(seed);
@@ -84,7 +89,7 @@ final class Tape {
             int room = length - at - hole;
             int from = at + room / 4 + random.nextInt(Math.max(1, room / 2));
             for (int i = from; i < from + hole; i++) {
-                sound[i] = 0;
+                sound[i] *= dropOutRemains;
             }
         }
         silence(pauseMillis);
@@ -178,6 +183,7 @@ final class Tape {
 
     /** Loses or doubles single samples, as two clocks that drift apart do. */
     Tape slips(double everyMillis) {
+        slipped = true;
         double[] out = new double[sound.length + 1000];
         int at = 0;
         int next = (int) (everyMillis * 8);
@@ -202,6 +208,121 @@ final class Tape {
             if (random.nextDouble() < share) {
                 java.util.Arrays.fill(sound, i, i + 160, 0);
             }
+        }
+        return this;
+    }
+
+    /** Beginning at once and ending at once: nothing before the first tone, nothing behind the last. */
+    Tape trim(int from, int to) {
+        System.arraycopy(sound, from, sound, 0, to - from);
+        java.util.Arrays.fill(sound, to - from, sound.length, 0);
+        length = to - from;
+        starts.replaceAll(start -> start - from);
+        return this;
+    }
+
+    /** A second-order section, bilinear transform; q = 0.707 for Butterworth. */
+    Tape filter(boolean highPass, double hertz, double q) {
+        double w = 2 * Math.PI * hertz / RATE;
+        double alpha = Math.sin(w) / (2 * q);
+        double a0 = 1 + alpha;
+        double sign = highPass ? -1 : 1;
+        double b0 = (1 - sign * Math.cos(w)) / 2 / a0;
+        double b1 = sign * 2 * b0;
+        double a1 = -2 * Math.cos(w) / a0;
+        double a2 = (1 - alpha) / a0;
+        double x1 = 0;
+        double x2 = 0;
+        double y1 = 0;
+        double y2 = 0;
+        for (int i = 0; i < length; i++) {
+            double x = sound[i];
+            double y = b0 * x + b1 * x1 + b0 * x2 - a1 * y1 - a2 * y2;
+            x2 = x1;
+            x1 = x;
+            y2 = y1;
+            y1 = y;
+            sound[i] = y;
+        }
+        return this;
+    }
+
+    /** A telephone line's band, 300 to 3400 Hz, fourth order either way. */
+    Tape telephoneBand() {
+        return filter(true, 300, 0.54).filter(true, 300, 1.31).filter(false, 3400, 0.54).filter(false, 3400, 1.31);
+    }
+
+    /** Harmonics and products of both tones: second and third order, so much for a sample at full scale. */
+    Tape bend(double second, double third) {
+        for (int i = 0; i < length; i++) {
+            double x = sound[i] / 32768;
+            sound[i] = 32768 * (x + second * x * x + third * x * x * x);
+        }
+        return this;
+    }
+
+    /** The level sways by so many decibels to either side. */
+    Tape flutter(double hertz, double decibels) {
+        double phase = uniform(0, 2 * Math.PI);
+        for (int i = 0; i < length; i++) {
+            sound[i] *= Math.pow(10, decibels / 20 * Math.sin(phase + 2 * Math.PI * hertz * i / RATE));
+        }
+        return this;
+    }
+
+    /** A room: many weak echoes that die away. */
+    Tape room(double tailMillis, double decibelsDown) {
+        double[] out = sound.clone();
+        for (int k = 0; k < 12; k++) {
+            double millis = uniform(2, tailMillis);
+            int delay = (int) (8 * millis);
+            double factor = (random.nextBoolean() ? 1 : -1)
+                    * Math.pow(10, -(decibelsDown + 20 * millis / tailMillis) / 20);
+            for (int i = delay; i < length; i++) {
+                out[i] += factor * sound[i - delay];
+            }
+        }
+        sound = out;
+        return this;
+    }
+
+    /** Now and then so many samples are lost or come twice. */
+    Tape jumps(double everyMillis, int samples) {
+        slipped = true;
+        double[] out = new double[2 * sound.length];
+        int at = 0;
+        int next = (int) (everyMillis * 8 * uniform(0.5, 1.5));
+        for (int i = 0; i < length; i++) {
+            if (i >= next) {
+                next += (int) (everyMillis * 8 * uniform(0.5, 1.5));
+                i += random.nextBoolean() ? samples : -Math.min(samples, i);
+            }
+            if (i < length && at < out.length) {
+                out[at++] = sound[i];
+            }
+        }
+        sound = out;
+        length = at;
+        return this;
+    }
+
+    /** Bursts of noise, as of hands on a microphone. */
+    Tape crackle(double perSecond, double millis, double dbm0) {
+        double sigma = ToneLevel.amplitude(dbm0) / Math.sqrt(2);
+        for (int k = (int) (perSecond * length / RATE); k > 0; k--) {
+            int at = random.nextInt(length);
+            for (int i = at; i < Math.min(length, at + 8 * millis); i++) {
+                sound[i] += sigma * random.nextGaussian();
+            }
+        }
+        return this;
+    }
+
+    /** Rounds to so many bits of sixteen. */
+    Tape coarse(int bits) {
+        double step = 1 << 16 - bits;
+        for (int i = 0; i < length; i++) {
+            sound[i] = step * Math.rint(sound[i] / step);
         }
         return this;
     }
