@@ -117,7 +117,7 @@ final class ToneEvidence {
     /** What sounds beside the tones is mostly that voice's other harmonics; told only if they lie far apart. */
     boolean isFamily() {
         double hertz = (fit.hertz[0] + fit.hertz[1]) / (rowMultiple + columnMultiple);
-        return rowMultiple <= FAR_APART && residue.familyShare(hertz) > 0.7;
+        return rowMultiple <= FAR_APART && residue.familyShare(hertz) > 0.6;
     }
 
     private void findHarmony() {
@@ -143,7 +143,7 @@ final class ToneEvidence {
     /** The tone wavers no more than the noise beside it makes it. */
     boolean isExplainedByNoise(int tone) {
         double inBand = ToneBank.NOISE_SHARE * residue.rest;
-        return 1 - fit.coherence[tone] < 0.06 + 3 * inBand / square(fit.amplitude[tone]);
+        return 1 - fit.coherence[tone] < 0.06 + 2.2 * inBand / square(fit.amplitude[tone]);
     }
 
     private static double square(double x) {

@@ -23,9 +23,13 @@ enum ToneGround {
                     && e.newShareOfAll > 0.8
                     && e.coherence > 0.93
                     && e.ripple < 1.5
+                    && e.fit.sinceOnset < 22
                     && (e.error < 1.2
                             || e.error < 2.1 && e.coherence > 0.96 && e.line < -14 && e.isSteadyAndNew()
-                            || e.error < 2.1 && e.isStationary() && e.residue.evenness() > EVEN);
+                            || e.error < 2.1
+                                    && e.fit.sinceOnset < 14
+                                    && e.isStationary()
+                                    && e.residue.evenness() > EVEN);
         }
     },
 
@@ -34,15 +38,15 @@ enum ToneGround {
         @Override
         boolean holds(ToneEvidence e) {
             return e.share > 0.985
-                    && e.newShareOfAll > 0.7
+                    && e.newShareOfAll > (e.tonesBefore < 0.003 ? 0.55 : 0.7)
                     && e.line < -18
-                    && e.coherence > 0.85
+                    && e.coherence > 0.83
                     && Math.min(e.fit.steadiness[0], e.fit.steadiness[1]) > 0.88
                     && e.error < 1
                     && e.twist > -9
                     && e.twist < 7
                     && e.tonesBefore < 0.5
-                    && e.fit.sinceOnset < 20;
+                    && e.fit.sinceOnset < (e.tonesBefore < 0.003 ? 28 : 20);
         }
     },
 
@@ -56,7 +60,7 @@ enum ToneGround {
                     && e.restBefore < 0.05
                     && e.line < -13.5
                     && e.coherence > 0.45
-                    && e.fit.sinceOnset < 18
+                    && e.fit.sinceOnset < (e.error < 0.6 ? 26 : 18)
                     && e.error < 2.1
                     && e.twist > -12.5
                     && e.twist < 9;

@@ -70,7 +70,7 @@ enum ToneVeto {
     GLIDING(false) {
         @Override
         boolean holds(ToneEvidence e) {
-            return e.coherence < 0.97 && e.ripple < 1.1;
+            return e.coherence < 0.96 && e.ripple < 1.06;
         }
     };
 

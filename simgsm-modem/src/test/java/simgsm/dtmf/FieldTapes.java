@@ -184,17 +184,19 @@ final class FieldTapes {
                 tape.noiseBelowTones(snr);
             });
         }
-        required("noise 15 dB, 1.5 %, twist", tape -> {
-            timing(tape, 50, 50);
-            for (char key : ALL_KEYS.toCharArray()) {
-                level(tape, -12);
-                twist(tape, tape.uniform(-8, 4));
-                corner(tape, 0.015);
-                tape.digits("" + key);
-            }
-            tail(tape);
-            tape.noise(-27);
-        });
+        required(
+                "noise 15 dB, 1.5 %, twist",
+                tape -> {
+                    timing(tape, 50, 50);
+                    for (char key : ALL_KEYS.toCharArray()) {
+                        level(tape, -12);
+                        twist(tape, tape.uniform(-8, 4));
+                        corner(tape, 0.015);
+                        tape.digits("" + key);
+                    }
+                    tail(tape);
+                    tape.noise(-27);
+                });
         required("noise 12 dB below the weaker tone", tape -> {
             timing(tape, 60, 60);
             twist(tape, tape.random.nextBoolean() ? 6 : -6);
@@ -326,15 +328,17 @@ final class FieldTapes {
             tail(tape);
             tape.noiseBelowTones(9);
         });
-        harder("noise 6 dB, 1.5 %", tape -> {
-            timing(tape, 60, 60);
-            for (char key : ALL_KEYS.toCharArray()) {
-                corner(tape, 0.015);
-                tape.digits("" + key);
-            }
-            tail(tape);
-            tape.noiseBelowTones(6);
-        });
+        harder(
+                "noise 6 dB, 1.5 %",
+                tape -> {
+                    timing(tape, 60, 60);
+                    for (char key : ALL_KEYS.toCharArray()) {
+                        corner(tape, 0.015);
+                        tape.digits("" + key);
+                    }
+                    tail(tape);
+                    tape.noiseBelowTones(6);
+                });
         harder("clipped by 20 dB, A-law", tape -> {
             tape.digits(ALL_KEYS).clip(1400);
             through(tape, SpeechCodec.Kind.A_LAW);

@@ -92,8 +92,15 @@ final class TalkOffTapes {
                 tape.silence(tape.uniform(0, 1000));
             }
         });
-        for (double[] kind : new double[][] {{1180, 980, 300}, {1850, 1650, 300}, {1300, 2100, 1200}, {1200, 2200, 1200},
-            {1270, 1070, 300}, {2225, 2025, 300}, {390, 450, 75}}) {
+        for (double[] kind : new double[][] {
+            {1180, 980, 300},
+            {1850, 1650, 300},
+            {1300, 2100, 1200},
+            {1200, 2200, 1200},
+            {1270, 1070, 300},
+            {2225, 2025, 300},
+            {390, 450, 75}
+        }) {
             silent("modem " + (int) kind[0] + "/" + (int) kind[1], tape -> {
                 tape.silence(6000);
                 tape.add(Voices.atLevel(
@@ -103,7 +110,8 @@ final class TalkOffTapes {
         silent("register signals R1", tape -> {
             tape.silence(8000);
             tape.add(Voices.atLevel(
-                    Talkers.pairs(tape.random, tape.length(), new double[] {900, 1100, 1300, 1500, 1700}, 68, 68), -10));
+                    Talkers.pairs(tape.random, tape.length(), new double[] {900, 1100, 1300, 1500, 1700}, 68, 68),
+                    -10));
         });
         silent("register signals R2", tape -> {
             tape.silence(8000);
@@ -158,18 +166,50 @@ final class TalkOffTapes {
         });
         silent("speech in a telephone's band", tape -> {
             tape.silence(10000);
-            tape.add(Voices.atLevel(Talkers.talk(tape.random, tape.length()), -10)).telephoneBand();
+            tape.add(Voices.atLevel(Talkers.talk(tape.random, tape.length()), -10))
+                    .telephoneBand();
         });
     }
 
     private static final double[][] MORE_NETWORK_TONES = {
-        {350, 450}, {440, 400}, {375, 475}, {425, 400}, {450, 500}, {400, 425, 450}, {480}, {620}, {350}, {600, 120},
-        {600, 133}, {420, 40}, {425, 25}, {400, 17}, {1020, 1140}, {2100, 15}, {440, 620}, {1000, 1400}, {697, 1100},
-        {852, 1000}, {1800}, {2400}, {2600, 2400}, {900, 1700}
+        {350, 450},
+        {440, 400},
+        {375, 475},
+        {425, 400},
+        {450, 500},
+        {400, 425, 450},
+        {480},
+        {620},
+        {350},
+        {600, 120},
+        {600, 133},
+        {420, 40},
+        {425, 25},
+        {400, 17},
+        {1020, 1140},
+        {2100, 15},
+        {440, 620},
+        {1000, 1400},
+        {697, 1100},
+        {852, 1000},
+        {1800},
+        {2400},
+        {2600, 2400},
+        {900, 1700}
     };
 
     private static final int[][] CADENCES = {
-        {400, 200, 400, 2000}, {1000, 4000}, {2000, 4000}, {500, 500}, {250, 250}, {200, 200}, {100, 100}, {1500, 3500},
-        {330, 1000}, {50, 50}, {75, 75, 75, 275}, {8000}
+        {400, 200, 400, 2000},
+        {1000, 4000},
+        {2000, 4000},
+        {500, 500},
+        {250, 250},
+        {200, 200},
+        {100, 100},
+        {1500, 3500},
+        {330, 1000},
+        {50, 50},
+        {75, 75, 75, 275},
+        {8000}
     };
 }

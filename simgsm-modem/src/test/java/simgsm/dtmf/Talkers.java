@@ -158,9 +158,8 @@ final class Talkers {
                 double decay = 20 + 300 * random.nextDouble();
                 double loud = random.nextDouble();
                 for (int i = at; i < Math.min(length, at + 1600); i++) {
-                    sound[i] += loud
-                            * Math.exp(-decay * (i - at) / 8000)
-                            * Math.sin(2 * Math.PI * hertz * (i - at) / 8000);
+                    sound[i] +=
+                            loud * Math.exp(-decay * (i - at) / 8000) * Math.sin(2 * Math.PI * hertz * (i - at) / 8000);
                 }
             }
             for (int i = at; i < Math.min(length, at + 40); i++) {
@@ -215,7 +214,8 @@ final class Talkers {
             int one = random.nextInt(tones.length);
             int other = (one + 1 + random.nextInt(tones.length - 1)) % tones.length;
             for (int i = at; i < Math.min(length, at + 8 * toneMillis); i++) {
-                sound[i] = Math.sin(2 * Math.PI * tones[one] * i / 8000) + Math.sin(2 * Math.PI * tones[other] * i / 8000);
+                sound[i] =
+                        Math.sin(2 * Math.PI * tones[one] * i / 8000) + Math.sin(2 * Math.PI * tones[other] * i / 8000);
             }
         }
         return sound;

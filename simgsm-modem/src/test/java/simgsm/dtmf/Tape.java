@@ -249,7 +249,10 @@ final class Tape {
 
     /** A telephone line's band, 300 to 3400 Hz, fourth order either way. */
     Tape telephoneBand() {
-        return filter(true, 300, 0.54).filter(true, 300, 1.31).filter(false, 3400, 0.54).filter(false, 3400, 1.31);
+        return filter(true, 300, 0.54)
+                .filter(true, 300, 1.31)
+                .filter(false, 3400, 0.54)
+                .filter(false, 3400, 1.31);
     }
 
     /** Harmonics and products of both tones: second and third order, so much for a sample at full scale. */
@@ -276,8 +279,8 @@ final class Tape {
         for (int k = 0; k < 12; k++) {
             double millis = uniform(2, tailMillis);
             int delay = (int) (8 * millis);
-            double factor = (random.nextBoolean() ? 1 : -1)
-                    * Math.pow(10, -(decibelsDown + 20 * millis / tailMillis) / 20);
+            double factor =
+                    (random.nextBoolean() ? 1 : -1) * Math.pow(10, -(decibelsDown + 20 * millis / tailMillis) / 20);
             for (int i = delay; i < length; i++) {
                 out[i] += factor * sound[i - delay];
             }
