@@ -3,6 +3,7 @@ package simgsm.center;
 import java.util.List;
 import java.util.function.Function;
 import simgsm.center.msc.Exchange;
+import simgsm.center.smsc.MessageHistory;
 import simgsm.console.Command;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
@@ -38,10 +39,11 @@ final class CenterCommands implements Console.Commands {
                         exchange -> exchange.shortMessages().waiting().stream()
                                 .map(ConsoleEvents::of)
                                 .toList());
+            case "message" -> message(command);
             case "broadcast" -> broadcast(command);
             default ->
                 throw new CommandException("unknown command " + command.name()
-                        + ", expected subscribers, calls, messages, broadcast, wait or quit");
+                        + ", expected subscribers, calls, messages, message, broadcast, wait or quit");
         }
     }
 
@@ -50,6 +52,20 @@ final class CenterCommands implements Console.Commands {
         List<Event> rows = center.ask(question);
         rows.forEach(console::emit);
         console.emit(ConsoleEvents.end(command.name(), rows.size()));
+    }
+
+    /** What has happened to one message. */
+    private void message(Command command) throws CommandException {
+        String id = command.words(1, "message ID").get(0);
+        if (!id.matches("[0-9]{1,18}")) {
+            throw new CommandException("message: expected an id as messages lists it, found " + id);
+        }
+        MessageHistory history = center.ask(exchange -> exchange.shortMessages().history(Long.parseLong(id)))
+                .orElseThrow(() ->
+                        new CommandException("message: expected one that waits or has lately ended, found " + id));
+        console.emit(ConsoleEvents.of(history));
+        history.attempts().stream().map(ConsoleEvents::of).forEach(console::emit);
+        console.emit(ConsoleEvents.end("message", history.attempts().size()));
     }
 
     private void broadcast(Command command) throws CommandException {

@@ -1,10 +1,14 @@
 package simgsm.center;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.subscriber.Subscriber;
@@ -53,6 +57,31 @@ final class ConsoleEvents {
     static Event of(ShortMessage message) {
         return parties(Event.of("queued").with("id", message.id()), message.from(), message.to())
                 .with("state", word(MessageState.ACCEPTED));
+    }
+
+    /** What has happened to a message, and what is next; times are universal. */
+    static Event of(MessageHistory history) {
+        ShortMessage message = history.message();
+        Event event = parties(Event.of("message").with("id", message.id()), message.from(), message.to())
+                .with("state", word(history.state()))
+                .with("standing", word(history.standing()))
+                .with("accepted", time(message.acceptedAt()))
+                .with("expires", time(message.expiresAt()))
+                .with("attempts", history.attemptCount());
+        if (history.nextTry().isPresent()) {
+            event = event.with("next", time(history.nextTry().get()));
+        }
+        return history.endedAt().isPresent()
+                ? event.with("ended", time(history.endedAt().get()))
+                : event;
+    }
+
+    static Event of(Attempt attempt) {
+        return Event.of("attempt").with("at", time(attempt.at())).with("outcome", word(attempt.outcome()));
+    }
+
+    private static String time(Instant time) {
+        return time.truncatedTo(ChronoUnit.SECONDS).toString();
     }
 
     static Event end(String list, int count) {

@@ -64,6 +64,17 @@ class CenterConsoleTest {
     }
 
     @Test
+    void aMessageThatIsNoneIsAnError() throws Exception {
+        assertEquals(
+                List.of(
+                        "ready port=1234",
+                        "error text=\"message: expected message ID, found nothing after it\"",
+                        "error text=\"message: expected an id as messages lists it, found x\"",
+                        "error text=\"message: expected one that waits or has lately ended, found 7\""),
+                linesAfter("message\nmessage x\nmessage 7\nquit\n"));
+    }
+
+    @Test
     void everyListIsClosedByItsCount() throws Exception {
         assertEquals(
                 List.of(
@@ -79,7 +90,7 @@ class CenterConsoleTest {
         assertEquals(
                 List.of(
                         "ready port=1234",
-                        "error text=\"unknown command dance, expected subscribers, calls, messages, broadcast, wait or"
+                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, wait or"
                                 + " quit\"",
                         "error text=\"calls: expected nothing after it, found please\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",

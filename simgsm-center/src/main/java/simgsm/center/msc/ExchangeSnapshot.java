@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Msisdn;
+import simgsm.center.smsc.MessageHistory;
 
 /**
  * The exchange at one moment, for a window. Lists are bounded by {@link #MAX_ROWS}; the counts tell all.
@@ -37,7 +38,8 @@ public record ExchangeSnapshot(
         }
     }
 
-    public record MessageRow(long id, Msisdn from, Msisdn to, Instant acceptedAt, Instant expiresAt, String text) {}
+    /** A message that waits, or one that has ended lately. */
+    public record MessageRow(String text, MessageHistory history) {}
 
     /** @param text of a short message; of a call the keys heard so far, those of the called side in brackets */
     public record Passing(Msisdn from, String to, String text) {}

@@ -1,8 +1,11 @@
 package simgsm.center.msc;
 
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import simgsm.air.Imei;
+import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.center.subscriber.Subscriber;
@@ -10,6 +13,8 @@ import simgsm.center.subscriber.SubscriberRegister;
 
 /** Copies what a window shows. */
 final class SnapshotMaker {
+    private static final int MOST_ENDED = 100;
+
     private final SubscriberRegister register;
     private final CallSwitch calls;
     private final ShortMessageCenter shortMessages;
@@ -47,7 +52,7 @@ final class SnapshotMaker {
                 calls.speechFramesSwitched(),
                 register.all().stream().limit(most).map(this::row).toList(),
                 calls.calls().stream().limit(most).map(CallView::of).toList(),
-                shortMessages.waiting(most).stream().map(SnapshotMaker::row).toList(),
+                messages(most),
                 ladder.entries(),
                 ladder.passedCount(),
                 latest());
@@ -77,8 +82,13 @@ final class SnapshotMaker {
                 register.home().isBarred(subscriber.imsi()));
     }
 
-    private static ExchangeSnapshot.MessageRow row(ShortMessage message) {
-        return new ExchangeSnapshot.MessageRow(
-                message.id(), message.from(), message.to(), message.acceptedAt(), message.expiresAt(), message.text());
+    /** What waits comes first; it may leave little room for what has ended. */
+    private List<ExchangeSnapshot.MessageRow> messages(int most) {
+        List<MessageHistory> histories = new ArrayList<>(shortMessages.waitingHistories(most));
+        histories.addAll(shortMessages.endedHistories(Math.min(MOST_ENDED, most - histories.size())));
+        return histories.stream()
+                .map(history ->
+                        new ExchangeSnapshot.MessageRow(history.message().text(), history))
+                .toList();
     }
 }

@@ -254,12 +254,19 @@ public final class EsmeSession {
     }
 
     private void delivered(int number, int status) {
-        DeliveryOutcome outcome = status == SmppStatus.OK
-                ? DeliveryOutcome.DELIVERED
-                : SmppStatus.mayPass(status) ? DeliveryOutcome.FAILED : DeliveryOutcome.REFUSED;
-        if (window.answered(number, outcome) && state.receives()) {
+        if (window.answered(number, outcome(status)) && state.receives()) {
             server.routes().roomOn(this, range, server);
         }
+    }
+
+    private static DeliveryOutcome outcome(int status) {
+        if (status == SmppStatus.OK) {
+            return DeliveryOutcome.DELIVERED;
+        }
+        if (SmppStatus.isBusy(status)) {
+            return DeliveryOutcome.BUSY;
+        }
+        return SmppStatus.mayPass(status) ? DeliveryOutcome.FAILED : DeliveryOutcome.REFUSED;
     }
 
     private void checkSilence() {

@@ -41,9 +41,11 @@ public final class SmppStatus {
 
     /** Whether an application that answered so may take the same message later. */
     static boolean mayPass(int status) {
-        return status == THROTTLED
-                || status == QUEUE_FULL
-                || status == SYSTEM_ERROR
-                || status == TEMPORARY_APPLICATION_ERROR;
+        return isBusy(status) || status == SYSTEM_ERROR || status == TEMPORARY_APPLICATION_ERROR;
+    }
+
+    /** Whether it may take it in a moment. */
+    static boolean isBusy(int status) {
+        return status == THROTTLED || status == QUEUE_FULL;
     }
 }

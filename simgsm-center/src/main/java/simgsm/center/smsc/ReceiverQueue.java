@@ -1,21 +1,22 @@
 package simgsm.center.smsc;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Queue;
+import java.util.function.Function;
 import simgsm.center.timer.Timer;
 import simgsm.center.timer.Timers;
 
 /** What waits for one receiver; attempts begin in the order of acceptance, as many at a time as the way takes. */
 final class ReceiverQueue {
-    /** When to try again after 1, 2, 3 ... failures; the last holds for all further ones. Minutes. */
-    private static final int[] RETRY_MINUTES = {1, 5, 10, 30, 60, 180, 360, 720};
-
     private final Recipient receiver;
+    private final Instant startedAt;
     private final Timers timers;
     private final DeliveryPort port;
     private final Ends ends;
@@ -26,17 +27,20 @@ final class ReceiverQueue {
     private int inFlight;
     private boolean isMemoryFull;
     private int failures;
+    private int refusals;
     private Timer retry;
+    private long retryNanos;
     private long nextPlace;
 
     /** What the centre does when an envelope leaves the queue. */
     interface Ends {
-        void ended(Envelope envelope, MessageState state);
+        void ended(Envelope envelope, MessageState state, Attempts attempts);
     }
 
     private static final class Waiting {
         final long place;
         final Envelope envelope;
+        final Attempts attempts = new Attempts();
         Timer expiry;
         boolean isInFlight;
         boolean isGone;
@@ -49,8 +53,10 @@ final class ReceiverQueue {
         }
     }
 
-    ReceiverQueue(Recipient receiver, Timers timers, DeliveryPort port, Ends ends) {
+    /** @param startedAt the civil time at which {@code timers} stood at 0 */
+    ReceiverQueue(Recipient receiver, Instant startedAt, Timers timers, DeliveryPort port, Ends ends) {
         this.receiver = receiver;
+        this.startedAt = startedAt;
         this.timers = timers;
         this.port = port;
         this.ends = ends;
@@ -66,14 +72,62 @@ final class ReceiverQueue {
 
     /** Adds the messages that wait here, until the list holds {@code most}. */
     void addMessagesTo(List<ShortMessage> found, int most) {
+        addTo(found, most, each -> each.envelope.message());
+    }
+
+    /** Adds their histories, until the list holds {@code most}. */
+    void addHistoriesTo(List<MessageHistory> found, int most) {
+        skipGone();
+        addTo(found, most, this::history);
+    }
+
+    private <T> void addTo(List<T> found, int most, Function<Waiting, T> view) {
         for (Waiting each : waiting.values()) {
             if (found.size() >= most) {
                 return;
             }
-            if (each.envelope instanceof Envelope.Delivery delivery) {
-                found.add(delivery.message());
+            if (each.envelope instanceof Envelope.Delivery) {
+                found.add(view.apply(each));
             }
         }
+    }
+
+    Optional<MessageHistory> history(long id) {
+        skipGone();
+        return find(id).map(this::history);
+    }
+
+    private Optional<Waiting> find(long id) {
+        return waiting.values().stream()
+                .filter(each -> each.envelope instanceof Envelope.Delivery
+                        && each.envelope.message().id() == id)
+                .findFirst();
+    }
+
+    private MessageHistory history(Waiting each) {
+        Standing standing = standing(each);
+        boolean isScheduled = standing == Standing.AWAITING_RETRY || standing == Standing.AWAITING_MEMORY;
+        return new MessageHistory(
+                each.envelope.message(),
+                MessageState.ACCEPTED,
+                standing,
+                each.attempts.latest(),
+                each.attempts.count(),
+                isScheduled && retry != null ? Optional.of(startedAt.plusNanos(retryNanos)) : Optional.empty(),
+                Optional.empty());
+    }
+
+    private Standing standing(Waiting each) {
+        if (each.isInFlight) {
+            return Standing.UNDER_WAY;
+        }
+        if (inFlight > 0 || each != ready.peek()) {
+            return Standing.BEHIND_OTHERS;
+        }
+        if (isMemoryFull) {
+            return Standing.AWAITING_MEMORY;
+        }
+        return retry == null ? Standing.AWAITING_RECEIVER : Standing.AWAITING_RETRY;
     }
 
     void add(Envelope envelope, long lifetimeNanos) {
@@ -88,6 +142,7 @@ final class ReceiverQueue {
     void receiverAvailable() {
         isMemoryFull = false;
         failures = 0;
+        refusals = 0;
         timers.cancel(retry);
         retry = null;
         attempt();
@@ -118,20 +173,23 @@ final class ReceiverQueue {
     private void ended(Waiting attempted, DeliveryOutcome outcome) {
         inFlight--;
         attempted.isInFlight = false;
+        attempted.attempts.add(new Attempt(startedAt.plusNanos(timers.nowNanos()), outcome));
         switch (outcome) {
             case DELIVERED -> remove(attempted, MessageState.DELIVERED);
             case REFUSED -> remove(attempted, MessageState.REJECTED);
             case MEMORY_FULL -> {
                 isMemoryFull = true;
-                failed(attempted);
+                failed(attempted, false);
             }
-            case ABSENT, FAILED -> failed(attempted);
+            case BUSY -> failed(attempted, true);
+            case ABSENT, FAILED -> failed(attempted, false);
         }
         attempt();
     }
 
     private void remove(Waiting gone, MessageState state) {
         failures = 0;
+        refusals = 0;
         gone.isGone = true;
         timers.cancel(gone.expiry);
         waiting.remove(gone.place);
@@ -139,10 +197,10 @@ final class ReceiverQueue {
             timers.cancel(retry);
             retry = null;
         }
-        ends.ended(gone.envelope, state);
+        ends.ended(gone.envelope, state, gone.attempts);
     }
 
-    private void failed(Waiting attempted) {
+    private void failed(Waiting attempted, boolean isBusy) {
         if (attempted.lateState != null) {
             remove(attempted, attempted.lateState);
             return;
@@ -151,8 +209,9 @@ final class ReceiverQueue {
         if (retry != null) {
             return;
         }
-        int minutes = RETRY_MINUTES[Math.min(failures++, RETRY_MINUTES.length - 1)];
-        retry = timers.start(Duration.ofMinutes(minutes).toNanos(), () -> {
+        Duration pause = isBusy ? RetrySchedule.pauseWhenBusy(++refusals) : RetrySchedule.pauseAfter(++failures);
+        retryNanos = timers.nowNanos() + pause.toNanos();
+        retry = timers.start(pause.toNanos(), () -> {
             retry = null;
             isMemoryFull = false;
             attempt();
@@ -172,16 +231,8 @@ final class ReceiverQueue {
 
     /** @return false if there is no such message here, or if it is just being delivered */
     boolean cancel(long id) {
-        for (Waiting each : waiting.values()) {
-            if (each.envelope instanceof Envelope.Delivery delivery
-                    && delivery.message().id() == id) {
-                boolean canStill = !each.isInFlight;
-                if (canStill) {
-                    end(each, MessageState.DELETED);
-                }
-                return canStill;
-            }
-        }
-        return false;
+        Optional<Waiting> found = find(id).filter(each -> !each.isInFlight);
+        found.ifPresent(each -> end(each, MessageState.DELETED));
+        return found.isPresent();
     }
 }

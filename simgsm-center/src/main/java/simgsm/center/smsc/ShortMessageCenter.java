@@ -51,6 +51,7 @@ public final class ShortMessageCenter {
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
+    private final EndedMessages endedMessages = new EndedMessages();
     private int waitingCount;
     private long nextId = 1;
     private long nextTicket = 1;
@@ -239,6 +240,29 @@ public final class ShortMessageCenter {
         return found;
     }
 
+    /** What has happened to the messages that wait, by receiver and in order, no more than so many. */
+    public List<MessageHistory> waitingHistories(int most) {
+        List<MessageHistory> found = new ArrayList<>();
+        for (ReceiverQueue queue : queues.values()) {
+            queue.addHistoriesTo(found, most);
+        }
+        return found;
+    }
+
+    /** What has happened to those that have ended lately, the newest first, no more than so many. */
+    public List<MessageHistory> endedHistories(int most) {
+        return endedMessages.newest(most);
+    }
+
+    /** What has happened to this message; empty if it is not known, or has ended too long ago. */
+    public Optional<MessageHistory> history(long id) {
+        return queues.values().stream()
+                .map(queue -> queue.history(id))
+                .flatMap(Optional::stream)
+                .findFirst()
+                .or(() -> endedMessages.find(id));
+    }
+
     /** Messages and reports that wait. */
     public int waitingCount() {
         return waitingCount;
@@ -247,16 +271,26 @@ public final class ShortMessageCenter {
     private void enqueue(Envelope envelope) {
         waitingCount++;
         Duration lifetime = Duration.between(now(), envelope.expiresAt());
-        queues.computeIfAbsent(envelope.receiver(), receiver -> new ReceiverQueue(receiver, timers, port, this::ended))
+        queues.computeIfAbsent(
+                        envelope.receiver(),
+                        receiver -> new ReceiverQueue(receiver, startedAt, timers, port, this::ended))
                 .add(envelope, lifetime.toNanos());
     }
 
-    private void ended(Envelope envelope, MessageState state) {
+    private void ended(Envelope envelope, MessageState state, Attempts attempts) {
         waitingCount--;
         if (queues.get(envelope.receiver()).isEmpty()) {
             queues.remove(envelope.receiver());
         }
         if (envelope instanceof Envelope.Delivery) {
+            endedMessages.add(new MessageHistory(
+                    envelope.message(),
+                    state,
+                    Standing.ENDED,
+                    attempts.latest(),
+                    attempts.count(),
+                    Optional.empty(),
+                    Optional.of(now())));
             deliveryEnded(envelope.message(), state);
         } else {
             reported(envelope.message());

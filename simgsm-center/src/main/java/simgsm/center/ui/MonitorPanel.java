@@ -14,7 +14,6 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
@@ -40,7 +39,7 @@ public final class MonitorPanel extends JPanel {
     private final PassingPanel passing;
     private final RowsPanel<SubscriberRow> subscribers;
     private final RowsPanel<CallView> calls;
-    private final RowsPanel<MessageRow> messages;
+    private final MessagesPanel messages;
     private final LadderPanel ladder;
     private final JTabbedPane tabs = new JTabbedPane();
     private final JSplitPane split;
@@ -58,7 +57,7 @@ public final class MonitorPanel extends JPanel {
         subscribers = Tables.subscribers(texts)
                 .onChoice(row -> ladder.choose(row.number().digits()));
         calls = Tables.calls(texts);
-        messages = Tables.messages(texts);
+        messages = new MessagesPanel(texts);
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);

@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.util.List;
+import java.util.function.Function;
 import javax.swing.table.AbstractTableModel;
 
 /** The rows of a snapshot as a table. */
@@ -26,8 +27,14 @@ final class RowsModel<T> extends AbstractTableModel {
         return rows.get(index);
     }
 
-    int indexOf(T row) {
-        return rows.indexOf(row);
+    int indexOf(T row, Function<T, Object> identity) {
+        Object wanted = identity.apply(row);
+        for (int i = 0; i < rows.size(); i++) {
+            if (identity.apply(rows.get(i)).equals(wanted)) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     @Override

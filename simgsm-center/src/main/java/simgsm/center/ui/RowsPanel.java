@@ -9,6 +9,7 @@ import java.awt.Graphics2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -28,6 +29,8 @@ final class RowsPanel<T> extends JPanel {
 
     private final RowsModel<T> model;
     private final JTable table;
+    /** What tells the rows apart, however they change. */
+    private Function<T, Object> identity = row -> row;
 
     /** @param name for tests and, in words, for assistive technology; @param empty what stands there without rows */
     RowsPanel(String name, String title, String empty, List<Column<T>> columns) {
@@ -51,6 +54,12 @@ final class RowsPanel<T> extends JPanel {
         dress();
     }
 
+    /** Rows that change stay chosen as long as they are still the same by this. */
+    RowsPanel<T> identifiedBy(Function<T, Object> newIdentity) {
+        identity = newIdentity;
+        return this;
+    }
+
     /** Calls back with the row that the user chooses. */
     RowsPanel<T> onChoice(Consumer<T> choice) {
         table.getSelectionModel().addListSelectionListener(event -> {
@@ -65,14 +74,14 @@ final class RowsPanel<T> extends JPanel {
     void show(List<T> rows) {
         Optional<T> chosen = selected();
         if (model.update(rows) && chosen.isPresent()) {
-            int index = model.indexOf(chosen.get());
+            int index = model.indexOf(chosen.get(), identity);
             if (index >= 0) {
                 table.setRowSelectionInterval(index, index);
             }
         }
     }
 
-    private Optional<T> selected() {
+    Optional<T> selected() {
         int row = table.getSelectedRow();
         return row < 0 ? Optional.empty() : Optional.of(model.row(row));
     }

@@ -1,7 +1,5 @@
 package simgsm.center.ui;
 
-import java.time.ZoneId;
-import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
@@ -15,11 +13,6 @@ import simgsm.ui.Theme.Ink;
 
 /** The three tables and their columns. */
 final class Tables {
-    private static final DateTimeFormatter CLOCK =
-            DateTimeFormatter.ofPattern("HH:mm:ss").withZone(ZoneId.systemDefault());
-    private static final DateTimeFormatter DAY =
-            DateTimeFormatter.ofPattern("MM-dd HH:mm").withZone(ZoneId.systemDefault());
-
     private Tables() {}
 
     static RowsPanel<SubscriberRow> subscribers(Texts texts) {
@@ -52,17 +45,28 @@ final class Tables {
     }
 
     static RowsPanel<MessageRow> messages(Texts texts) {
-        return new RowsPanel<>(
-                "messages",
-                texts.of("window.messages"),
-                texts.of("window.messages.empty"),
-                List.of(
-                        new Column<>(texts.of("window.from"), 66, MessageRow::from),
-                        new Column<>(texts.of("window.to"), 66, MessageRow::to),
-                        new Column<>(
-                                texts.of("window.accepted"), 68, row -> new Digits(CLOCK.format(row.acceptedAt()))),
-                        new Column<>(texts.of("window.expires"), 86, row -> new Digits(DAY.format(row.expiresAt()))),
-                        new Column<>(texts.of("window.text"), 126, MessageRow::text)));
+        return new RowsPanel<MessageRow>(
+                        "messages",
+                        texts.of("window.messages"),
+                        texts.of("window.messages.empty"),
+                        List.of(
+                                new Column<>(
+                                        texts.of("window.from"),
+                                        66,
+                                        row -> row.history().message().sender()),
+                                new Column<>(
+                                        texts.of("window.to"),
+                                        66,
+                                        row -> row.history().message().to()),
+                                new Column<>(texts.of("window.state"), 96, row -> HistoryWords.state(row, texts)),
+                                new Column<>(
+                                        texts.of("window.tries"),
+                                        40,
+                                        row -> new Digits(
+                                                String.valueOf(row.history().attemptCount()))),
+                                new Column<>(texts.of("window.next"), 62, row -> new Digits(HistoryWords.next(row))),
+                                new Column<>(texts.of("window.text"), 90, MessageRow::text)))
+                .identifiedBy(row -> row.history().message().id());
     }
 
     /** What was dialled; nothing for what cannot be a number. */

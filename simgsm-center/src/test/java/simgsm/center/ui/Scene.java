@@ -22,6 +22,12 @@ import simgsm.center.msc.CallState;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.LadderEntry;
+import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.DeliveryOutcome;
+import simgsm.center.smsc.MessageHistory;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.Standing;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.SmsAddress;
@@ -115,11 +121,23 @@ final class Scene {
                         new ExchangeSnapshot.SubscriberRow(PHONE, true, "001010005550100", "001017500000017"),
                         new ExchangeSnapshot.SubscriberRow(ABSENT, false, "001010005550201", "")),
                 calls,
-                List.of(new ExchangeSnapshot.MessageRow(
-                        1, PHONE, ABSENT, NOON, NOON.plusSeconds(86_400), "** #**20 **")),
+                List.of(new ExchangeSnapshot.MessageRow("** #**20 **", waiting())),
                 everyKind(),
                 everyKind().size(),
                 latest);
+    }
+
+    /** A message that has been tried once in vain. */
+    static MessageHistory waiting() {
+        OctetString submit = TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(ABSENT), UserData.of("** #**20 **")));
+        return new MessageHistory(
+                new ShortMessage(1, PHONE, ABSENT, submit, NOON, NOON.plusSeconds(86_400)),
+                MessageState.ACCEPTED,
+                Standing.AWAITING_MEMORY,
+                List.of(new Attempt(NOON.plusSeconds(3), DeliveryOutcome.MEMORY_FULL)),
+                1,
+                Optional.of(NOON.plusSeconds(63)),
+                Optional.empty());
     }
 
     static CallView call() {

@@ -1,0 +1,37 @@
+package simgsm.center.smsc;
+
+import java.time.Duration;
+import java.util.List;
+
+/**
+ * When to try again what failed, unless the receiver appears or has memory before. One for all messages of a receiver,
+ * since what stands against one stands against the others.
+ */
+public final class RetrySchedule {
+    /** The pauses after 1, 2, 3 ... failures in a row; the last holds for all further ones. */
+    public static final List<Duration> PAUSES = List.of(
+            Duration.ofMinutes(1),
+            Duration.ofMinutes(5),
+            Duration.ofMinutes(10),
+            Duration.ofMinutes(30),
+            Duration.ofHours(1),
+            Duration.ofHours(3),
+            Duration.ofHours(6),
+            Duration.ofHours(12));
+
+    /** Who is merely busy is asked again after 1, 2, 4 ... seconds, and then as often as after a first failure. */
+    private static final int MOST_DOUBLINGS = 6;
+
+    private RetrySchedule() {}
+
+    /** @param failures in a row, at least 1 */
+    static Duration pauseAfter(int failures) {
+        return PAUSES.get(Math.min(failures, PAUSES.size()) - 1);
+    }
+
+    /** @param refusals in a row, at least 1 */
+    static Duration pauseWhenBusy(int refusals) {
+        Duration doubled = Duration.ofSeconds(1L << Math.min(refusals - 1, MOST_DOUBLINGS));
+        return doubled.compareTo(PAUSES.get(0)) < 0 ? doubled : PAUSES.get(0);
+    }
+}

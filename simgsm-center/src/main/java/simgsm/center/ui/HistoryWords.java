@@ -1,0 +1,95 @@
+package simgsm.center.ui;
+
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import simgsm.center.msc.ExchangeSnapshot.MessageRow;
+import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.MessageHistory;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.Standing;
+import simgsm.ui.Mark;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+
+/** What has happened to a message, in the operator's words and time. */
+final class HistoryWords {
+    private static final ZoneId ZONE = ZoneId.systemDefault();
+    private static final DateTimeFormatter CLOCK =
+            DateTimeFormatter.ofPattern("HH:mm:ss").withZone(ZONE);
+    private static final DateTimeFormatter DAY =
+            DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss").withZone(ZONE);
+
+    private HistoryWords() {}
+
+    /** Where it stands; a message that has ended, how. */
+    static StateWord state(MessageRow row, Texts texts) {
+        MessageHistory history = row.history();
+        if (history.standing() == Standing.ENDED) {
+            String word = texts.of("window.message." + lower(history.state()));
+            return history.state() == MessageState.DELIVERED
+                    ? new StateWord(Mark.DISC, Ink.GOOD, word)
+                    : new StateWord(Mark.BURST, Ink.DANGER, word);
+        }
+        String word = texts.of("window.standing." + lower(history.standing()));
+        return switch (history.standing()) {
+            case UNDER_WAY -> new StateWord(Mark.ARROW, Ink.GOOD, word);
+            case BEHIND_OTHERS -> new StateWord(Mark.SQUARE, Ink.QUIET, word);
+            case AWAITING_RECEIVER -> new StateWord(Mark.RING, Ink.QUIET, word);
+            default -> new StateWord(Mark.HALF_DISC, Ink.WARNING, word);
+        };
+    }
+
+    /** When the schedule has the next attempt begin; empty if no time is set. */
+    static String next(MessageRow row) {
+        return row.history().nextTry().map(CLOCK::format).orElse("");
+    }
+
+    /** The whole course, a line for each event. */
+    static List<String> lines(MessageHistory history, Texts texts) {
+        ShortMessage message = history.message();
+        List<String> lines = new ArrayList<>();
+        lines.add(texts.of(
+                "window.history.title",
+                Long.toString(message.id()),
+                message.sender().value(),
+                message.to().digits()));
+        lines.add(texts.of("window.history.accepted", DAY.format(message.acceptedAt())));
+        int forgotten = history.attemptCount() - history.attempts().size();
+        if (forgotten > 0) {
+            lines.add(texts.of("window.history.forgotten", forgotten));
+        }
+        for (Attempt attempt : history.attempts()) {
+            lines.add(texts.of(
+                    "window.history.tried",
+                    clock(attempt.at(), message.acceptedAt()),
+                    texts.of("window.outcome." + lower(attempt.outcome()))));
+        }
+        history.nextTry().ifPresent(at -> lines.add(texts.of("window.history.next", clock(at, message.acceptedAt()))));
+        if (history.endedAt().isPresent()) {
+            lines.add(texts.of(
+                    "window.history.ended",
+                    clock(history.endedAt().get(), message.acceptedAt()),
+                    texts.of("window.message." + lower(history.state()))));
+        } else {
+            lines.add(texts.of("window.standing." + lower(history.standing()) + ".why"));
+            lines.add(texts.of("window.history.expires", DAY.format(message.expiresAt())));
+        }
+        return lines;
+    }
+
+    /** With the day where it is another than that of the first event. */
+    private static String clock(Instant at, Instant first) {
+        boolean isSameDay = LocalDate.ofInstant(at, ZONE).equals(LocalDate.ofInstant(first, ZONE));
+        return (isSameDay ? CLOCK : DAY).format(at);
+    }
+
+    private static String lower(Enum<?> value) {
+        return value.name().toLowerCase(Locale.ROOT);
+    }
+}

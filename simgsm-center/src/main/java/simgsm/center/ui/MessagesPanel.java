@@ -1,0 +1,69 @@
+package simgsm.center.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.util.List;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import simgsm.center.msc.ExchangeSnapshot.MessageRow;
+import simgsm.ui.Arrange;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** The queue of messages and those that have ended lately; below, the history of the one that is chosen. */
+final class MessagesPanel extends JPanel {
+    private static final int HISTORY_UNITS = 132;
+
+    private final Texts texts;
+    private final RowsPanel<MessageRow> rows;
+    private final JTextArea history = new JTextArea();
+    private final JScrollPane scroll = new JScrollPane(history);
+
+    MessagesPanel(Texts texts) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        rows = Tables.messages(texts).onChoice(this::tell);
+        Named.name(history, "message.history", texts.of("window.history"));
+        history.setEditable(false);
+        history.setLineWrap(true);
+        history.setWrapStyleWord(true);
+        history.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        history.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        history.setText(texts.of("window.history.none"));
+        add(Arrange.column(8, Arrange.growing(rows), scroll), BorderLayout.CENTER);
+        dress();
+    }
+
+    void show(List<MessageRow> newRows) {
+        rows.show(newRows);
+        rows.selected().ifPresent(this::tell);
+    }
+
+    private void tell(MessageRow row) {
+        String text = String.join("\n", HistoryWords.lines(row.history(), texts));
+        if (!text.equals(history.getText())) {
+            history.setText(text);
+            history.setCaretPosition(0);
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (scroll != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        scroll.setPreferredSize(new Dimension(0, Theme.px(HISTORY_UNITS)));
+        history.setFont(Theme.base());
+        history.setForeground(Ink.TEXT.color());
+        history.setBorder(Theme.padding(6));
+    }
+}
