@@ -12,6 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.Loudspeaker;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.EventLog;
@@ -143,6 +144,14 @@ final class WindowModel implements Operator {
     @Override
     public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
         act(robot, owned -> answer.accept(owned.place(xMeters, yMeters, headingRadians)));
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        lines.stream()
+                .map(Line::robot)
+                .filter(each -> each.name().equals(robot))
+                .forEach(each -> each.tryOut(experiment));
     }
 
     @Override

@@ -4,26 +4,41 @@ import java.util.Optional;
 
 /**
  * What a tone scope shows, immutable: the last stretch of sound, the levels of the eight DTMF frequencies in it, and the
- * key that was heard or sent last.
+ * key that was heard or sent last. With an experiment all of it is what is heard of the disturbed sound.
  */
 public final class ToneTrace {
     /** 40 ms at 8 kHz. */
     public static final int SAMPLES = 320;
     /** What silence is shown as. */
     public static final double FLOOR_DBM0 = -60;
+    /** Fainter tones are no key's, whatever else they are (ITU-T Q.24: at -55 dBm0 nothing may be heard). */
+    public static final double LEAST_DBM0 = -50;
+    /** So many decibels may the groups lie apart before the receiver looks no closer. */
+    public static final double MOST_TWIST_DECIBELS = 13;
     /** Nothing has sounded yet. */
-    public static final ToneTrace EMPTY = new ToneTrace(new short[SAMPLES], silence(), Optional.empty(), false);
+    public static final ToneTrace EMPTY =
+            new ToneTrace(new short[SAMPLES], silence(), Optional.empty(), false, ToneExperiment.NONE, ToneScore.NONE);
 
     private final short[] samples;
     private final double[] levelsDbm0;
     private final Optional<DtmfDigit> digit;
     private final boolean sounding;
+    private final ToneExperiment experiment;
+    private final ToneScore score;
 
-    ToneTrace(short[] samples, double[] levelsDbm0, Optional<DtmfDigit> digit, boolean sounding) {
+    ToneTrace(
+            short[] samples,
+            double[] levelsDbm0,
+            Optional<DtmfDigit> digit,
+            boolean sounding,
+            ToneExperiment experiment,
+            ToneScore score) {
         this.samples = samples;
         this.levelsDbm0 = levelsDbm0;
         this.digit = digit;
         this.sounding = sounding;
+        this.experiment = experiment;
+        this.score = score;
     }
 
     private static double[] silence() {
@@ -47,6 +62,24 @@ public final class ToneTrace {
         return levelsDbm0[4 + column];
     }
 
+    /** What a row's tone has to reach now: not too far below the loudest column. */
+    public double leastRowDbm0() {
+        return least(4);
+    }
+
+    /** What a column's tone has to reach now: not too far below the loudest row. */
+    public double leastColumnDbm0() {
+        return least(0);
+    }
+
+    private double least(int otherGroup) {
+        double loudest = FLOOR_DBM0;
+        for (int i = 0; i < 4; i++) {
+            loudest = Math.max(loudest, levelsDbm0[otherGroup + i]);
+        }
+        return Math.max(LEAST_DBM0, loudest - MOST_TWIST_DECIBELS);
+    }
+
     /** The key that was decided last. */
     public Optional<DtmfDigit> digit() {
         return digit;
@@ -55,5 +88,15 @@ public final class ToneTrace {
     /** Whether that key's tone still sounds. */
     public boolean isSounding() {
         return sounding;
+    }
+
+    /** What was done to the sound. */
+    public ToneExperiment experiment() {
+        return experiment;
+    }
+
+    /** How the experiment went since it was set; empty counts without one. */
+    public ToneScore score() {
+        return score;
     }
 }

@@ -15,7 +15,7 @@ public final class ToneScope extends SpokenComponent {
     public ToneScope(Locale language) {
         super(AccessibleRole.CANVAS);
         painter = new ToneScopePainter(language);
-        setName("scope");
+        setName("scope.picture");
     }
 
     public void show(ToneTrace newTrace) {

@@ -6,11 +6,13 @@ import java.util.Locale;
 import java.util.Optional;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.ui.Theme.Ink;
 
 /**
- * Paints a {@link ToneTrace}: the wave above, below it the eight levels and the key matrix, and one line of numbers.
+ * Paints a {@link ToneTrace}: the wave above, below it the eight levels with what they have to reach, the key matrix, and
+ * one line of numbers. What an experiment makes of the sound is marked as such in the wave.
  *
  * <pre>
  *   +---------------------------+
@@ -24,8 +26,10 @@ import simgsm.ui.Theme.Ink;
 public final class ToneScopePainter {
     private static final int SHOWN_SAMPLES = 192;
     private static final double TOP_DBM0 = 0;
-    private static final double BOTTOM_DBM0 = -48;
+    private static final double BOTTOM_DBM0 = ToneTrace.FLOOR_DBM0;
     private static final double FULL_SCALE = 32768;
+    /** Tones of -10 dBm0 fill most of the height. */
+    private static final double WAVE_GAIN = 1.6;
 
     private final Texts texts;
 
@@ -37,17 +41,18 @@ public final class ToneScopePainter {
     public void paint(Graphics2D g, ToneTrace trace, double width, double height) {
         double gap = Theme.exact(Theme.GRID);
         double lineHeight = Theme.exact(18);
-        double waveHeight = Math.max(Theme.exact(32), (height - lineHeight - gap) * 0.44);
+        double waveHeight = Math.max(Theme.exact(32), (height - lineHeight - gap) * 0.4);
         double bottom = height - lineHeight;
         double barsTop = waveHeight + gap;
         double matrix = Math.min(bottom - barsTop, width * 0.3);
+        double scale = Theme.exact(20);
         paintWave(g, trace, width, waveHeight);
-        paintBars(g, trace, 0, barsTop, width - matrix - 2 * gap, bottom - barsTop);
+        paintBars(g, trace, scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
         paintMatrix(g, trace, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
         paintReading(g, trace, width, height);
     }
 
-    private static void paintWave(Graphics2D g, ToneTrace trace, double width, double height) {
+    private void paintWave(Graphics2D g, ToneTrace trace, double width, double height) {
         g.setColor(Ink.LINE.color());
         for (int i = 0; i <= 8; i++) {
             Drawing.vertical(g, (width - Theme.exact(1)) * i / 8, 0, height);
@@ -55,11 +60,21 @@ public final class ToneScopePainter {
         for (int i = 0; i <= 4; i++) {
             Drawing.horizontal(g, 0, width, (height - Theme.exact(1)) * i / 4);
         }
+        boolean tries = !trace.experiment().equals(ToneExperiment.NONE);
+        g.setColor((tries ? Ink.WARNING : Ink.ACCENT).color());
+        g.setStroke(Theme.stroke(1.4));
+        g.draw(wave(trace, width, height));
+        if (tries) {
+            paintTrial(g, trace.experiment(), width);
+        }
+    }
+
+    private static Path2D wave(ToneTrace trace, double width, double height) {
         var wave = new Path2D.Double();
         int start = trigger(trace);
         for (int i = 0; i < SHOWN_SAMPLES; i++) {
             double x = width * i / (SHOWN_SAMPLES - 1);
-            double y = height / 2 * (1 - trace.sample(start + i) / FULL_SCALE * 1.6);
+            double y = height / 2 * (1 - trace.sample(start + i) / FULL_SCALE * WAVE_GAIN);
             y = Math.max(1, Math.min(height - 1, y));
             if (i == 0) {
                 wave.moveTo(x, y);
@@ -67,9 +82,7 @@ public final class ToneScopePainter {
                 wave.lineTo(x, y);
             }
         }
-        g.setColor(Ink.ACCENT.color());
-        g.setStroke(Theme.stroke(1.4));
-        g.draw(wave);
+        return wave;
     }
 
     /** Starts the picture where the wave rises through zero, so that it stands still. */
@@ -82,27 +95,77 @@ public final class ToneScopePainter {
         return 0;
     }
 
+    /** A flag in the corner: this is not the call, but an experiment with it. */
+    private void paintTrial(Graphics2D g, ToneExperiment experiment, double width) {
+        String text = trial(experiment);
+        var font = Theme.monoSmall();
+        double textWidth = Drawing.width(font, text);
+        double height = Theme.exact(16);
+        double left = width - textWidth - Theme.exact(13);
+        g.setColor(Ink.WARNING_WASH.color());
+        var flag = Drawing.round(left, Theme.exact(3), textWidth + Theme.exact(10), height, Theme.exact(3));
+        g.fill(flag);
+        g.setColor(Ink.WARNING.color());
+        g.setStroke(Theme.hairline());
+        g.draw(flag);
+        Drawing.centred(g, text, font, left + Theme.exact(5) + textWidth / 2, Theme.exact(3) + height / 2);
+    }
+
+    private String trial(ToneExperiment experiment) {
+        String snr = experiment.hasNoise() ? decimal("%.0f dB", experiment.snrDecibels()) : "\u221e";
+        return texts.of("scope.trial", snr, decimal("%+.1f", experiment.shiftPercent()) + " %");
+    }
+
     private static void paintBars(Graphics2D g, ToneTrace trace, double x, double y, double width, double height) {
         double labels = Theme.exact(14);
         double tall = height - labels;
         double groupGap = Theme.exact(10);
         double step = (width - groupGap) / 8;
-        g.setColor(Ink.LINE.color());
-        Drawing.horizontal(g, x, x + width, y + tall);
+        paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
-            double dbm0 = i < 4 ? trace.rowDbm0(i) : trace.columnDbm0(i - 4);
-            boolean strongest = isStrongest(trace, i);
-            double share = Math.max(0, Math.min(1, (dbm0 - BOTTOM_DBM0) / (TOP_DBM0 - BOTTOM_DBM0)));
+            boolean counts = counts(trace, i);
+            double share = share(level(trace, i));
             g.setColor(Ink.LINE.color(0.45));
             Drawing.fillCrisp(g, left + step * 0.16, y, step * 0.68, tall);
-            g.setColor((strongest ? Ink.ACCENT : Ink.QUIET).color());
+            g.setColor((counts ? Ink.ACCENT : Ink.QUIET).color());
             Drawing.fillCrisp(g, left + step * 0.16, y + tall * (1 - share), step * 0.68, tall * share);
-            g.setColor((strongest ? Ink.TEXT : Ink.QUIET).color());
-            String label = hertz(i);
-            var font = Theme.mono(Math.min(10, step / Theme.zoom() * 0.36), strongest);
-            Drawing.centred(g, label, font, left + step / 2, y + tall + labels * 0.62);
+            g.setColor((counts ? Ink.TEXT : Ink.QUIET).color());
+            var font = Theme.mono(Math.min(12, step / Theme.zoom() * 0.36), counts);
+            Drawing.centred(g, hertz(i), font, left + step / 2, y + tall + labels * 0.62);
         }
+        paintThreshold(g, trace.leastRowDbm0(), x, y, 4 * step, tall);
+        paintThreshold(g, trace.leastColumnDbm0(), x + 4 * step + groupGap, y, 4 * step, tall);
+    }
+
+    /** The levels of the scale in dBm0, as lines behind the bars. */
+    private static void paintScale(Graphics2D g, double x, double y, double width, double tall) {
+        var font = Theme.mono(8.5, false);
+        for (int dbm0 = (int) TOP_DBM0; dbm0 >= BOTTOM_DBM0; dbm0 -= 20) {
+            double at = y + tall * (1 - share(dbm0));
+            g.setColor(Ink.LINE.color());
+            Drawing.horizontal(g, x - Theme.exact(3), x + width, at);
+            g.setColor(Ink.QUIET.color());
+            g.setFont(font);
+            Drawing.rightAligned(
+                    g, String.valueOf(dbm0).replace('-', '\u2212'), x - Theme.exact(4), at + Theme.exact(3));
+        }
+    }
+
+    /** What a tone of this group has to reach to count: dashed across its four bars. */
+    private static void paintThreshold(Graphics2D g, double dbm0, double x, double y, double width, double tall) {
+        double at = y + tall * (1 - share(dbm0));
+        g.setColor(Ink.DANGER.color());
+        g.setStroke(Theme.dashed(1.3, 4));
+        Drawing.line(g, x, at, x + width, at);
+    }
+
+    private static double share(double dbm0) {
+        return Math.max(0, Math.min(1, (dbm0 - BOTTOM_DBM0) / (TOP_DBM0 - BOTTOM_DBM0)));
+    }
+
+    private static double level(ToneTrace trace, int index) {
+        return index < 4 ? trace.rowDbm0(index) : trace.columnDbm0(index - 4);
     }
 
     private static String hertz(int index) {
@@ -113,14 +176,15 @@ public final class ToneScopePainter {
     }
 
     /** Whether this frequency is the loudest of its group and loud enough to be a tone. */
-    private static boolean isStrongest(ToneTrace trace, int index) {
-        double own = index < 4 ? trace.rowDbm0(index) : trace.columnDbm0(index - 4);
-        for (int i = 0; i < 4; i++) {
-            if ((index < 4 ? trace.rowDbm0(i) : trace.columnDbm0(i)) > own) {
+    private static boolean counts(ToneTrace trace, int index) {
+        double own = level(trace, index);
+        int group = index / 4 * 4;
+        for (int i = group; i < group + 4; i++) {
+            if (level(trace, i) > own) {
                 return false;
             }
         }
-        return own > BOTTOM_DBM0 + 6;
+        return own > (group == 0 ? trace.leastRowDbm0() : trace.leastColumnDbm0());
     }
 
     private static void paintMatrix(Graphics2D g, ToneTrace trace, double x, double y, double size) {

@@ -4,6 +4,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.ObjLongConsumer;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.phone.ui.HandsetControls;
@@ -61,6 +62,11 @@ final class PhoneControls implements HandsetControls {
     @Override
     public void charUp(char character) {
         act((handset, now) -> handset.charUp(character, now));
+    }
+
+    @Override
+    public void tryOut(ToneExperiment experiment) {
+        act((handset, now) -> handset.tryOut(experiment));
     }
 
     private void act(ObjLongConsumer<Handset> deed) {

@@ -11,6 +11,7 @@ import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.modem.CallDecision;
@@ -67,6 +68,13 @@ final class ModemLink implements ModemListener, ModemPort {
     /** What the modem's ear has heard last; any thread may ask. */
     ToneTrace trace() {
         return trace;
+    }
+
+    void tryOut(ToneExperiment experiment) {
+        stations.execute(() -> {
+            tracer.tryOut(experiment);
+            trace = tracer.newest();
+        });
     }
 
     // ---- from the modem, on the stations' thread -------------------------------------------------------------------
@@ -140,6 +148,8 @@ final class ModemLink implements ModemListener, ModemPort {
 
     @Override
     public void callEnded(Cause cause) {
+        tracer.rest();
+        trace = tracer.newest();
         accepted = false;
         tonesToLeave = 0;
         clearWhenSilent = false;

@@ -2,6 +2,7 @@ package simrobot.control;
 
 import java.util.Optional;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
@@ -69,6 +70,11 @@ public final class TelephoneRobot {
     /** The sound of the caller's keys; any thread may ask. */
     public ToneTrace heard() {
         return link.trace();
+    }
+
+    /** What {@link #heard} is to make of the sound; the modem hears the call as it is. Any thread may ask. */
+    public void tryOut(ToneExperiment experiment) {
+        link.tryOut(experiment);
     }
 
     /** The verifier's newest state; any thread may ask. */

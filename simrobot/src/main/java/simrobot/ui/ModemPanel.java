@@ -6,6 +6,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.station.CallState;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Arrange;
@@ -20,7 +21,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
-import simgsm.ui.ToneScope;
+import simgsm.ui.ToneScopePanel;
 
 /** M2: its number, the network, the call, and what it hears. */
 final class ModemPanel extends JPanel {
@@ -32,18 +33,24 @@ final class ModemPanel extends JPanel {
     private final Line peer = new Line("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final Line codec = new Line("modem.codec", Theme::small, Ink.QUIET);
     private final JLabel sound = Named.name(new JLabel(), "modem.sound", "");
-    private final ToneScope scope;
+    private final ToneScopePanel scope;
+    private final Operator operator;
+    /** Holds for whichever robot is shown. */
+    private ToneExperiment experiment = ToneExperiment.NONE;
+
+    private String robot = "";
     private final Locale language;
 
-    ModemPanel(Texts texts, Locale language) {
+    ModemPanel(Texts texts, Locale language, Operator operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
+        this.operator = operator;
         setOpaque(false);
         signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
-        scope = new ToneScope(language);
+        scope = new ToneScopePanel(language, false, this::tryOut);
         JPanel facts = Arrange.column(
                 6,
                 Arrange.row(10, number, Arrange.spring(), signal),
@@ -68,6 +75,10 @@ final class ModemPanel extends JPanel {
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
         showSound(line.audible());
+        robot = line.robot();
+        if (!line.heard().experiment().equals(experiment)) {
+            operator.tryOut(robot, experiment);
+        }
         scope.show(line.heard());
     }
 
@@ -91,6 +102,13 @@ final class ModemPanel extends JPanel {
             case PLMN_NOT_ALLOWED -> texts.of("modem.refused.barred");
             default -> cause.title();
         };
+    }
+
+    private void tryOut(ToneExperiment chosen) {
+        experiment = chosen;
+        if (!robot.isEmpty()) {
+            operator.tryOut(robot, chosen);
+        }
     }
 
     private void showSound(boolean audible) {

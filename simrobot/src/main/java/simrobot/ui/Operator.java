@@ -3,6 +3,7 @@ package simrobot.ui;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import simgsm.dtmf.ToneExperiment;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.robot.Placement;
 import simrobot.world.World;
@@ -39,6 +40,9 @@ public interface Operator {
 
     /** Wants this robot's sonars in the pictures, however many robots there are. */
     void watch(String robot);
+
+    /** What this robot's scope is to hear; its modem hears the call as it is. */
+    void tryOut(String robot, ToneExperiment experiment);
 
     /** Simulated seconds per second; infinite is as fast as it can. */
     void setSpeed(double simulatedSecondsPerSecond);

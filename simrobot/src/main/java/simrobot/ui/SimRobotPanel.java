@@ -51,7 +51,7 @@ public final class SimRobotPanel extends JPanel {
         tools = new ToolRow(texts, language, operator, world, this::edit);
         editor = new EditorPanel(texts, operator, this::stopEditing);
         inspector = new Inspector(texts, this::select, operator, world);
-        modem = new ModemPanel(texts, language);
+        modem = new ModemPanel(texts, language, operator);
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);

@@ -16,6 +16,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.CallState;
@@ -205,6 +206,11 @@ final class WindowBench implements Operator {
     public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
         acts.add("place " + robot);
         answer.accept(simulation.robot(robot).orElseThrow().place(xMeters, yMeters, headingRadians));
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        acts.add("try " + robot + " " + experiment.snrDecibels() + " dB " + experiment.shiftPercent() + " %");
     }
 
     @Override

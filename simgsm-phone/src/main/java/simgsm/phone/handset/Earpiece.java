@@ -1,5 +1,6 @@
 package simgsm.phone.handset;
 
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.speech.AudioOutput;
@@ -26,6 +27,18 @@ final class Earpiece {
         short[] mixed = mix.sent(frame);
         output.play(mixed);
         changed |= tracer.accept(mixed);
+    }
+
+    /** Only the scope's picture is concerned. */
+    void tryOut(ToneExperiment experiment) {
+        tracer.tryOut(experiment);
+        changed = true;
+    }
+
+    /** No sound comes for now. */
+    void rest() {
+        tracer.rest();
+        changed = true;
     }
 
     void callEnded() {

@@ -9,6 +9,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.sms.ChannelList;
@@ -301,6 +302,12 @@ public final class Handset {
             screens.note(Note.Kind.REFUSED, to.digits());
         }
         return !refused;
+    }
+
+    /** What the scope makes of the sound that it hears; nobody else hears any of it. */
+    public void tryOut(ToneExperiment experiment) {
+        sounds.tryOut(experiment);
+        changed();
     }
 
     void keySounds(DtmfKey tone) {

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
 import simgsm.dtmf.ToneTrace;
 import simgsm.speech.AudioOutput;
@@ -166,6 +167,10 @@ final class Sounds {
         return Optional.ofNullable((connected ? line : local).sounding());
     }
 
+    void tryOut(ToneExperiment experiment) {
+        earpiece.tryOut(experiment);
+    }
+
     ToneTrace trace() {
         return earpiece.trace();
     }
@@ -211,7 +216,10 @@ final class Sounds {
         supervisory.addTo(localFrame);
         earpiece.said(localFrame);
         boolean quiet = local.isIdle() && supervisory.isIdle();
-        localFramesLeft = quiet ? localFramesLeft - 1 : TAIL_FRAMES;
+        localFramesLeft = quiet ? Math.max(0, localFramesLeft - 1) : TAIL_FRAMES;
+        if (localFramesLeft == 0 && !hearsNetwork) {
+            earpiece.rest();
+        }
         return earpiece.pollChanged() || before != local.sounding();
     }
 }

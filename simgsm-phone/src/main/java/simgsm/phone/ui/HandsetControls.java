@@ -1,5 +1,6 @@
 package simgsm.phone.ui;
 
+import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.PhoneKey;
 
 /** Where the window's acts go: into the handset, on its own thread. */
@@ -17,4 +18,7 @@ public interface HandsetControls {
     void charDown(char character);
 
     void charUp(char character);
+
+    /** The scope is to hear the sound so; nothing else does. */
+    void tryOut(ToneExperiment experiment);
 }

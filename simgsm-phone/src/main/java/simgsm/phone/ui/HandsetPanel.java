@@ -25,7 +25,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
-import simgsm.ui.ToneScope;
+import simgsm.ui.ToneScopePanel;
 
 /** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */
 public final class HandsetPanel extends JPanel {
@@ -35,7 +35,7 @@ public final class HandsetPanel extends JPanel {
     private final Lcd lcd;
     private final Lamp link;
     private final SignalBars signal;
-    private final ToneScope scope;
+    private final ToneScopePanel scope;
     private final JButton scopeSwitch;
     private final JLabel sound = new JLabel();
     private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
@@ -61,7 +61,7 @@ public final class HandsetPanel extends JPanel {
             keys.put(key, button);
             add(button, HandsetLayout.placeOf(key));
         }
-        scope = new ToneScope(language);
+        scope = new ToneScopePanel(language, true, controls::tryOut);
         scope.setVisible(false);
         add(scope, HandsetLayout.SCOPE);
         scopeSwitch = new JButton(new Act("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));

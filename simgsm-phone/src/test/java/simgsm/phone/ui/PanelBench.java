@@ -1,6 +1,7 @@
 package simgsm.phone.ui;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -10,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Named;
@@ -37,7 +39,16 @@ final class PanelBench {
     }
 
     private void layOut() {
-        panel.doLayout();
+        layOut(panel);
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
     }
 
     Component find(String name) {
@@ -100,6 +111,11 @@ final class PanelBench {
         public void charDown(char character) {
             acts.add("down " + character);
             bench.handset.charDown(character, bench.nowNanos);
+        }
+
+        @Override
+        public void tryOut(ToneExperiment experiment) {
+            bench.handset.tryOut(experiment);
         }
 
         @Override

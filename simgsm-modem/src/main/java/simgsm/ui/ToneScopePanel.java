@@ -1,0 +1,35 @@
+package simgsm.ui;
+
+import java.awt.BorderLayout;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTrace;
+
+/** The tone scope of phone and modem with the experiment below it: what it shows, and what may be done to what it hears. */
+public final class ToneScopePanel extends JPanel {
+    private final ToneScope scope;
+    private final ToneExperimentBar experiment;
+
+    /**
+     * A scope that shows nothing yet.
+     *
+     * @param isNarrow for a place that is higher than wide
+     * @param chosen told each experiment that is set, on the event thread: the scope's owner lets its tracer try it out
+     */
+    public ToneScopePanel(Locale language, boolean isNarrow, Consumer<ToneExperiment> chosen) {
+        super(new BorderLayout());
+        setOpaque(false);
+        setName("scope");
+        scope = new ToneScope(language);
+        experiment = new ToneExperimentBar(language, isNarrow, chosen);
+        add(scope, BorderLayout.CENTER);
+        add(experiment, BorderLayout.SOUTH);
+    }
+
+    public void show(ToneTrace trace) {
+        scope.show(trace);
+        experiment.show(trace);
+    }
+}
