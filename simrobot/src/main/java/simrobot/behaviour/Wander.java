@@ -11,7 +11,9 @@ public final class Wander implements Behaviour {
     private static final int LAST_SONAR = 6;
     private static final double NEAR_METERS = 0.5;
     private static final int AVOIDING_TICKS = 10;
-    private static final double METERS_PER_SECOND = 0.4;
+    /** Its speed ahead; it has no other. */
+    public static final double METERS_PER_SECOND = 0.4;
+
     private static final double RADIANS_PER_SECOND = Math.toRadians(50);
 
     private static final Steering AHEAD = new Steering(METERS_PER_SECOND, 0);

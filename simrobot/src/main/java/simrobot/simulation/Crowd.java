@@ -24,7 +24,7 @@ final class Crowd implements Floor {
     /** No corner of the octagon is farther from the centre of rotation. */
     private static final double OCTAGON_REACH = 0.29;
 
-    private final DiscGrid places = new DiscGrid(OCTAGON_REACH);
+    private final DiscGrid places = new DiscGrid();
 
     /** By their numbers; null where none is. */
     private SimulatedRobot[] robots = {};
@@ -62,7 +62,7 @@ final class Crowd implements Floor {
         double x = robot.xMeters();
         double y = robot.yMeters();
         Encounter first = new Encounter(obstacles.sweep(x, y, dx, dy, RADIUS), null);
-        double reach = RADIUS + 2 * MovingDisc.SKIN_METERS;
+        double reach = 2 * RADIUS + 2 * MovingDisc.SKIN_METERS;
         int others = places.near(
                 Math.min(x, x + dx) - reach,
                 Math.min(y, y + dy) - reach,
@@ -141,7 +141,8 @@ final class Crowd implements Floor {
     private double nearestBody(
             SimulatedRobot robot, BodySide side, double within, double minX, double minY, double maxX, double maxY) {
         double nearest = within;
-        int others = places.near(minX, minY, maxX, maxY);
+        int others =
+                places.near(minX - OCTAGON_REACH, minY - OCTAGON_REACH, maxX + OCTAGON_REACH, maxY + OCTAGON_REACH);
         for (int i = 0; i < others; i++) {
             SimulatedRobot other = robots[places.found(i)];
             if (other != robot) {

@@ -74,7 +74,7 @@ final class Parking {
 
     /** The same beside robots that stay where they are. */
     static List<Home> spots(World world, ObstacleGrid obstacles, int count, List<Position> staying) {
-        DiscGrid taken = new DiscGrid(RADIUS);
+        DiscGrid taken = new DiscGrid();
         for (int i = 0; i < staying.size(); i++) {
             taken.put(count + i, staying.get(i).xMeters(), staying.get(i).yMeters());
         }

@@ -24,13 +24,17 @@ public final class WanderRun {
 
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
     private static final double RANGE = Pioneer2Dx.SONAR_RANGE_METERS;
+    /** No mouth is farther from the middle. */
+    private static final double ARM = 0.26;
+
     private static final double SECONDS = STEP_NANOS * 1e-9;
 
     /** x and y of each sonar's mouth, then x and y of its direction, in the robot's own frame. */
     private static final double[] SONARS = sonars();
 
     private final ObstacleGrid obstacles;
-    private final DiscGrid discs = new DiscGrid(RADIUS);
+    private final DiscGrid discs = new DiscGrid();
+    private final Surroundings surroundings;
     private final Wander[] rules;
     private final Steering[] steerings;
     private final double[] xs;
@@ -43,6 +47,7 @@ public final class WanderRun {
     /** The newest ranges of all robots, sixteen each. */
     private final double[] ranges;
 
+    private long steps;
     private final double[] heard = new double[SonarRing.COUNT];
 
     /**
@@ -61,6 +66,8 @@ public final class WanderRun {
         sines = new double[robots];
         stalled = new boolean[robots];
         ranges = new double[robots * SonarRing.COUNT];
+        surroundings =
+                new Surroundings(obstacles, discs, xs, ys, RANGE + ARM, RADIUS, Wander.METERS_PER_SECOND * SECONDS);
         List<Home> spots = Parking.spots(world, robots);
         for (int i = 0; i < robots; i++) {
             rules[i] = new Wander(i);
@@ -119,6 +126,7 @@ public final class WanderRun {
         for (int i = 0; i < xs.length; i++) {
             move(i, steerings[i]);
         }
+        steps++;
     }
 
     private void listen(int robot) {
@@ -126,14 +134,14 @@ public final class WanderRun {
         double y = ys[robot];
         double cos = cosines[robot];
         double sin = sines[robot];
+        surroundings.look(robot, steps);
         for (int i = 0; i < SonarRing.COUNT; i++) {
             int at = 4 * i;
             double mouthX = x + SONARS[at] * cos - SONARS[at + 1] * sin;
             double mouthY = y + SONARS[at] * sin + SONARS[at + 1] * cos;
             double ux = SONARS[at + 2] * cos - SONARS[at + 3] * sin;
             double uy = SONARS[at + 2] * sin + SONARS[at + 3] * cos;
-            double toWall = obstacles.rayRange(mouthX, mouthY, ux, uy, RANGE);
-            heard[i] = discs.rayRange(robot, mouthX, mouthY, ux, uy, RADIUS, toWall);
+            heard[i] = surroundings.rayRange(robot, mouthX, mouthY, ux, uy, RADIUS, RANGE);
         }
         System.arraycopy(heard, 0, ranges, robot * SonarRing.COUNT, SonarRing.COUNT);
     }

@@ -27,9 +27,17 @@ public final class Distances {
         }
         double fx = x1 - x;
         double fy = y1 - y;
-        double t = (fx * sy - fy * sx) / cross;
-        double s = (fx * uy - fy * ux) / cross;
-        return t >= 0 && s >= 0 && s <= 1 ? t : Double.POSITIVE_INFINITY;
+        double t = fx * sy - fy * sx;
+        double s = fx * uy - fy * ux;
+        // 0 <= t and 0 <= s <= cross, all turned so that cross is positive: by signs, for a processor cannot guess them
+        double sign = Math.copySign(1, cross);
+        double ahead = t * sign + 0.0;
+        double along = s * sign + 0.0;
+        double beyond = cross * sign - along;
+        long missed = Double.doubleToRawLongBits(ahead)
+                | Double.doubleToRawLongBits(along)
+                | Double.doubleToRawLongBits(beyond);
+        return missed < 0 || cross == 0 ? Double.POSITIVE_INFINITY : t / cross;
     }
 
     /** Along a ray to the rim of a disc; 0 from inside, infinite when it is missed. */
@@ -38,10 +46,13 @@ public final class Distances {
         double fy = py - y;
         double middle = fx * ux + fy * uy;
         double c = fx * fx + fy * fy - radius * radius;
+        double discriminant = middle * middle - c;
+        if (discriminant < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
         if (c <= 0) {
             return 0;
         }
-        double discriminant = middle * middle - c;
-        return middle > 0 && discriminant >= 0 ? middle - Math.sqrt(discriminant) : Double.POSITIVE_INFINITY;
+        return middle > 0 ? middle - Math.sqrt(discriminant) : Double.POSITIVE_INFINITY;
     }
 }

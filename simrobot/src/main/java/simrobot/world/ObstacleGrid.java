@@ -10,7 +10,7 @@ import java.util.List;
  * {@code segmentCount} is a segment, the others are points.
  */
 public final class ObstacleGrid {
-    private static final double MAX_CELL_METERS = 1;
+    private static final double MAX_CELL_METERS = 2;
     private static final double MIN_CELL_METERS = 0.25;
 
     /** Worlds beyond this get larger cells instead of more. */
@@ -28,6 +28,8 @@ public final class ObstacleGrid {
     private final double pointRadius;
     private final double minX;
     private final double minY;
+    private final double maxX;
+    private final double maxY;
     private final double cell;
     private final int columns;
     private final int rows;
@@ -51,6 +53,8 @@ public final class ObstacleGrid {
         minY = bounds.minYMeters() - cell;
         columns = (int) (width / cell) + 3;
         rows = (int) (height / cell) + 3;
+        maxX = minX + columns * cell;
+        maxY = minY + rows * cell;
         first = new int[columns * rows + 1];
         items = fill();
     }
@@ -224,7 +228,17 @@ public final class ObstacleGrid {
 
     /** Whether no obstacle is nearer to the place than the radius. */
     public boolean isFree(double x, double y, double radiusMeters) {
-        return clearance(x, y, radiusMeters) >= radiusMeters;
+        int left = column(x - radiusMeters);
+        int right = column(x + radiusMeters);
+        int top = row(y + radiusMeters);
+        for (int r = row(y - radiusMeters); r <= top; r++) {
+            for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
+                if (distance(items[k], x, y) < radiusMeters) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     /** The distance at which a cone (a sonar's) first holds an obstacle, or {@code max}; metres and radians. */
@@ -257,35 +271,88 @@ public final class ObstacleGrid {
      * @param ux with uy the ray's direction, a unit vector
      */
     public double rayRange(double x, double y, double ux, double uy, double maxMeters) {
-        double enter = entry(x, y, ux, uy, maxMeters);
+        boolean inside = x >= minX && y >= minY && x < maxX && y < maxY;
+        double enter = inside ? 0 : entry(x, y, ux, uy, maxMeters);
         if (enter >= maxMeters) {
             return maxMeters;
         }
         int c = column(x + ux * enter);
         int r = row(y + uy * enter);
         int stepX = ux < 0 ? -1 : 1;
-        int stepY = uy < 0 ? -1 : 1;
-        double deltaX = ux == 0 ? Double.POSITIVE_INFINITY : cell / Math.abs(ux);
-        double deltaY = uy == 0 ? Double.POSITIVE_INFINITY : cell / Math.abs(uy);
-        double nextX = ux == 0 ? Double.POSITIVE_INFINITY : (minX + (c + (ux > 0 ? 1 : 0)) * cell - x) / ux;
-        double nextY = uy == 0 ? Double.POSITIVE_INFINITY : (minY + (r + (uy > 0 ? 1 : 0)) * cell - y) / uy;
+        int stepRow = uy < 0 ? -columns : columns;
+        double perX = 1 / ux;
+        double perY = 1 / uy;
+        double deltaX = cell * Math.abs(perX);
+        double deltaY = cell * Math.abs(perY);
+        double nextX = ux == 0 ? Double.POSITIVE_INFINITY : (minX + (c + (ux > 0 ? 1 : 0)) * cell - x) * perX;
+        double nextY = uy == 0 ? Double.POSITIVE_INFINITY : (minY + (r + (uy > 0 ? 1 : 0)) * cell - y) * perY;
+        int at = r * columns + c;
+        int cellsX = ux < 0 ? c : columns - 1 - c;
+        int cellsY = uy < 0 ? r : rows - 1 - r;
         double nearest = maxMeters;
-        while (c >= 0 && c < columns && r >= 0 && r < rows) {
-            int at = r * columns + c;
-            for (int k = first[at]; k < first[at + 1]; k++) {
-                nearest = Math.min(nearest, hit(items[k], x, y, ux, uy));
-            }
-            double leave = Math.min(nextX, nextY);
-            if (nearest <= leave) {
-                return nearest;
+        while (true) {
+            int end = first[at + 1];
+            for (int k = first[at]; k < end; k++) {
+                double hit = hit(items[k], x, y, ux, uy);
+                nearest = hit < nearest ? hit : nearest;
             }
             if (nextX < nextY) {
-                c += stepX;
+                if (nearest <= nextX || --cellsX < 0) {
+                    return nearest;
+                }
+                at += stepX;
                 nextX += deltaX;
             } else {
-                r += stepY;
+                if (nearest <= nextY || --cellsY < 0) {
+                    return nearest;
+                }
+                at += stepRow;
                 nextY += deltaY;
             }
+        }
+    }
+
+    /**
+     * Lists the obstacles that are no farther from a place than so much, each once, for many rays from about there.
+     *
+     * @param into takes the obstacles' numbers from this index on
+     * @param room at most so many
+     * @return how many; -1 when there are more than there is room for
+     */
+    public int list(double x, double y, double within, int[] into, int from, int room) {
+        int left = column(x - within);
+        int right = column(x + within);
+        int top = row(y + within);
+        int size = 0;
+        for (int r = row(y - within); r <= top; r++) {
+            for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
+                if (distance(items[k], x, y) <= within && !holds(into, from, size, items[k])) {
+                    if (size == room) {
+                        return -1;
+                    }
+                    into[from + size++] = items[k];
+                }
+            }
+        }
+        return size;
+    }
+
+    private static boolean holds(int[] list, int from, int size, int item) {
+        for (int i = from; i < from + size; i++) {
+            if (list[i] == item) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** As {@link #rayRange}, but only among obstacles that were listed. */
+    public double rayRangeAmong(
+            int[] list, int from, int size, double x, double y, double ux, double uy, double maxMeters) {
+        double nearest = maxMeters;
+        for (int i = from; i < from + size; i++) {
+            double hit = hit(list[i], x, y, ux, uy);
+            nearest = hit < nearest ? hit : nearest;
         }
         return nearest;
     }
@@ -294,16 +361,21 @@ public final class ObstacleGrid {
     private double entry(double x, double y, double ux, double uy, double max) {
         double in = 0;
         double out = max;
-        double[] lows = {(minX - x) / ux, (minY - y) / uy};
-        double[] highs = {(minX + columns * cell - x) / ux, (minY + rows * cell - y) / uy};
-        for (int axis = 0; axis < 2; axis++) {
-            if ((axis == 0 ? ux : uy) != 0) {
-                in = Math.max(in, Math.min(lows[axis], highs[axis]));
-                out = Math.min(out, Math.max(lows[axis], highs[axis]));
-            } else if ((axis == 0 ? x : y) < (axis == 0 ? minX : minY)
-                    || (axis == 0 ? x : y) > (axis == 0 ? minX + columns * cell : minY + rows * cell)) {
-                return max;
-            }
+        if (ux != 0) {
+            double low = (minX - x) / ux;
+            double high = (maxX - x) / ux;
+            in = Math.max(in, Math.min(low, high));
+            out = Math.min(out, Math.max(low, high));
+        } else if (x < minX || x > maxX) {
+            return max;
+        }
+        if (uy != 0) {
+            double low = (minY - y) / uy;
+            double high = (maxY - y) / uy;
+            in = Math.max(in, Math.min(low, high));
+            out = Math.min(out, Math.max(low, high));
+        } else if (y < minY || y > maxY) {
+            return max;
         }
         return in <= out ? in : max;
     }
