@@ -28,6 +28,11 @@ public final class ToneScopePanel extends JPanel {
         add(experiment, BorderLayout.SOUTH);
     }
 
+    /** A place with little room may do without the faders; what they are set to holds all the same. */
+    public void showExperiment(boolean wanted) {
+        experiment.setVisible(wanted);
+    }
+
     public void show(ToneTrace trace) {
         scope.show(trace);
         experiment.show(trace);

@@ -104,6 +104,11 @@ final class ModemPanel extends JPanel {
         };
     }
 
+    /** With little room the floor goes before the scope's faders. */
+    void beCompact(boolean compact) {
+        scope.showExperiment(!compact);
+    }
+
     private void tryOut(ToneExperiment chosen) {
         experiment = chosen;
         if (!robot.isEmpty()) {

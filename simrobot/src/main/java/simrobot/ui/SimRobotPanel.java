@@ -24,6 +24,9 @@ public final class SimRobotPanel extends JPanel {
     private static final String EDITING = "editing";
     private static final String NEW_WORLD = "new.map";
 
+    /** In units; in a lower window the floor needs the room more than the scope's faders do. */
+    private static final int LEAST_ROOMY_HEIGHT = 540;
+
     private final Operator operator;
     private final ToolRow tools;
     private final WorldView world;
@@ -170,6 +173,12 @@ public final class SimRobotPanel extends JPanel {
                         line(robot.name()).map(LineSnapshot::number).orElse(""),
                         line(robot.name()).filter(LineSnapshot::isInCall).isPresent()))
                 .toList();
+    }
+
+    @Override
+    public void doLayout() {
+        modem.beCompact(getHeight() < Theme.px(LEAST_ROOMY_HEIGHT));
+        super.doLayout();
     }
 
     @Override
