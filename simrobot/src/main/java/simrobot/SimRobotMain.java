@@ -25,6 +25,7 @@ import simgsm.speech.SpeechCodec;
 import simgsm.ui.ProgramWindow;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.ConsoleEvents;
+import simrobot.control.Exports;
 import simrobot.control.Fleet;
 import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
@@ -34,6 +35,7 @@ import simrobot.control.TelephoneRobot;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
 import simrobot.ui.SimRobotWindow;
+import simrobot.ui.WorldPictures;
 import simrobot.world.World;
 import vericommand.Settings;
 
@@ -208,7 +210,11 @@ public final class SimRobotMain {
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
-            Program.runConsole(console, arguments, new RobotConsole(simRobot, built.fleet(), console::emit));
+            Program.runConsole(
+                    console,
+                    arguments,
+                    new RobotConsole(
+                            simRobot, built.fleet(), new Exports(simRobot, new WorldPictures()), console::emit));
             return console.exitStatus();
         }
     }

@@ -16,6 +16,7 @@ import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.Loudspeaker;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.EventLog;
+import simrobot.control.Exports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
@@ -27,6 +28,7 @@ import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.Operator;
 import simrobot.ui.WindowSnapshot;
+import simrobot.ui.WorldPictures;
 import simrobot.world.MapFile;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
@@ -42,6 +44,7 @@ final class WindowModel implements Operator {
     private final Fleet fleet;
     private final PioneerPorts ports;
     private final EventLog log;
+    private final Exports exports;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private volatile Path worldFile;
@@ -57,6 +60,7 @@ final class WindowModel implements Operator {
         this.worldFile = worldFile;
         this.fleet = fleet;
         this.ports = ports;
+        exports = new Exports(simRobot, new WorldPictures());
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
         log = new EventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
@@ -255,6 +259,26 @@ final class WindowModel implements Operator {
         });
     }
 
+    /** Painted here, on the event thread, which owns the theme; written elsewhere. */
+    @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        try {
+            byte[] octets = exports.octets(simulation.snapshot(), robot, file);
+            slowActs.execute(() -> answer.accept(write(octets, file)));
+        } catch (IOException impossible) {
+            answer.accept(Optional.of(String.valueOf(impossible.getMessage())));
+        }
+    }
+
+    private static Optional<String> write(byte[] octets, Path file) {
+        try {
+            Exports.write(octets, file);
+            return Optional.empty();
+        } catch (IOException unwritable) {
+            return Optional.of(unwritable.getMessage());
+        }
+    }
+
     /** A file that is no world leaves everything as it was, and says why. */
     void read(Path file) {
         try {
@@ -275,7 +299,8 @@ final class WindowModel implements Operator {
         }
     }
 
-    private void tell(String message) {
+    @Override
+    public void tell(String message) {
         noticeNanos = System.nanoTime();
         notice = message;
     }

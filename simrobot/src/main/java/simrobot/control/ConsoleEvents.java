@@ -105,4 +105,8 @@ public final class ConsoleEvents implements ControlListener {
                 Arrays.stream(rangesMillimeters).mapToObj(Integer::toString).collect(Collectors.joining(","));
         out.accept(event("sonar").with("ranges", ranges));
     }
+
+    void exported(String file) {
+        out.accept(event("exported").with("file", file));
+    }
 }

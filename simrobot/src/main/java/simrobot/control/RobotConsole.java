@@ -29,15 +29,18 @@ public final class RobotConsole implements Console.Commands {
 
     private final SimRobot simRobot;
     private final FleetConsole fleet;
+    private final Exports exports;
     private final Consumer<Event> out;
     private final Camera camera = new Camera();
 
     /**
      * @param fleet makes the robots that {@code add} asks for
+     * @param exports writes the files that {@code export} asks for
      * @param out any thread may call it
      */
-    public RobotConsole(SimRobot simRobot, Fleet fleet, Consumer<Event> out) {
+    public RobotConsole(SimRobot simRobot, Fleet fleet, Exports exports, Consumer<Event> out) {
         this.simRobot = simRobot;
+        this.exports = exports;
         this.fleet = new FleetConsole(simRobot, fleet, out);
         this.out = out;
     }
@@ -93,11 +96,12 @@ public final class RobotConsole implements Console.Commands {
             case "place" -> place(robot, command, events);
             case "camera" -> camera(meant, command, events);
             case "behaviour" -> behaviour(meant, command, events);
+            case "export" -> export(meant, command, events);
             case "remove" -> fleet.remove(meant, command);
             default ->
                 throw new CommandException("unknown command "
                         + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
-                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, add, remove, robots,"
+                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, export, add, remove, robots,"
                         + " wait or quit");
         }
     }
@@ -203,6 +207,33 @@ public final class RobotConsole implements Console.Commands {
             // said below, as for any other name
         }
         throw new CommandException("camera: expected a file that ends in .png, .jpg or .jpeg, found "
+                + (text.isEmpty() ? "nothing after it" : text));
+    }
+
+    /** What the file is to hold is made and written here, not on the simulation's thread. */
+    private void export(TelephoneRobot robot, Command command, ConsoleEvents events) throws CommandException {
+        String text = command.text();
+        Path file = exportFile(text);
+        AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
+        onSimulation(() -> scene.set(simRobot.scene()));
+        try {
+            Exports.write(exports.octets(scene.get(), robot.name(), file), file);
+        } catch (IOException e) {
+            throw new CommandException("export: " + e.getMessage());
+        }
+        events.exported(file.toString());
+    }
+
+    private static Path exportFile(String text) throws CommandException {
+        try {
+            Path file = Path.of(text);
+            if (Exports.isNamedWell(file)) {
+                return file;
+            }
+        } catch (InvalidPathException e) {
+            // said below, as for any other name
+        }
+        throw new CommandException("export: expected a file that ends in .png, .svg or .csv, found "
                 + (text.isEmpty() ? "nothing after it" : text));
     }
 

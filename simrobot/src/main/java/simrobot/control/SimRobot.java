@@ -51,6 +51,7 @@ public final class SimRobot implements AutoCloseable {
     private final List<Consumer<TelephoneRobot>> told = new CopyOnWriteArrayList<>();
     private final List<Consumer<TelephoneRobot>> toldOfLeaving = new CopyOnWriteArrayList<>();
     private final Loudspeaker loudspeaker;
+    private final TrackLog tracks;
     private volatile boolean started;
 
     /**
@@ -70,6 +71,7 @@ public final class SimRobot implements AutoCloseable {
         this.patience = patience;
         this.simulation = simulation;
         simulationThread = new SimulationThread(simulation);
+        tracks = new TrackLog(simulation);
         drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
     }
 
@@ -96,6 +98,7 @@ public final class SimRobot implements AutoCloseable {
         StationOptions heard = new StationOptions(options.codec(), tap);
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
         taps.put(added, options.tap());
+        tracks.follow(robot);
         told.forEach(each -> each.accept(added));
         robots.add(added);
         if (started) {
@@ -109,6 +112,7 @@ public final class SimRobot implements AutoCloseable {
         if (robots.remove(robot)) {
             robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
             toldOfLeaving.forEach(each -> each.accept(robot));
+            tracks.forget(robot.robot());
             CallTap tap = taps.remove(robot);
             stationThread.remove(robot.station(), tap::close);
         }
@@ -139,6 +143,11 @@ public final class SimRobot implements AutoCloseable {
     /** The first robot is the one that is meant when nobody says which. */
     public List<TelephoneRobot> robots() {
         return List.copyOf(robots);
+    }
+
+    /** Where the robots have been. */
+    public TrackLog tracks() {
+        return tracks;
     }
 
     /** Where calls are heard: of several robots the one that is chosen. */

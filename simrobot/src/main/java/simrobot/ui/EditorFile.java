@@ -41,7 +41,7 @@ final class EditorFile {
         return file.resolveSibling(name.replaceFirst("\\.(wld|WLD)$", "") + ENDING);
     }
 
-    private static boolean mayReplace(Texts texts, Component owner, Path file) {
+    static boolean mayReplace(Texts texts, Component owner, Path file) {
         Object[] answers = {texts.of("editor.replace.yes"), texts.of("editor.cancel")};
         return JOptionPane.showOptionDialog(
                         owner,

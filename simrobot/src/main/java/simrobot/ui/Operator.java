@@ -67,6 +67,16 @@ public interface Operator {
      */
     void save(World world, Path file, Consumer<Optional<String>> answer);
 
+    /**
+     * Writes a picture of the world (.png, .svg) or the robot's track (.csv), by the file's ending.
+     *
+     * @param answer told by any thread: nothing when it is on the disk, else why not
+     */
+    void export(String robot, Path file, Consumer<Optional<String>> answer);
+
+    /** Something for the person at the window to read in {@link WindowSnapshot#notice}. */
+    void tell(String message);
+
     /** Loads another world; a problem is told through {@link WindowSnapshot#notice}. */
     void load(Path worldFile);
 }

@@ -38,6 +38,8 @@ final class ToolRow extends JPanel {
     private final JButton step;
     private final JToggleButton follow;
     private final SpeedChoice speed;
+    private final JToggleButton ruler;
+    private final ExportChoice exports;
     private String robot = "";
     private boolean paused;
 
@@ -57,6 +59,8 @@ final class ToolRow extends JPanel {
         step = button("step", Symbol.STEP.icon(), KeyEvent.VK_PERIOD, operator::stepOnce);
         follow = toggle("follow", Symbol.FOLLOW.icon(), KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
         speed = new SpeedChoice(texts, operator);
+        ruler = toggle("ruler", Glyph.RULER.icon(), KeyEvent.VK_R, view::toggleRuler);
+        exports = new ExportChoice(texts, operator);
         JButton brake = button("brake", Glyph.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
         worded(brake, "brake");
         worded(power, "power");
@@ -79,6 +83,8 @@ final class ToolRow extends JPanel {
                 layer("trail", Symbol.TRAIL.icon(), KeyEvent.VK_T, shown -> shown.withTrail(!shown.trail())),
                 layer("rays", Symbol.RAYS.icon(), KeyEvent.VK_S, shown -> shown.withSonar(!shown.sonar())),
                 layer("grid", Glyph.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
+                ruler,
+                exports.component(),
                 button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
     }
 
@@ -99,6 +105,8 @@ final class ToolRow extends JPanel {
         motors.setEnabled(on);
         motors.setSelected(selected.map(RobotSnapshot::motors).orElse(false));
         follow.setSelected(view.isFollowing());
+        ruler.setSelected(view.ruler() != null);
+        exports.show(robot, newest.worldFile());
         speed.show(newest.speed());
         showPaused(newest.paused());
     }

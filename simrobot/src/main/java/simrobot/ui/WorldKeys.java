@@ -11,6 +11,7 @@ import simgsm.ui.Theme;
 final class WorldKeys {
     private static final double PAN_UNITS = 48;
     private static final double NUDGE_METERS = 0.1;
+    private static final double RULER_METERS = 0.05;
     private static final double TURN_RADIANS = Math.toRadians(5);
 
     private WorldKeys() {}
@@ -23,6 +24,7 @@ final class WorldKeys {
         bind(view, "world.in", () -> view.zoom(1.25), stroke(KeyEvent.VK_PLUS), stroke(KeyEvent.VK_ADD), equals());
         bind(view, "world.out", () -> view.zoom(0.8), stroke(KeyEvent.VK_MINUS), stroke(KeyEvent.VK_SUBTRACT));
         bind(view, "world.fit", view::fit, stroke(KeyEvent.VK_HOME));
+        bind(view, "world.letGo", () -> view.measure(null), stroke(KeyEvent.VK_ESCAPE));
         nudge(view, KeyEvent.VK_LEFT, -NUDGE_METERS, 0, 0);
         nudge(view, KeyEvent.VK_RIGHT, NUDGE_METERS, 0, 0);
         nudge(view, KeyEvent.VK_UP, 0, NUDGE_METERS, 0);
@@ -32,11 +34,21 @@ final class WorldKeys {
     }
 
     private static void pan(WorldView view, int key, int dx, int dy) {
+        bind(view, "world.pan." + key, () -> arrow(view, dx, dy, false), stroke(key));
         bind(
                 view,
-                "world.pan." + key,
-                () -> view.look(view.viewport().draggedBy(dx * Theme.exact(PAN_UNITS), dy * Theme.exact(PAN_UNITS))),
-                stroke(key));
+                "world.ruler." + key,
+                () -> arrow(view, dx, dy, true),
+                KeyStroke.getKeyStroke(key, InputEvent.SHIFT_DOWN_MASK));
+    }
+
+    /** While the ruler lies there its end moves, with Shift its beginning; else the view does. */
+    private static void arrow(WorldView view, int dx, int dy, boolean shifted) {
+        if (view.ruler() != null) {
+            view.measure(view.ruler().movedBy(shifted, -dx * RULER_METERS, dy * RULER_METERS));
+        } else {
+            view.look(view.viewport().draggedBy(dx * Theme.exact(PAN_UNITS), dy * Theme.exact(PAN_UNITS)));
+        }
     }
 
     private static void nudge(WorldView view, int key, double dx, double dy, double turn) {

@@ -8,23 +8,27 @@ import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 import simgsm.ui.Theme;
+import simrobot.editor.Snap;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.world.Position;
 
 /**
  * The mouse on the floor: wheel zooms at the pointer; dragging a robot moves it, dragging its handle (or the robot with Shift
  * or the right button) turns it, dragging the floor pans; a double click on the floor fits the world. While a place is asked
- * for, pressing on the floor names it and dragging from there turns the newcomer.
+ * for, pressing on the floor names it and dragging from there turns the newcomer. While the ruler lies there, dragging measures.
  */
 final class WorldMouse extends MouseAdapter {
     private static final double ZOOM_PER_NOTCH = 1.15;
+    private static final Snap TO_THE_MILLIMETRE = new Snap(0);
 
     private enum Drag {
         NONE,
         PAN,
         MOVE,
         TURN,
-        AIM
+        AIM,
+        MEASURE
     }
 
     private final WorldView view;
@@ -35,6 +39,8 @@ final class WorldMouse extends MouseAdapter {
     private double gripY;
     private double aimX;
     private double aimY;
+    private boolean rulerBegin;
+    private Position rulerFixed;
 
     WorldMouse(WorldView view) {
         this.view = view;
@@ -46,7 +52,10 @@ final class WorldMouse extends MouseAdapter {
         lastX = event.getX();
         lastY = event.getY();
         Optional<RobotSnapshot> hit = robotAt(event);
-        if (isOnHandle(event)) {
+        if (view.ruler() != null && SwingUtilities.isLeftMouseButton(event)) {
+            drag = Drag.MEASURE;
+            takeRuler(event);
+        } else if (isOnHandle(event)) {
             drag = Drag.TURN;
         } else if (hit.isPresent()) {
             RobotSnapshot robot = hit.get();
@@ -71,6 +80,8 @@ final class WorldMouse extends MouseAdapter {
             case PAN -> pan(event);
             case MOVE -> move(event);
             case TURN -> turn(event);
+            case MEASURE ->
+                view.measure(rulerBegin ? new Ruler(near(event), rulerFixed) : new Ruler(rulerFixed, near(event)));
             case AIM -> view.namePlace(aimX, aimY, towards(event, aimX, aimY));
             case NONE -> {
                 // a drag that began elsewhere
@@ -79,6 +90,38 @@ final class WorldMouse extends MouseAdapter {
         lastX = event.getX();
         lastY = event.getY();
         mouseMoved(event);
+    }
+
+    /** An end that is near is taken; anywhere else a new measurement begins. */
+    private void takeRuler(MouseEvent event) {
+        Ruler ruler = view.ruler();
+        rulerBegin = isNear(event, ruler.from());
+        if (rulerBegin) {
+            rulerFixed = ruler.to();
+        } else if (isNear(event, ruler.to())) {
+            rulerFixed = ruler.from();
+        } else {
+            rulerFixed = near(event);
+            view.measure(new Ruler(rulerFixed, rulerFixed));
+        }
+    }
+
+    private boolean isNear(MouseEvent event, Position place) {
+        double dx = view.viewport().screenX(place.xMeters()) - event.getX();
+        double dy = view.viewport().screenY(place.yMeters()) - event.getY();
+        return Math.hypot(dx, dy) <= Theme.exact(9);
+    }
+
+    /** The end of a wall or a robot's middle if one is meant, else the very place. */
+    private Position near(MouseEvent event) {
+        for (RobotSnapshot robot : view.picture().robots()) {
+            Position middle = new Position(robot.xMeters(), robot.yMeters());
+            if (isNear(event, middle)) {
+                return middle;
+            }
+        }
+        double reach = Theme.exact(7) / view.viewport().pixelsPerMeter();
+        return TO_THE_MILLIMETRE.of(view.picture().world(), worldX(event), worldY(event), reach);
     }
 
     private void pan(MouseEvent event) {

@@ -18,6 +18,7 @@ import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Area;
+import simrobot.world.Position;
 import simrobot.world.World;
 
 /** The floor with its robots: zoom, pan, follow, and robots that can be dragged and turned. */
@@ -37,6 +38,7 @@ final class WorldView extends SpokenComponent {
     private String readout = "";
     private final Hand hand;
     private PlaceWish placeWish;
+    private Ruler ruler;
 
     /** Who wants to know where on the floor a robot is to go; the heading is NaN while it was not shown. */
     interface PlaceWish {
@@ -177,6 +179,37 @@ final class WorldView extends SpokenComponent {
         return hand;
     }
 
+    // ---- ruler -----------------------------------------------------------------------------------------------------
+
+    /** Null while nothing is measured. */
+    Ruler ruler() {
+        return ruler;
+    }
+
+    void measure(Ruler newRuler) {
+        String before = spoken();
+        ruler = newRuler;
+        tellSpoken(before, spoken());
+        repaint();
+    }
+
+    /** Lays the ruler down a metre ahead of the selected robot, or in the middle; or takes it away. */
+    void toggleRuler() {
+        if (ruler != null) {
+            measure(null);
+            return;
+        }
+        Position from = selectedRobot()
+                .filter(robot -> viewport.shows(robot.xMeters(), robot.yMeters(), 0))
+                .map(robot -> new Position(robot.xMeters(), robot.yMeters()))
+                .orElse(new Position(viewport.centerX(), viewport.centerY()));
+        double heading = selectedRobot().map(RobotSnapshot::headingRadians).orElse(0.0);
+        measure(new Ruler(from, new Position(from.xMeters() + Math.cos(heading), from.yMeters() + Math.sin(heading))));
+        requestFocusInWindow();
+    }
+
+    // ---- places ----------------------------------------------------------------------------------------------------
+
     /** Until it is taken back with null, the floor is asked for a place. */
     void askForPlace(PlaceWish wish) {
         placeWish = wish;
@@ -242,6 +275,9 @@ final class WorldView extends SpokenComponent {
             floor.paint(g, picture.world(), viewport, layers);
             WorldPainter.robots(g, picture, viewport, layers, selected);
             hand.ghost().ifPresent(ghost -> new RobotPainter(g, viewport).ghost(ghost));
+            if (ruler != null) {
+                ruler.paint(g, viewport);
+            }
             clock(g);
             place(g);
             if (isFocusOwner()) {
@@ -283,6 +319,9 @@ final class WorldView extends SpokenComponent {
 
     @Override
     protected String spoken() {
+        if (ruler != null) {
+            return texts.of("world.spoken.ruler", ruler.text());
+        }
         return selectedRobot()
                 .map(robot -> texts.of(
                         "world.spoken",

@@ -82,7 +82,11 @@ class RobotConsoleTest {
         Console console = new Console(new PrintStream(out, true, StandardCharsets.UTF_8));
         console.ready(Event.of("ready"));
         simRobot.robots().forEach(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
-        RobotConsole robotConsole = new RobotConsole(simRobot, fleet, console::emit);
+        RobotConsole robotConsole = new RobotConsole(
+                simRobot,
+                fleet,
+                new Exports(simRobot, (scene, robot, ending) -> (robot + ending).getBytes()),
+                console::emit);
         console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
         return lines.subList(1, lines.size());
@@ -257,5 +261,25 @@ class RobotConsoleTest {
     void whatCannotBeAddedIsNamed(String command, String fault) throws Exception {
         String answer = answers(command).get(0);
         assertTrue(answer.startsWith("error text=") && answer.contains(fault), answer);
+    }
+
+    @Test
+    void aPictureAndATrackAreExportedByTheFilesEnding(@TempDir Path folder) throws Exception {
+        Path svg = folder.resolve("world.svg");
+        Path csv = folder.resolve("r1.csv");
+        assertEquals(
+                List.of("exported robot=r0 file=" + svg, "exported robot=r1 file=" + csv),
+                answers("export " + svg, "@r1 export " + csv));
+        assertEquals("r0svg", Files.readString(svg));
+        assertEquals("time s,x m,y m,heading degrees,status\n0.00,0.0000,1.0000,0.00,Stopped\n", Files.readString(csv));
+    }
+
+    @Test
+    void whatCannotBeExportedIsNamed(@TempDir Path folder) throws Exception {
+        List<String> answers = answers(
+                "export", "export world.gif", "export " + folder.resolve("no").resolve("w.svg"));
+        assertTrue(answers.get(0).contains("expected a file that ends in .png, .svg or .csv, found nothing after it"));
+        assertTrue(answers.get(1).contains("found world.gif"), answers.get(1));
+        assertTrue(answers.get(2).contains("expected a folder that is there"), answers.get(2));
     }
 }

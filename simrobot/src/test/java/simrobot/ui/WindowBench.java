@@ -282,6 +282,17 @@ final class WindowBench implements Operator {
     }
 
     @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        acts.add("export " + robot + " " + file.getFileName());
+        answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void tell(String message) {
+        notice = message;
+    }
+
+    @Override
     public void load(Path worldFile) {
         acts.add("load " + worldFile.getFileName());
     }
