@@ -13,6 +13,7 @@ import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simrobot.control.RobotName;
+import simrobot.pioneer.PioneerAddress;
 import simrobot.world.Home;
 import simrobot.world.World;
 
@@ -64,6 +65,22 @@ final class Lineup {
         Msisdn number = Msisdn.parse(text);
         Imsi.ofOpenNumber(number);
         return number;
+    }
+
+    /** Where the one robot is real, its address. */
+    static Optional<PioneerAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
+        Optional<PioneerAddress> address = arguments.value("pioneer", PioneerAddress::parse);
+        if (address.isPresent()) {
+            if (robots.size() > 1) {
+                throw new UsageException("--pioneer: expected one robot, found " + robots.size());
+            }
+            for (String option : List.of("p2os", "behaviour", "noise")) {
+                if (arguments.has(option)) {
+                    throw new UsageException("--" + option + ": a real robot (--pioneer) has none of that");
+                }
+            }
+        }
+        return address;
     }
 
     private static void requireDifferent(List<RobotName> robots) throws UsageException {

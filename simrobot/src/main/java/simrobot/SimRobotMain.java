@@ -32,6 +32,7 @@ import simrobot.control.RobotConsole;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.pioneer.PioneerAddress;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
 import simrobot.ui.SimRobotWindow;
@@ -89,6 +90,11 @@ public final class SimRobotMain {
                         "errors of wheels and sonars: 0 none (the default), 1 as MobileSim's, at most 10;"
                                 + "\nwith --seed they repeat")
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
+                .value(
+                        "pioneer",
+                        "ADDRESS",
+                        "drive a real Pioneer, or MobileSim, over P2OS in place of the simulated one:"
+                                + "\nHOST:PORT, or a serial line's device file whose speed is set")
                 .value(
                         "http",
                         "PORT",
@@ -149,8 +155,13 @@ public final class SimRobotMain {
         simRobot.simulation().setSpeed(speed);
         simRobot.simulation().onFailure(SimRobotMain::endFailed);
         Fleet fleet = new Fleet(simRobot, kit);
-        for (RobotName name : names) {
-            fleet.addFirst(name, simulation);
+        Optional<PioneerAddress> real = Lineup.real(arguments, names);
+        if (real.isPresent()) {
+            fleet.addReal(names.get(0), real.get(), simulation);
+        } else {
+            for (RobotName name : names) {
+                fleet.addFirst(name, simulation);
+            }
         }
         return new Built(simRobot, fleet);
     }

@@ -3,6 +3,7 @@ package simrobot.control;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Supplier;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
@@ -12,7 +13,12 @@ import simgsm.speech.CallTap;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
+import simrobot.pioneer.PioneerAddress;
+import simrobot.pioneer.PioneerCall;
+import simrobot.pioneer.RealPioneer;
+import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import vericommand.Pose;
@@ -64,6 +70,34 @@ public final class Fleet {
     public TelephoneRobot addFirst(RobotName name, Simulation simulation) throws IOException, UsageException {
         Optional<SimCard> card = kit.cards().of(name.number());
         return make(name, card, simulation, Optional.empty(), kit.recording().of(name.name()));
+    }
+
+    /** Takes a real robot in, before the start; it is thought to stand on the world's first home. */
+    public TelephoneRobot addReal(RobotName name, PioneerAddress address, Simulation simulation)
+            throws IOException, UsageException {
+        PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
+        Pose start = simulation.world().homes().stream()
+                .findFirst()
+                .map(home -> new Pose(
+                        home.position().xMeters(), home.position().yMeters(), Math.toDegrees(home.headingRadians())))
+                .orElse(new Pose(0, 0, 0));
+        RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors());
+        Supplier<RobotSnapshot> guest = robot::snapshot;
+        simulation.addGuest(guest);
+        TelephoneRobot added =
+                join(robot, name, kit.cards().of(name.number()), kit.recording().of(name.name()));
+        simRobot.onClose(call::close);
+        simRobot.onRemoved(gone -> {
+            if (gone == added) {
+                robot.setPower(false);
+                simRobot.simulation().owned().removeGuest(guest);
+            }
+        });
+        call.start(robot);
+        if (kit.power()) {
+            call.call();
+        }
+        return added;
     }
 
     /**
@@ -127,6 +161,10 @@ public final class Fleet {
         robot.setMotors(kit.motors());
         robot.setPower(kit.power());
         robot.autonomy().begin(kit.behaviour());
+        return join(robot, name, card, recorder);
+    }
+
+    private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallTap recorder) {
         StationOptions options = new StationOptions(kit.codec(), recorder);
         Imei imei = imei(name.number());
         return card.isPresent()

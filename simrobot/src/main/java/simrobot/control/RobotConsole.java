@@ -185,7 +185,8 @@ public final class RobotConsole implements Console.Commands {
         onSimulation(() -> scene.set(simRobot.scene()));
         RobotSnapshot seer = scene.get()
                 .robot(robot.name())
-                .orElseThrow(() -> new CommandException("camera: " + robot.name() + " has none"));
+                .filter(RobotSnapshot::simulated)
+                .orElseThrow(() -> new CommandException("camera: " + robot.name() + " has none that is simulated"));
         try {
             PictureFile.write(camera.picture(scene.get(), seer), file);
         } catch (NoSuchFileException e) {

@@ -50,6 +50,7 @@ public final class SimRobot implements AutoCloseable {
     private final Map<TelephoneRobot, CallTap> taps = new ConcurrentHashMap<>();
     private final List<Consumer<TelephoneRobot>> told = new CopyOnWriteArrayList<>();
     private final List<Consumer<TelephoneRobot>> toldOfLeaving = new CopyOnWriteArrayList<>();
+    private final List<Runnable> goodbyes = new CopyOnWriteArrayList<>();
     private final Loudspeaker loudspeaker;
     private final TrackLog tracks;
     private volatile boolean started;
@@ -132,6 +133,11 @@ public final class SimRobot implements AutoCloseable {
         toldOfLeaving.add(listener);
     }
 
+    /** What is done first of all at the end, while all threads still run. */
+    void onClose(Runnable goodbye) {
+        goodbyes.add(goodbye);
+    }
+
     /** Time begins and the modems look for their centre. */
     public void start() {
         started = true;
@@ -191,6 +197,7 @@ public final class SimRobot implements AutoCloseable {
     /** Detaches the modems, then ends the simulation. */
     @Override
     public void close() {
+        goodbyes.forEach(Runnable::run);
         stationThread.close();
         taps.values().forEach(CallTap::close);
         loudspeaker.close();

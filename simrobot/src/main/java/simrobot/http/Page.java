@@ -1,5 +1,6 @@
 package simrobot.http;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import simgsm.ui.Texts;
@@ -35,9 +36,10 @@ final class Page {
                 .limit(MOST_ROWS)
                 .map(robot -> row(robot, source))
                 .collect(Collectors.joining());
-        String cameras =
-                scene.robots().stream().limit(MOST_CAMERAS).map(this::camera).collect(Collectors.joining());
-        int more = scene.robots().size() - MOST_CAMERAS;
+        List<RobotSnapshot> seeing =
+                scene.robots().stream().filter(RobotSnapshot::simulated).toList();
+        String cameras = seeing.stream().limit(MOST_CAMERAS).map(this::camera).collect(Collectors.joining());
+        int more = seeing.size() - MOST_CAMERAS;
         return template.replace("{{language}}", texts.of("page.language"))
                 .replace("{{h.robots}}", word("page.robots"))
                 .replace("{{h.cameras}}", word("page.cameras"))

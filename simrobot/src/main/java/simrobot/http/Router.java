@@ -43,8 +43,8 @@ final class Router implements HttpHandler {
             if (parts.size() == 3
                     && parts.get(0).equals("robots")
                     && parts.get(2).equals(STREAM)) {
-                String robot = robot(scenes.now(), parts.get(1)).name();
-                streams.begin(exchange, robot);
+                RobotSnapshot robot = seeing(robot(scenes.now(), parts.get(1)));
+                streams.begin(exchange, robot.name());
             } else {
                 send(exchange, answer(parts, path));
             }
@@ -86,7 +86,7 @@ final class Router implements HttpHandler {
                 return Answer.json(StatusJson.one(scene, robot, source));
             }
             if (parts.get(2).equals(CAMERA)) {
-                return Answer.jpeg(cameras.shot(scene, robot).jpeg());
+                return Answer.jpeg(cameras.shot(scene, seeing(robot)).jpeg());
             }
         }
         throw new RefusedException(
@@ -104,6 +104,14 @@ final class Router implements HttpHandler {
                                         .map(RobotSnapshot::name)
                                         .limit(NAMES_TOLD)
                                         .collect(Collectors.joining(", "))));
+    }
+
+    private static RobotSnapshot seeing(RobotSnapshot robot) throws RefusedException {
+        if (!robot.simulated()) {
+            throw new RefusedException(
+                    Answer.NOT_FOUND, robot.name() + " is a real robot, its camera is not served here");
+        }
+        return robot;
     }
 
     private static void send(HttpExchange exchange, Answer answer) throws IOException {

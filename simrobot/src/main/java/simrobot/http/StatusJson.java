@@ -47,8 +47,11 @@ final class StatusJson {
         json.close(']');
         json.name("world").value(scene.world().name());
         json.name("time").value(scene.timeNanos() / 1e9, 2);
-        json.name("camera").value(path + "/camera.jpg");
-        json.name("stream").value(path + "/camera.mjpg");
+        json.name("simulated").value(robot.simulated());
+        if (robot.simulated()) {
+            json.name("camera").value(path + "/camera.jpg");
+            json.name("stream").value(path + "/camera.mjpg");
+        }
         json.close('}');
     }
 

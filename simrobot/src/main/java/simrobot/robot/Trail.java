@@ -30,7 +30,7 @@ public final class Trail {
     private boolean changed;
 
     /** No crumbs yet. */
-    Trail() {}
+    public Trail() {}
 
     /** Drops a crumb when the robot has come a crumb's spacing from the last one. */
     public void pass(double x, double y, long timeNanos) {

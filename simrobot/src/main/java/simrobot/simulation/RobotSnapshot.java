@@ -11,6 +11,7 @@ import vericommand.RobotStatus;
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param turnRadiansPerSecond anticlockwise
  * @param sonarRangesMeters sixteen, sonar 0 first; empty when nobody watches this robot
+ * @param simulated false of a real robot, which SimRobot only drives; its camera is its own
  */
 public record RobotSnapshot(
         String name,
@@ -25,4 +26,5 @@ public record RobotSnapshot(
         double[] sonarRangesMeters,
         Condition condition,
         Trail.Crumbs trail,
-        BehaviourKind behaviour) {}
+        BehaviourKind behaviour,
+        boolean simulated) {}

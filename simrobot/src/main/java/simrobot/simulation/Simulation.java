@@ -8,6 +8,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import simrobot.robot.Noise;
 import simrobot.robot.Pioneer2Dx;
@@ -31,6 +32,7 @@ public final class Simulation {
 
     private final Map<String, SimulatedRobot> byName = new HashMap<>();
     private final List<LongConsumer> stepListeners = new ArrayList<>();
+    private final List<Supplier<RobotSnapshot>> guests = new ArrayList<>();
     private final Random random;
     private final Crowd crowd;
     /** In the order in which they were added; a new list at every change, so that who walks it may add and remove. */
@@ -199,6 +201,15 @@ public final class Simulation {
         return going.size();
     }
 
+    /** A robot that is not simulated here, but is to be seen among the others; nothing bumps into it. */
+    public void addGuest(Supplier<RobotSnapshot> guest) {
+        guests.add(guest);
+    }
+
+    public void removeGuest(Supplier<RobotSnapshot> guest) {
+        guests.remove(guest);
+    }
+
     // ---- time ----------------------------------------------------------------------------------------------------
 
     /** Told the time after each step, on the owner thread. */
@@ -256,7 +267,12 @@ public final class Simulation {
 
     public SimulationSnapshot snapshot() {
         return new SimulationSnapshot(
-                timeNanos, world, robots.stream().map(this::snapshot).toList());
+                timeNanos,
+                world,
+                Stream.concat(
+                                robots.stream().map(this::snapshot),
+                                guests.stream().map(Supplier::get))
+                        .toList());
     }
 
     private RobotSnapshot snapshot(SimulatedRobot robot) {
@@ -274,6 +290,7 @@ public final class Simulation {
                 sonars ? robot.sonarRangesMeters() : new double[0],
                 robot.condition(),
                 robot.trail().crumbs(),
-                robot.autonomy().kind());
+                robot.autonomy().kind(),
+                true);
     }
 }

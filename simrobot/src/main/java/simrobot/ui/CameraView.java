@@ -70,8 +70,19 @@ public final class CameraView extends Painted {
     /** To be told every newest snapshot; on the event thread. */
     public void show(SimulationSnapshot scene, RobotSnapshot robot) {
         wanted = new Sight(scene, robot);
-        boolean off = robot.status() == RobotStatus.DISCONNECTED;
-        say(off ? texts.of("camera.off") : texts.of("camera.spoken", robot.name()));
+        String missing = missing();
+        say(missing.isEmpty() ? texts.of("camera.spoken", robot.name()) : missing);
+    }
+
+    /** Why there is no picture; empty when there is one. */
+    private String missing() {
+        if (wanted == null) {
+            return texts.of("camera.none");
+        }
+        if (!wanted.robot().simulated()) {
+            return texts.of("camera.real");
+        }
+        return wanted.robot().status() == RobotStatus.DISCONNECTED ? texts.of("camera.off") : "";
     }
 
     /** Draws the newest sight at once, on the calling thread; for tests and for who paints without a window. */
@@ -83,7 +94,7 @@ public final class CameraView extends Painted {
     }
 
     private void draw() {
-        if (drawing || wanted == null || !isShowing() || getVisibleRect().isEmpty() || wanted.looksLike(drawn)) {
+        if (drawing || !missing().isEmpty() || !isShowing() || getVisibleRect().isEmpty() || wanted.looksLike(drawn)) {
             return;
         }
         Sight sight = wanted;
@@ -136,16 +147,16 @@ public final class CameraView extends Painted {
         double round = Theme.exact(6);
         g.setColor(Ink.LINE.color());
         g.fill(new RoundRectangle2D.Double(x, y, w, h, round, round));
-        boolean off = wanted != null && wanted.robot().status() == RobotStatus.DISCONNECTED;
-        if (picture != null && !off) {
+        String missing = missing();
+        if (picture != null && missing.isEmpty()) {
             g.clip(new RoundRectangle2D.Double(x, y, w, h, round, round));
             g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
             g.drawImage(picture, new AffineTransform(share, 0, 0, share, x, y), null);
         } else {
             g.setFont(Theme.base());
             g.setColor(Ink.QUIET.color());
-            String words = off ? texts.of("camera.off") : "";
-            g.drawString(words, (float) (x + (w - Drawing.width(Theme.base(), words)) / 2), (float) (y + h / 2));
+            float left = (float) (x + (w - Drawing.width(Theme.base(), missing)) / 2);
+            g.drawString(missing, left, (float) (y + h / 2));
         }
     }
 }

@@ -1,0 +1,109 @@
+package simrobot.pioneer;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.ByteChannel;
+import java.nio.channels.FileChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/** Where a Pioneer is to be found: {@code HOST:PORT}, or a serial line's device file, whose speed somebody has set. */
+public sealed interface PioneerAddress {
+    /** A port over TCP. */
+    record Tcp(String host, int port) implements PioneerAddress {
+        private static final int PATIENCE_MILLIS = 5000;
+
+        /** Not by SocketChannel's own connect, which knows no patience. */
+        @Override
+        public ByteChannel open() throws IOException {
+            SocketChannel channel = SocketChannel.open();
+            try {
+                Socket socket = channel.socket();
+                socket.connect(new InetSocketAddress(host, port), PATIENCE_MILLIS);
+                channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+                return channel;
+            } catch (IOException | RuntimeException e) {
+                channel.close();
+                throw e;
+            }
+        }
+
+        @Override
+        public String toString() {
+            return host + ":" + port;
+        }
+    }
+
+    /** A device opened twice: within one file channel whoever reads holds up whoever writes. */
+    record TwoWay(FileChannel in, FileChannel out) implements ByteChannel {
+        @Override
+        public int read(ByteBuffer buffer) throws IOException {
+            return in.read(buffer);
+        }
+
+        @Override
+        public int write(ByteBuffer buffer) throws IOException {
+            return out.write(buffer);
+        }
+
+        @Override
+        public boolean isOpen() {
+            return in.isOpen();
+        }
+
+        @Override
+        public void close() throws IOException {
+            try (in) {
+                out.close();
+            }
+        }
+    }
+
+    /** A serial line. */
+    record Device(Path file) implements PioneerAddress {
+        @Override
+        public ByteChannel open() throws IOException {
+            FileChannel in = FileChannel.open(file, StandardOpenOption.READ);
+            try {
+                return new TwoWay(in, FileChannel.open(file, StandardOpenOption.WRITE));
+            } catch (IOException | RuntimeException e) {
+                in.close();
+                throw e;
+            }
+        }
+
+        @Override
+        public String toString() {
+            return file.toString();
+        }
+    }
+
+    /** Connects; the caller's thread waits for it. */
+    ByteChannel open() throws IOException;
+
+    /** @throws IllegalArgumentException saying what was expected */
+    static PioneerAddress parse(String text) {
+        int colon = text.lastIndexOf(':');
+        if (colon > 0 && text.substring(colon + 1).matches("[0-9]{1,5}")) {
+            int port = Integer.parseInt(text.substring(colon + 1));
+            if (port >= 1 && port <= 0xFFFF) {
+                return new Tcp(text.substring(0, colon), port);
+            }
+        }
+        try {
+            Path file = Path.of(text);
+            if (!text.isEmpty() && Files.exists(file) && !Files.isDirectory(file)) {
+                return new Device(file);
+            }
+        } catch (InvalidPathException e) {
+            // said below
+        }
+        throw new IllegalArgumentException("expected HOST:PORT or a serial line's device file, found " + text);
+    }
+}

@@ -1,0 +1,366 @@
+package simrobot.pioneer;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.p2os.CommandCodec;
+import simrobot.p2os.CommandNumber;
+import simrobot.p2os.PacketReader;
+import simrobot.robot.Battery;
+import simrobot.robot.Bumpers;
+import simrobot.robot.Condition;
+import simrobot.robot.Pioneer;
+import simrobot.robot.Pioneer2Dx;
+import simrobot.robot.Placement;
+import simrobot.robot.SonarRing;
+import simrobot.robot.Trail;
+import simrobot.simulation.RobotSnapshot;
+import vericommand.Instruction;
+import vericommand.MotionOutcome;
+import vericommand.Pose;
+import vericommand.RobotStatus;
+import vericommand.StatusEvent;
+import vericommand.StatusMachine;
+import vericommand.StatusTable;
+
+/**
+ * A Pioneer at the other end of a line, driven and watched by P2OS. Its status follows what it says of itself ten times a
+ * second: no link is Disconnected, motors off is No motors, a stall is Collision. Belongs to the simulation's thread.
+ */
+public final class RealPioneer implements Pioneer {
+    /** What was switched here holds against older news for so long. */
+    private static final long SWITCH_NANOS = 1_000_000_000;
+
+    private static final int BOTH_BUMPERS_STALL = 3;
+
+    private final String name;
+    private final Line line;
+    private final StatusMachine machine = new StatusMachine(RobotStatus.DISCONNECTED);
+    private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
+    private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
+    private PacketReader reader = new PacketReader(this::heard);
+    private final Conversation conversation;
+    private final DeadReckoning place;
+    private final Trail trail = new Trail();
+    private final int[] sonars = new int[SonarRing.COUNT];
+    private Information newest;
+    private Travel travel;
+    private boolean motorsWanted;
+    private long switchedNanos;
+
+    /** Whether it has come to rest since its last own motion; until then its rolling out is no motion of somebody else's. */
+    private boolean settled;
+
+    private long nanos;
+
+    /**
+     * A robot that is not connected yet.
+     *
+     * @param motors whether its motors are to be switched on once it is
+     */
+    public RealPioneer(String name, Line line, Pose start, boolean motors) {
+        this.name = Objects.requireNonNull(name);
+        this.line = Objects.requireNonNull(line);
+        place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
+        motorsWanted = motors;
+        conversation = new Conversation(name, line, this::opened, this::said);
+        forgetSonars();
+    }
+
+    private void forgetSonars() {
+        Arrays.fill(sonars, (int) (Pioneer2Dx.SONAR_RANGE_METERS * 1000));
+    }
+
+    // ---- from the line -------------------------------------------------------------------------------------------
+
+    /** The line is connected. */
+    public void connected(long nowNanos) {
+        nanos = nowNanos;
+        reader = new PacketReader(this::heard);
+        conversation.begin(nanos);
+    }
+
+    public void received(byte[] bytes, long nowNanos) {
+        nanos = nowNanos;
+        reader.read(bytes, nanos);
+    }
+
+    /** The line is connected no more. */
+    public void disconnected() {
+        conversation.end();
+        lose();
+    }
+
+    /** Time has passed; some ten times a second. */
+    public void tick(long nowNanos) {
+        nanos = nowNanos;
+        conversation.tick(nanos);
+    }
+
+    private void heard(byte[] data) {
+        conversation.heard(data, nanos);
+    }
+
+    private void lose() {
+        newest = null;
+        if (isPowered()) {
+            cut(StatusEvent.POWER_OFF);
+        }
+    }
+
+    /** Its limits become those of the simulated one, so that orders take the same time. */
+    private void opened() {
+        place.restart();
+        settled = false;
+        forgetSonars();
+        int speed = (int) Math.round(Pioneer2Dx.TOP_SPEED_METERS_PER_SECOND * 1000);
+        int turn = (int) Math.round(Math.toDegrees(Pioneer2Dx.TOP_TURN_RADIANS_PER_SECOND));
+        int acceleration = (int) Math.round(Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2 * 1000);
+        int turnAcceleration = (int) Math.round(Math.toDegrees(Pioneer2Dx.TURN_ACCELERATION_RADIANS_PER_SECOND2));
+        tell(CommandNumber.SETV, speed);
+        tell(CommandNumber.SETRV, turn);
+        tell(CommandNumber.SETA, acceleration);
+        tell(CommandNumber.SETA, -acceleration);
+        tell(CommandNumber.SETRA, turnAcceleration);
+        tell(CommandNumber.SETRA, -turnAcceleration);
+        tell(CommandNumber.BUMPSTALL, BOTH_BUMPERS_STALL);
+        tell(CommandNumber.SONAR, 1);
+        tell(CommandNumber.ENABLE, motorsWanted ? 1 : 0);
+        switchedNanos = nanos;
+    }
+
+    private void tell(int command, int argument) {
+        conversation.send(CommandCodec.packet(command, argument), nanos);
+    }
+
+    private void stop() {
+        conversation.send(CommandCodec.packet(CommandNumber.STOP), nanos);
+    }
+
+    private void said(byte[] data) {
+        Information.read(data).ifPresent(this::take);
+    }
+
+    private void take(Information information) {
+        newest = information;
+        place.take(information, conversation.scale());
+        trail.pass(place.xMeters(), place.yMeters(), nanos);
+        for (Information.Echo echo : information.echoes()) {
+            if (echo.sonar() < sonars.length) {
+                sonars[echo.sonar()] = millimeters(echo.range());
+            }
+        }
+        if (!isPowered()) {
+            change(StatusEvent.POWER_ON);
+        }
+        followMotors(information);
+        settled |= !information.moves();
+        if (travel != null) {
+            follow(travel, information);
+        } else if (settled) {
+            followOthers(information);
+        }
+    }
+
+    private int millimeters(int range) {
+        long millimeters = Math.round(range * conversation.scale().millimetersPerRangeUnit());
+        return (int) Math.max(
+                Pioneer2Dx.SONAR_LEAST_METERS * 1000, Math.min(Pioneer2Dx.SONAR_RANGE_METERS * 1000, millimeters));
+    }
+
+    /** Its own button, its e-stop or a broken fuse may switch the motors, too. */
+    private void followMotors(Information information) {
+        boolean settling = nanos - switchedNanos < SWITCH_NANOS && information.motors() != motorsWanted;
+        if (!settling && information.motors() != hasMotors()) {
+            cut(information.motors() ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
+        }
+    }
+
+    // ---- motion --------------------------------------------------------------------------------------------------
+
+    private void follow(Travel under, Information information) {
+        boolean hadMoved = under.hasMoved();
+        Travel.Progress progress = under.judge(information, nanos);
+        if (!hadMoved && under.hasMoved()) {
+            firstMotionListeners.forEach(Runnable::run);
+        }
+        switch (progress) {
+            case TOUCHED -> {
+                stop();
+                finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION, false);
+            }
+            case AT_GOAL -> rest(under, information, true);
+            case BRAKED -> rest(under, information, false);
+            case OVERDUE -> {
+                stop();
+                finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP, false);
+            }
+            case UNDER_WAY -> {
+                if (under.wantsNextLeg(information, nanos)) {
+                    conversation.send(under.nextLeg(nanos), nanos);
+                }
+            }
+        }
+    }
+
+    private void rest(Travel under, Information information, boolean atGoal) {
+        boolean blocked = under.begunInCollision() && information.stalled();
+        MotionOutcome.Kind well = atGoal ? MotionOutcome.Kind.DONE : MotionOutcome.Kind.BRAKED;
+        finish(
+                blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
+                blocked && atGoal ? MotionOutcome.Kind.COLLISION : well,
+                atGoal);
+    }
+
+    private void finish(StatusEvent event, MotionOutcome.Kind kind, boolean atGoal) {
+        Travel over = travel;
+        travel = null;
+        settled = false;
+        change(event);
+        over.end(kind, atGoal);
+    }
+
+    /** Somebody else moves it: by hand, by joystick. */
+    private void followOthers(Information information) {
+        boolean moves = information.moves();
+        if (status() == RobotStatus.MOVING) {
+            if (information.stalled()) {
+                change(StatusEvent.TOUCHED);
+            } else if (!moves) {
+                change(StatusEvent.MOTION_ENDED);
+            }
+        } else if (moves && machine.accepts(StatusEvent.MOTION_STARTED)) {
+            change(StatusEvent.MOTION_STARTED);
+        }
+    }
+
+    @Override
+    public void start(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
+        Objects.requireNonNull(ended);
+        if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
+            throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
+        }
+        travel = new Travel(motion, ended, status() == RobotStatus.COLLISION, place, nanos);
+        change(StatusEvent.MOTION_STARTED);
+        conversation.send(travel.nextLeg(nanos), nanos);
+    }
+
+    @Override
+    public void brake() {
+        if (travel != null) {
+            travel.brake(nanos);
+        }
+        stop();
+    }
+
+    // ---- switches ------------------------------------------------------------------------------------------------
+
+    /** Off hangs up, on calls; the status follows when the robot answers. */
+    @Override
+    public void setPower(boolean on) {
+        if (on) {
+            line.call();
+        } else {
+            stop();
+            conversation.send(CommandCodec.packet(CommandNumber.CLOSE), nanos);
+            conversation.end();
+            line.hangUp();
+            lose();
+        }
+    }
+
+    @Override
+    public void setMotors(boolean on) {
+        motorsWanted = on;
+        if (isPowered() && on != hasMotors()) {
+            tell(CommandNumber.ENABLE, on ? 1 : 0);
+            switchedNanos = nanos;
+            cut(on ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
+        }
+    }
+
+    private void cut(StatusEvent event) {
+        Travel cutShort = travel;
+        travel = null;
+        change(event);
+        if (cutShort != null) {
+            cutShort.end(MotionOutcome.Kind.ABORTED, false);
+        }
+    }
+
+    private void change(StatusEvent event) {
+        RobotStatus status = machine.apply(event);
+        statusListeners.forEach(listener -> listener.accept(status));
+    }
+
+    // ---- what is known of it -------------------------------------------------------------------------------------
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public RobotStatus status() {
+        return machine.status();
+    }
+
+    @Override
+    public void addStatusListener(Consumer<RobotStatus> listener) {
+        statusListeners.add(listener);
+    }
+
+    @Override
+    public void addFirstMotionListener(Runnable listener) {
+        firstMotionListeners.add(listener);
+    }
+
+    @Override
+    public Placement place(double xMeters, double yMeters, double headingRadians) {
+        if (status() == RobotStatus.MOVING) {
+            return Placement.MOVING;
+        }
+        place.setPose(xMeters, yMeters, headingRadians);
+        trail.clear();
+        return Placement.DONE;
+    }
+
+    @Override
+    public Pose pose() {
+        return place.pose();
+    }
+
+    @Override
+    public int[] sonarRangesMillimeters() {
+        return sonars.clone();
+    }
+
+    /** For windows and the web, beside the simulated ones. */
+    public RobotSnapshot snapshot() {
+        boolean known = newest != null;
+        double left = known ? newest.leftWheel() / 1000.0 : 0;
+        double right = known ? newest.rightWheel() / 1000.0 : 0;
+        double volts = known ? newest.batteryDecivolts() / 10.0 : 0;
+        Bumpers bumpers = known ? new Bumpers(newest.frontBumpers(), newest.rearBumpers()) : new Bumpers(0, 0);
+        return new RobotSnapshot(
+                name,
+                status(),
+                isPowered(),
+                hasMotors(),
+                place.xMeters(),
+                place.yMeters(),
+                place.headingRadians(),
+                (left + right) / 2,
+                (right - left) / Pioneer2Dx.EFFECTIVE_TRACK_METERS,
+                Arrays.stream(sonars)
+                        .mapToDouble(millimeters -> millimeters / 1000.0)
+                        .toArray(),
+                new Condition(volts, known && volts < Battery.LOW_VOLTS, known && newest.stalled(), bumpers, pose()),
+                trail.crumbs(),
+                BehaviourKind.NONE,
+                false);
+    }
+}

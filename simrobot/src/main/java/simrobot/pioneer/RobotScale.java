@@ -1,0 +1,52 @@
+package simrobot.pioneer;
+
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * What the numbers of a kind of robot mean: the conversion factors of ARIA's params files.
+ *
+ * @param millimetersPerUnit of a place, DistConvFactor
+ * @param millimetersPerRangeUnit of a sonar's range, RangeConvFactor
+ */
+record RobotScale(double millimetersPerUnit, double millimetersPerRangeUnit) {
+    /** AngleConvFactor 0.001534: 4096 to the turn. */
+    static final int UNITS_PER_TURN = 4096;
+
+    /** 2-DX and its like. */
+    private static final RobotScale P2DX = new RobotScale(0.84, 0.268);
+
+    /** 3-DX and all that came later. */
+    private static final RobotScale P3DX = new RobotScale(0.485, 1.0);
+
+    private static final Map<String, RobotScale> KNOWN = Map.of(
+            "p2dx",
+            P2DX,
+            "p2at",
+            new RobotScale(1.32, 0.268),
+            "p2de",
+            new RobotScale(0.969, 0.268),
+            "p2ce",
+            P2DX,
+            "p2d8",
+            P3DX,
+            "p2at8",
+            P3DX,
+            "p3dx",
+            P3DX,
+            "p3at",
+            P3DX,
+            "p3dx-sh",
+            P3DX,
+            "p3at-sh",
+            P3DX);
+
+    static boolean isKnown(String subclass) {
+        return KNOWN.containsKey(subclass.toLowerCase(Locale.ROOT));
+    }
+
+    /** A kind that is not known is taken for a 3-DX, as nearly all later ones are. */
+    static RobotScale of(String subclass) {
+        return KNOWN.getOrDefault(subclass.toLowerCase(Locale.ROOT), P3DX);
+    }
+}
