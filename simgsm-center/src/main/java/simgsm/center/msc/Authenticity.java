@@ -1,6 +1,8 @@
 package simgsm.center.msc;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.MobilityManagement;
@@ -19,11 +21,16 @@ final class Authenticity {
     /** The network's policy. */
     static final int MAX_KEY_USES = 10;
 
+    private static final int OUTDATED_KEPT = 8;
+
     /** T3260 (TS 24.008, table 11.2). */
     private static final long T3260_NANOS = Duration.ofSeconds(12).toNanos();
 
     private final Link link;
     private final Timers timers;
+    /** Answers to challenges that were given up: one may still come, late, on a later radio connection. */
+    private final Deque<OctetString> outdated = new ArrayDeque<>();
+
     private OctetString expected;
     /** Told the outcome of the challenge under way; null while there is none. */
     private Consumer<Boolean> outcome;
@@ -71,7 +78,9 @@ final class Authenticity {
             return false;
         }
         if (message instanceof MobilityManagement.AuthenticationResponse response) {
-            end(response.response().equals(expected));
+            if (!outdated.remove(response.response())) {
+                end(response.response().equals(expected));
+            }
         } else if (message instanceof MobilityManagement.AuthenticationFailure) {
             end(false);
         } else {
@@ -82,7 +91,7 @@ final class Authenticity {
 
     private void end(boolean proven) {
         Consumer<Boolean> told = outcome;
-        cancel();
+        forget();
         if (!proven) {
             keySequence = MobilityManagement.NO_KEY;
         }
@@ -99,8 +108,18 @@ final class Authenticity {
         link.radio.release();
     }
 
-    /** Forgets the challenge under way. */
+    /** Gives the challenge under way up. */
     void cancel() {
+        if (isAwaited()) {
+            outdated.addLast(expected);
+            if (outdated.size() > OUTDATED_KEPT) {
+                outdated.removeFirst();
+            }
+            forget();
+        }
+    }
+
+    private void forget() {
         timers.cancel(guard);
         outcome = null;
     }

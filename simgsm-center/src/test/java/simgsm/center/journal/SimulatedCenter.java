@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import simgsm.air.Direction;
@@ -27,6 +28,7 @@ import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.subscriber.HomeRegister;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.TpduCodec;
 
@@ -58,6 +60,7 @@ final class SimulatedCenter {
     private final Map<Long, Account.Key> keys = new HashMap<>();
     private final Map<String, Long> idOfText = new HashMap<>();
     private final Map<String, OctetString> octetsOfText = new HashMap<>();
+    private final HomeRegister home;
     private final Set<Msisdn> attached = new HashSet<>();
     private final Deque<Order> orders = new ArrayDeque<>();
     private final Deque<Answer> answers = new ArrayDeque<>();
@@ -67,8 +70,9 @@ final class SimulatedCenter {
     private Journal journal;
     int deaths;
 
-    SimulatedCenter(SplittableRandom random, Account account, long nowNanos) {
+    SimulatedCenter(SplittableRandom random, Account account, HomeRegister home, long nowNanos) {
         this.random = random;
+        this.home = home;
         this.account = account;
         this.nowNanos = nowNanos;
         disk = new SimulatedDisk(random.split());
@@ -107,7 +111,7 @@ final class SimulatedCenter {
         checkRestored();
         bornNanos = nowNanos;
         exchange = new Exchange(
-                new ExchangeSettings("SimGSM", random.nextLong(), START.plusNanos(nowNanos)),
+                new ExchangeSettings("SimGSM", random.split(), START.plusNanos(nowNanos), home, Optional.empty()),
                 this::order,
                 this::happened);
         exchange.restore(journal.restored());

@@ -5,15 +5,18 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
+import simgsm.sim.SimCard;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.SpeechSource;
@@ -78,16 +81,22 @@ final class SimulatedPhone implements StationListener {
         }
     }
 
-    SimulatedPhone(String digits, SplittableRandom random, Account account) {
-        this.number = new Msisdn(digits);
+    SimulatedPhone(SimCard card, Sim sim, SplittableRandom random, Account account) {
+        this.number = card.number();
         this.account = account;
         station = new MobileStation(
-                StationIdentity.ofOpenNumber(number, Imei.random(random), "simulated"),
-                Sim.WITHOUT_KEY,
+                StationIdentity.ofCard(card, Imei.random(random), "simulated"),
+                sim,
                 StationOptions.STANDARD,
                 SpeechSource.SILENCE,
                 this,
                 random);
+    }
+
+    /** A refusal may pass; that of a card would not. */
+    @Override
+    public void unregistered(Optional<RejectCause> cause) {
+        Invariant.holds(!station.snapshot().cardRefused(), () -> number + " has its card refused");
     }
 
     void write(Msisdn to, String text) {

@@ -5,15 +5,23 @@ import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.SplittableRandom;
+import simgsm.air.Imsi;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.center.subscriber.HomeRegister;
+import simgsm.sim.Milenage;
+import simgsm.sim.SimCard;
+import simgsm.sim.Subscription;
+import simgsm.station.Sim;
 
 /**
  * Exchange core, journal, disk, phones and an application under one clock and one seed: phones call, text, fill up, vanish
  * and come back, the application submits, refuses and leaves, the disk fails, the centre dies at any step and starts again
  * from its journal. Whatever happens: no acknowledged message is lost; none is shown twice; none whose delivery is on the
  * disk is sent again; one that is sent again is the same, octet for octet; a receipt says the same each time; a broadcast is
- * shown once; no number is held twice; no call is stuck; no timer is forgotten.
+ * shown once; no number is held twice; no call is stuck; no timer is forgotten. Every other seed is a closed network in
+ * which every phone has its card: none is ever refused.
  */
 final class Simulation {
     /** Texts that begin so are written once. */
@@ -46,11 +54,33 @@ final class Simulation {
     Simulation(long seed) {
         random = new SplittableRandom(seed);
         acts = Act.choice(random);
-        center = new SimulatedCenter(random.split(), account, nowNanos);
-        for (int i = 0; i < PHONES; i++) {
-            phones.add(new SimulatedPhone("555010" + i, random.split(), account));
+        List<SimCard> cards = cards();
+        boolean isClosed = seed % 2 != 0;
+        center = new SimulatedCenter(random.split(), account, isClosed ? closedTo(cards) : HomeRegister.OPEN, nowNanos);
+        for (SimCard card : cards) {
+            phones.add(new SimulatedPhone(card, isClosed ? Sim.of(card) : Sim.WITHOUT_KEY, random.split(), account));
         }
         application = new SimulatedApplication(random.split(), account);
+    }
+
+    private List<SimCard> cards() {
+        List<SimCard> cards = new ArrayList<>();
+        for (int i = 0; i < PHONES; i++) {
+            Msisdn number = new Msisdn("555010" + i);
+            cards.add(new SimCard(Imsi.ofOpenNumber(number), number, key(), key()));
+        }
+        return cards;
+    }
+
+    private OctetString key() {
+        byte[] octets = new byte[Milenage.KEY_LENGTH];
+        random.nextBytes(octets);
+        return OctetString.of(octets);
+    }
+
+    private static HomeRegister closedTo(List<SimCard> cards) {
+        return HomeRegister.closed(
+                cards.stream().map(card -> new Subscription(card, false)).toList(), List.of());
     }
 
     int acknowledgedCount() {

@@ -221,6 +221,22 @@ class ClosedNetworkTest {
         assertTrue(network.events.isEmpty());
     }
 
+    /** A message that was long on its way down is answered on the next radio connection. */
+    @Test
+    void aLateAnswerToAChallengeThatWasGivenUpIsPassedOverAndTheRightOneCounts() {
+        TestMobile mobile = attach(ANA);
+        requestService(mobile, MobilityManagement.NO_KEY);
+        OctetString first =
+                mobile.next(MobilityManagement.AuthenticationRequest.class).rand();
+        mobile.leaveChannel();
+        requestService(mobile, MobilityManagement.NO_KEY);
+        mobile.tell(new MobilityManagement.AuthenticationResponse(
+                GsmVector.of(ANA.functions(), first).sres()));
+        answer(mobile, ANA);
+        abandonService(mobile);
+        assertEquals(1, network.events.size(), "still attached");
+    }
+
     @Test
     void theSecondTimeATemporaryIdentityIsEnough() {
         TestMobile mobile = attach(ANA);
