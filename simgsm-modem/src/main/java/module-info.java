@@ -10,7 +10,7 @@
  *   station     -> sim, sms, dtmf, speech, air
  *   modem.tools -> modem.load, modem.fuzz, console, dtmf, speech
  *   modem.load  -> station, console, air
- *   modem.fuzz  -> station, sms, dtmf, air
+ *   modem.fuzz  -> station, sms, dtmf, speech, air
  *   station     -> sms, dtmf, speech, air
  *   ui          -> console, dtmf, speech
  *   sim         -> console, air

@@ -57,7 +57,9 @@ class LayeringTest {
                             "simgsm.console",
                             "simgsm.modem.load",
                             "simgsm.modem.fuzz")),
-            Map.entry("simgsm.modem.fuzz", Set.of("simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.station")),
+            Map.entry(
+                    "simgsm.modem.fuzz",
+                    Set.of("simgsm.speech", "simgsm.air", "simgsm.sms", "simgsm.dtmf", "simgsm.station")),
             Map.entry("simgsm.modem.load", Set.of("simgsm.air", "simgsm.station", "simgsm.console")),
             Map.entry("simgsm.ui", Set.of("simgsm.console", "simgsm.dtmf", "simgsm.speech")));
 

@@ -13,6 +13,8 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
     public static final int A_LAW = 8;
     public static final int GSM_FULL_RATE = 3;
 
+    private static final int SIGNATURE_MASK = 0xf0;
+    private static final int GSM_SIGNATURE = 0xd0;
     private static final int HEADER_LENGTH = 12;
     private static final int VERSION_2 = 0x80;
     private static final int PADDING_FLAG = 0x20;
@@ -71,7 +73,12 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
                     "RTP payload type " + payloadType + " with " + in.remaining()
                             + " octets; A-law (8) with 160 or GSM full rate (3) with 33 was expected");
         }
-        return new RtpPacket(payloadType, sequence, timestamp, source, in.bytes(in.remaining(), "RTP payload"));
+        byte[] payload = in.bytes(in.remaining(), "RTP payload");
+        if (payloadType == GSM_FULL_RATE && (payload[0] & SIGNATURE_MASK) != GSM_SIGNATURE) {
+            throw new ProtocolViolation(
+                    Cause.PROTOCOL_ERROR, "a GSM full rate frame begins with the signature D (RFC 3551, 4.5.8)");
+        }
+        return new RtpPacket(payloadType, sequence, timestamp, source, payload);
     }
 
     private static void putFourOctets(byte[] octets, int position, long value) {

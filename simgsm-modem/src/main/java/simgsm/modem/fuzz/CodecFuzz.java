@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import simgsm.air.CcmCodec;
@@ -12,6 +13,7 @@ import simgsm.air.IpaFrame;
 import simgsm.air.IpaFramer;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RtpPacket;
+import simgsm.speech.SpeechCodec;
 
 /**
  * Spoilt frames through the framer and every decoder. Each gives a message or a {@link ProtocolViolation}; what is read can
@@ -24,6 +26,9 @@ public final class CodecFuzz {
     private final List<Traffic.Sample> traffic = Traffic.read();
     private final SplittableRandom random;
     private final Mutator mutator;
+    private final Map<Integer, SpeechCodec> speechCodecs = Map.of(
+            RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
+            RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
     private final SignallingCheck signalling = new SignallingCheck();
     private IpaFramer framer = new IpaFramer();
     private long frames;
@@ -106,5 +111,10 @@ public final class CodecFuzz {
                 RtpPacket.decode(RtpPacket.decode(frame.payload()).encode());
             default -> {}
         }
+    }
+
+    private void speech(RtpPacket packet) throws ProtocolViolation {
+        RtpPacket.decode(packet.encode());
+        speechCodecs.get(packet.payloadType()).decode(packet.payload());
     }
 }
