@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -16,8 +17,10 @@ import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
+import simgsm.ui.Display;
 import simgsm.ui.ProgramWindow;
 import simgsm.ui.Theme;
+import simgsm.ui.WindowPlace;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
 final class CenterWindow implements Operator {
@@ -31,6 +34,7 @@ final class CenterWindow implements Operator {
     private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
     private final Set<String> cardsGivenOut = new HashSet<>();
     private Children children;
+    private Cascade cascade;
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
         this.center = center;
@@ -76,12 +80,12 @@ final class CenterWindow implements Operator {
 
     @Override
     public void newPhone() throws IOException {
-        start("simgsm-phone.jar", numberFor(nextPhone));
+        start("simgsm-phone.jar", numberFor(nextPhone), Cascade::nextPhone);
     }
 
     @Override
     public void newRobot() throws IOException {
-        start("simrobot.jar", numberFor(nextRobot));
+        start("simrobot.jar", numberFor(nextRobot), Cascade::nextRobot);
     }
 
     private String numberFor(AtomicLong next) throws IOException {
@@ -120,12 +124,17 @@ final class CenterWindow implements Operator {
         });
     }
 
-    private synchronized void start(String jar, String number) throws IOException {
+    private synchronized void start(String jar, String number, Function<Cascade, WindowPlace> place)
+            throws IOException {
         if (children == null) {
             children = Children.besideUs();
         }
+        if (cascade == null) {
+            cascade = new Cascade(Display.usableArea());
+        }
         List<String> words = new ArrayList<>(center.home().wordsFor(number));
         words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
+        words.addAll(List.of("--window", place.apply(cascade).toString()));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);

@@ -49,8 +49,11 @@ final class ConsoleEvents {
                 .with("state", subscriber.isAttached() ? "attached" : otherwise);
     }
 
+    /** Of the list, which says besides how long the call has been active. */
     static Event of(CallView call) {
-        return parties(Event.of("call"), call.from(), call.to()).with("state", word(call.state()));
+        return parties(Event.of("call"), call.from(), call.to())
+                .with("state", word(call.state()))
+                .with("seconds", call.activeSeconds());
     }
 
     /** What waits was accepted and nothing else yet. */

@@ -1,6 +1,7 @@
 package simgsm.center.msc;
 
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
@@ -12,13 +13,17 @@ final class Call implements CallLeg.Owner {
     private final Msisdn from;
     private final Optional<Msisdn> to;
     private final CallLeg originating;
+    private final Timers timers;
     private CallLeg terminating;
     private CallState state = CallState.INITIATED;
+    /** Of meaning once the call is active. */
+    private long activeSinceNanos;
 
     Call(CallSwitch exchange, Link link, TransactionIdentifier transaction, Optional<Msisdn> to, Timers timers) {
         this.exchange = exchange;
         this.from = link.subscriber.number();
         this.to = to;
+        this.timers = timers;
         this.originating = new CallLeg(link, transaction, Optional.empty(), exchange.tones(), timers, this);
     }
 
@@ -33,6 +38,10 @@ final class Call implements CallLeg.Owner {
 
     CallState state() {
         return state;
+    }
+
+    long activeSeconds() {
+        return state == CallState.ACTIVE ? TimeUnit.NANOSECONDS.toSeconds(timers.nowNanos() - activeSinceNanos) : 0;
     }
 
     CallLeg originating() {
@@ -81,6 +90,7 @@ final class Call implements CallLeg.Owner {
 
     @Override
     public void active(CallLeg leg) {
+        activeSinceNanos = timers.nowNanos();
         enter(CallState.ACTIVE);
     }
 

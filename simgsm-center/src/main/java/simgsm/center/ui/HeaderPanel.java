@@ -25,6 +25,8 @@ final class HeaderPanel extends JPanel {
     private final Lamp attached;
     private final Lamp calls;
     private final Lamp waiting;
+    private final RatesLabel rateLabel = new RatesLabel();
+    private final Rates rates = new Rates();
 
     HeaderPanel(Texts texts, Operator operator) {
         super(new BorderLayout());
@@ -48,7 +50,7 @@ final class HeaderPanel extends JPanel {
                         title,
                         port,
                         network,
-                        Arrange.spring(),
+                        Arrange.growing(rateLabel),
                         attached,
                         calls,
                         waiting,
@@ -61,7 +63,10 @@ final class HeaderPanel extends JPanel {
                                 Named.name(new JButton(quit), "window.quit", texts.of("window.quit.why")))),
                 BorderLayout.CENTER);
         port.show(Mark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
+        Named.name(rateLabel, "rates", texts.of("window.rates.name"));
+        rateLabel.setToolTipText(texts.of("window.rates.why"));
         showCounts(0, 0, 0);
+        showRates();
         dress();
     }
 
@@ -71,7 +76,17 @@ final class HeaderPanel extends JPanel {
         return lamp;
     }
 
+    void tick(long nowNanos) {
+        rates.tick(nowNanos);
+        showRates();
+    }
+
+    private void showRates() {
+        rateLabel.setText(texts.of("window.rates", rates.messagesPerSecond(), rates.framesPerSecond()));
+    }
+
     void show(ExchangeSnapshot snapshot) {
+        rates.saw(snapshot);
         showCounts(snapshot.attached(), snapshot.calls().size(), snapshot.waiting());
     }
 
@@ -101,5 +116,6 @@ final class HeaderPanel extends JPanel {
     private void dress() {
         title.setFont(Theme.sans(20, true));
         network.setForeground(Ink.QUIET.color());
+        rateLabel.setForeground(Ink.QUIET.color());
     }
 }

@@ -79,7 +79,10 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         Drawing.rightAligned(g, Protocol.of(row.entry()).tag(), getWidth() - Theme.exact(10), (getHeight() + cap) / 2);
     }
 
-    /** A terminal without a line of its own is told by its number in front of the name, at the centre's line. */
+    /**
+     * A name that is longer than its arrow spreads over the neighbouring columns: nothing else stands in this row. A
+     * terminal without a line of its own is told by its number in front of the name, at the centre's line.
+     */
     private void paintArrow(Graphics2D g, LadderEntry entry) {
         int width = getWidth();
         double from = lifelines.x(entry.from(), width);
@@ -98,16 +101,18 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         paintHead(g, tip, y, Math.signum(end - start));
         double room = Math.abs(end - start) - Theme.exact(8);
         Font font = Drawing.width(Theme.base(), name) <= room ? Theme.base() : Theme.small();
-        String fitted = Drawing.fitted(font, name, room);
+        double left = Theme.exact(Lifelines.TIME_UNITS);
+        double right = width - Theme.exact(Lifelines.TAG_UNITS);
+        String fitted = Drawing.fitted(font, name, right - left);
         g.setFont(font);
         double textWidth = Drawing.width(font, fitted);
-        double x = (start + end - textWidth) / 2;
+        double x = Math.max(left, Math.min(right - textWidth, (start + end - textWidth) / 2));
         paintPlate(g, x, textWidth);
         g.setColor(Ink.TEXT.color());
         g.drawString(fitted, (float) x, (float) (y - Theme.exact(6)));
     }
 
-    /** Keeps the lifelines that a long arrow crosses from running through its name. */
+    /** Keeps the lifelines that a long arrow crosses, or a long name, from running through it. */
     private void paintPlate(Graphics2D g, double x, double width) {
         g.setColor((isSelected ? Ink.ACCENT_WASH : Ink.CARD).color());
         Drawing.fillCrisp(g, x - Theme.exact(3), Theme.exact(4), width + Theme.exact(6), getHeight() - Theme.exact(15));

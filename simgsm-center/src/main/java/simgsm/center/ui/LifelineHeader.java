@@ -50,8 +50,8 @@ final class LifelineHeader extends SpokenComponent {
 
     private void paintHead(Graphics2D g, String name, double x) {
         boolean isCenter = name.equals(LadderEntry.CENTER);
-        double room = Math.min(lifelines.gap(getWidth()), Theme.exact(124)) - Theme.exact(8);
-        String fitted = Drawing.fitted(Theme.monoStrong(), name, room - Theme.exact(16));
+        double room = Math.min(lifelines.gap(getWidth()), Theme.exact(160)) - Theme.exact(8);
+        String fitted = Drawing.fitted(Theme.monoStrong(), name, room - Theme.exact(12));
         double width = Math.min(room, Drawing.width(Theme.monoStrong(), fitted) + Theme.exact(20));
         double height = Theme.exact(BOX_UNITS);
         double top = (getHeight() - height) / 2;

@@ -3,6 +3,7 @@ package simgsm.center.ui;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.center.msc.LadderEntry;
+import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
@@ -24,6 +25,8 @@ record Lifelines(List<String> names) {
     private static final int HALF_HEAD_UNITS = 44;
 
     private static final int LEAST_GAP_UNITS = 72;
+    /** What a head has around its name: its box, and the way to its neighbour. */
+    static final int HEAD_MARGIN_UNITS = 24;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
 
@@ -51,9 +54,14 @@ record Lifelines(List<String> names) {
         return room / Math.max(1, names.size() - 1);
     }
 
-    /** The least width at which names can be read, in pixels. */
+    /** The least width at which the longest name can be read whole above its line, in pixels. */
     int leastWidth() {
+        double widest = names.stream()
+                .mapToDouble(name -> Drawing.width(Theme.monoStrong(), name))
+                .max()
+                .orElse(0);
+        double gap = Math.max(Theme.exact(LEAST_GAP_UNITS), widest + Theme.exact(HEAD_MARGIN_UNITS));
         int gaps = Math.max(1, names.size() - 1);
-        return Theme.px(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS + LEAST_GAP_UNITS * gaps);
+        return (int) Math.ceil(Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS) + gap * gaps);
     }
 }

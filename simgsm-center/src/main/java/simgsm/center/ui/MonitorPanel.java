@@ -26,8 +26,8 @@ import simgsm.ui.Theme.Ink;
 
 /** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
 public final class MonitorPanel extends JPanel {
-    private static final Dimension SIZE_UNITS = new Dimension(1080, 680);
-    private static final int LISTS_UNITS = 410;
+    private static final Dimension SIZE_UNITS = new Dimension(1160, 700);
+    private static final int LISTS_UNITS = 484;
     private static final int LADDER_UNITS = 570;
     private static final int LEAST_UNITS = 290;
     /** Of what room is to spare or to give up. */
@@ -84,6 +84,11 @@ public final class MonitorPanel extends JPanel {
                 Named.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
                 Arrange.growing(Named.name(notice, "notice", texts.of("window.notice"))));
         return new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
+    }
+
+    /** A second or so has passed: what flows is measured anew. */
+    public void tick(long nowNanos) {
+        header.tick(nowNanos);
     }
 
     /** The lists come first for the keyboard. */

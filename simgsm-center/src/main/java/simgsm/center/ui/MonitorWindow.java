@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.util.Optional;
+import javax.swing.Timer;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.ui.Newest;
 import simgsm.ui.ProgramWindow;
@@ -10,6 +11,8 @@ import simgsm.ui.WindowIcon;
 
 /** What "SMSyCT" has in its window: a {@link MonitorPanel}, kept up to date. */
 public final class MonitorWindow {
+    private static final int RATE_PERIOD_MILLIS = 1_000;
+
     private MonitorWindow() {}
 
     /** Made on the event thread. */
@@ -21,6 +24,8 @@ public final class MonitorWindow {
             }
         });
         newest.start();
+        Timer seconds = new Timer(RATE_PERIOD_MILLIS, event -> panel.tick(System.nanoTime()));
+        seconds.start();
         return new ProgramWindow.Content(
                 texts.of("window.title"),
                 WindowIcon.images(Symbol.BROADCAST),
@@ -28,6 +33,9 @@ public final class MonitorWindow {
                 Optional.empty(),
                 Optional.empty(),
                 panel::requestFocusInWindow,
-                newest::stop);
+                () -> {
+                    newest.stop();
+                    seconds.stop();
+                });
     }
 }

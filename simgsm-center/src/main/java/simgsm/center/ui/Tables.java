@@ -41,7 +41,16 @@ final class Tables {
                 List.of(
                         new Column<>(texts.of("window.from"), 100, CallView::from),
                         new Column<>(texts.of("window.to"), 100, call -> number(call.to())),
-                        new Column<>(texts.of("window.state"), 140, call -> word(call.state(), texts))));
+                        new Column<>(texts.of("window.state"), 120, call -> word(call.state(), texts)),
+                        new Column<>(texts.of("window.duration"), 70, Tables::duration)));
+    }
+
+    /** Minutes and seconds, as on a phone's display; nothing before the call is active. */
+    private static Object duration(CallView call) {
+        long seconds = call.activeSeconds();
+        return call.state() == CallState.ACTIVE
+                ? new Digits(String.format(Locale.ROOT, "%02d:%02d", seconds / 60, seconds % 60))
+                : "";
     }
 
     static RowsPanel<MessageRow> messages(Texts texts) {

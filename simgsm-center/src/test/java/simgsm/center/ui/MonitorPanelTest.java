@@ -106,7 +106,7 @@ class MonitorPanelTest {
     void aCallIsShownByItsStateUntilItIsOver() {
         Optional<ExchangeSnapshot.Passing> call =
                 Optional.of(new ExchangeSnapshot.Passing(Scene.PHONE, Scene.ROBOT.digits(), ""));
-        panel.show(Scene.with(call, List.of(new CallView(Scene.PHONE, "5550200", CallState.ALERTING))));
+        panel.show(Scene.with(call, List.of(new CallView(Scene.PHONE, "5550200", CallState.ALERTING, 0))));
         assertEquals("(call, alerting)", field("message"));
 
         panel.show(Scene.with(call, List.of()));
@@ -119,7 +119,7 @@ class MonitorPanelTest {
 
         assertEquals("5550100 attached 001010005550100 001017500000017", row("subscribers", 0));
         assertEquals("5550201 detached 001010005550201 ", row("subscribers", 2));
-        assertEquals("5550100 5550200 active", row("calls", 0));
+        assertEquals("5550100 5550200 active 01:15", row("calls", 0));
         assertTrue(row("messages", 0).startsWith("5550100 5550201 "), row("messages", 0));
         assertTrue(row("messages", 0).endsWith(" ** #**20 **"), row("messages", 0));
     }
@@ -127,7 +127,7 @@ class MonitorPanelTest {
     @ParameterizedTest
     @CsvSource({"INITIATED", "ALERTING", "ACTIVE", "RELEASED"})
     void everyStateOfACallHasAWord(CallState state) {
-        panel.show(Scene.with(Optional.empty(), List.of(new CallView(Scene.PHONE, "", state))));
+        panel.show(Scene.with(Optional.empty(), List.of(new CallView(Scene.PHONE, "", state, 0))));
 
         assertFalse(row("calls", 0).contains("window."), row("calls", 0));
     }

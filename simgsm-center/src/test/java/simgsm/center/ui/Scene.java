@@ -141,6 +141,6 @@ final class Scene {
     }
 
     static CallView call() {
-        return new CallView(PHONE, ROBOT.digits(), CallState.ACTIVE);
+        return new CallView(PHONE, ROBOT.digits(), CallState.ACTIVE, 75);
     }
 }

@@ -1,0 +1,25 @@
+package simgsm.center.ui;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import javax.swing.JLabel;
+import javax.swing.SwingConstants;
+
+/** Words that are shown whole or, where a narrow window has no room for them, not at all. */
+final class RatesLabel extends JLabel {
+    RatesLabel() {
+        setHorizontalAlignment(SwingConstants.TRAILING);
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(0, super.getMinimumSize().height);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        if (getPreferredSize().width <= getWidth()) {
+            super.paintComponent(graphics);
+        }
+    }
+}
