@@ -1,9 +1,11 @@
 package simrobot;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
@@ -11,7 +13,10 @@ import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simrobot.behaviour.BehaviourKind;
+import simrobot.control.ConsoleEvents;
 import simrobot.control.RobotName;
+import simrobot.replay.Recorder;
+import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.WanderRun;
@@ -31,7 +36,10 @@ final class BatchRun {
         BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
         double seconds = arguments.number("run", 0, 0.001, MOST_SECONDS);
         long began = System.nanoTime();
-        if (behaviour == BehaviourKind.WANDER && !arguments.has("record")) {
+        if (behaviour == BehaviourKind.WANDER) {
+            if (arguments.has("record")) {
+                throw new UsageException("--record: wanderers are not recorded with --run, expected one of the two");
+            }
             wander(world, robots.size(), seconds);
         } else {
             simulate(arguments, world, robots, behaviour, seconds);
@@ -57,13 +65,25 @@ final class BatchRun {
             Arguments arguments, World world, List<RobotName> robots, BehaviourKind behaviour, double seconds)
             throws UsageException, IOException {
         Simulation simulation = new Simulation(world, SimRobotMain.seed(arguments));
-        for (SimulatedRobot robot :
-                simulation.addRobots(robots.stream().map(RobotName::name).toList())) {
+        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
+        simulation.addRobots(robots.stream().map(RobotName::name).toList());
+        Optional<Path> file = arguments.path("record");
+        // nobody runs acts here, so what is recorded is written as there is enough of it
+        Optional<Recorder> recorder =
+                file.isPresent() ? Optional.of(Recorder.open(file.get(), simulation, act -> {})) : Optional.empty();
+        for (SimulatedRobot robot : simulation.robots()) {
+            recorder.ifPresent(events -> listen(robot, new ConsoleEvents(robot.name(), events::event)));
             robot.autonomy().begin(behaviour);
         }
         for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
             simulation.step();
         }
+        recorder.ifPresent(Recorder::close);
+    }
+
+    private static void listen(SimulatedRobot robot, ConsoleEvents events) {
+        robot.addStatusListener(events::status);
+        robot.autonomy().addListener(events::behaviour);
     }
 
     /** Of the whole process from its start, user and system. */

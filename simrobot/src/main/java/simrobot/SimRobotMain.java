@@ -7,8 +7,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
@@ -83,6 +85,14 @@ public final class SimRobotMain {
                         "run",
                         "SECONDS",
                         "simulate so long as fast as the machine can, without centre and console, and end")
+                .value(
+                        "record",
+                        "FILE",
+                        "record the session: worlds, robots' states, events; a file that is there is overwritten")
+                .value(
+                        "replay",
+                        "FILE",
+                        "replay a recorded session; headless its events, at the pace of --speed or at once")
                 .value("speed", "N", "simulated seconds per second (1)")
                 .value(
                         "noise",
@@ -104,6 +114,9 @@ public final class SimRobotMain {
     }
 
     private static int run(Arguments arguments) throws Exception {
+        if (arguments.has("replay")) {
+            return replay(arguments);
+        }
         Settings settings = settings(arguments);
         World world = WorldFile.read(arguments.path("world"));
         if (arguments.has("print-world")) {
@@ -119,20 +132,30 @@ public final class SimRobotMain {
         return arguments.has("headless")
                 ? headless(arguments, built, ports)
                 : windowed(
+                        arguments,
                         ProgramWindow.of(arguments, Optional.empty()),
-                        arguments.language(),
                         built,
                         ports,
                         WorldFile.find(arguments.path("world")));
     }
 
-    private record Built(SimRobot simRobot, Fleet fleet) {}
+    private static int replay(Arguments arguments) throws UsageException, IOException, InterruptedException {
+        double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
+        Path file = arguments.path("replay").orElseThrow();
+        OptionalDouble pace = arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
+        return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
+    }
 
-    private static int windowed(ProgramWindow window, Locale language, Built built, Ports opened, Path worldFile)
-            throws InterruptedException {
-        try (SimRobot simRobot = built.simRobot();
+    private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet) {}
+
+    private static int windowed(Arguments arguments, ProgramWindow window, Built built, Ports opened, Path worldFile)
+            throws UsageException, IOException, InterruptedException {
+        Locale language = arguments.language();
+        try (SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
+                SimRobot simRobot = built.simRobot();
                 Ports ports = opened) {
-            Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
+            endInOrder(simRobot, record);
+            record.listenTo(simRobot);
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports.pioneers(), worldFile);
             simRobot.start();
             ports.start();
@@ -163,7 +186,7 @@ public final class SimRobotMain {
                 fleet.addFirst(name, simulation);
             }
         }
-        return new Built(simRobot, fleet);
+        return new Built(simulation, simRobot, fleet);
     }
 
     /** @param alone whether the command line names a single robot, whose calls go into the very file that it names */
@@ -214,20 +237,32 @@ public final class SimRobotMain {
     private static int headless(Arguments arguments, Built built, Ports opened)
             throws UsageException, IOException, InterruptedException {
         try (Console console = Console.onStandardOutput();
+                SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
                 SimRobot simRobot = built.simRobot();
                 Ports ports = opened) {
-            simRobot.onAdded(robot -> robot.listen(new ConsoleEvents(robot.name(), console::emit)));
-            Runtime.getRuntime().addShutdownHook(new Thread(simRobot::close, "detach"));
+            Consumer<Event> out = record.with(console::emit);
+            simRobot.onAdded(robot -> robot.listen(new ConsoleEvents(robot.name(), out)));
+            endInOrder(simRobot, record);
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
             Program.runConsole(
                     console,
                     arguments,
-                    new RobotConsole(
-                            simRobot, built.fleet(), new Exports(simRobot, new WorldPictures()), console::emit));
+                    new RobotConsole(simRobot, built.fleet(), new Exports(simRobot, new WorldPictures()), out));
             return console.exitStatus();
         }
+    }
+
+    /** When a signal ends the program. */
+    private static void endInOrder(SimRobot simRobot, SessionRecord record) {
+        Thread end = new Thread(
+                () -> {
+                    simRobot.close();
+                    record.close();
+                },
+                "detach");
+        Runtime.getRuntime().addShutdownHook(end);
     }
 
     private static String names(SimRobot simRobot) {

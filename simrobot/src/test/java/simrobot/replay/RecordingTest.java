@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.Executor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.console.Event;
@@ -37,6 +38,9 @@ class RecordingTest {
     @TempDir
     Path folder;
 
+    /** Nobody flushes; all is written at the end, or when there is enough of it. */
+    private static final Executor NOBODY = act -> {};
+
     private final List<List<RobotState>> states = new ArrayList<>();
 
     private Path file() {
@@ -58,7 +62,7 @@ class RecordingTest {
     /** Robots that wander, stand, drive by order, collide, are dragged, come and go; acts by chance, every step noted. */
     private void record(Simulation simulation, int steps) throws IOException {
         Random chance = new Random(3);
-        try (Recorder recorder = Recorder.open(file(), simulation, Runnable::run)) {
+        try (Recorder recorder = Recorder.open(file(), simulation, NOBODY)) {
             states.add(statesOf(simulation.robots()));
             for (int step = 1; step <= steps; step++) {
                 if (chance.nextInt(200) == 0) {
@@ -148,7 +152,7 @@ class RecordingTest {
                 Event.of("pose").with("robot", "r0"),
                 Event.of("status").with("robot", "r0").with("value", "Collision"),
                 Event.of("outcome").with("robot", "r0").with("tone", 4));
-        try (Recorder recorder = Recorder.open(file(), simulation, Runnable::run)) {
+        try (Recorder recorder = Recorder.open(file(), simulation, NOBODY)) {
             for (Event event : told) {
                 simulation.run(100);
                 recorder.event(event);
@@ -173,7 +177,7 @@ class RecordingTest {
     void anHourOfWanderingTakesAFewMegabytes() throws IOException {
         Simulation simulation = threeRobots();
         simulation.robots().forEach(robot -> robot.autonomy().begin(BehaviourKind.WANDER));
-        Recorder recorder = Recorder.open(file(), simulation, Runnable::run);
+        Recorder recorder = Recorder.open(file(), simulation, NOBODY);
         simulation.run(6_000);
         recorder.close();
         long octetsPerRobotStep = Files.size(file()) / 3 / 6_000;
@@ -183,7 +187,7 @@ class RecordingTest {
     @Test
     void standingStillTakesNextToNothing() throws IOException {
         Simulation simulation = threeRobots();
-        Recorder recorder = Recorder.open(file(), simulation, Runnable::run);
+        Recorder recorder = Recorder.open(file(), simulation, NOBODY);
         simulation.run(360_000);
         recorder.close();
         assertTrue(Files.size(file()) < 2_000, "octets " + Files.size(file()));
