@@ -15,6 +15,8 @@ public final class ToneTrace {
     public static final double LEAST_DBM0 = -50;
     /** So many decibels may the groups lie apart before the receiver looks no closer. */
     public static final double MOST_TWIST_DECIBELS = 13;
+    /** A group's four powers together may be so many times the loudest one's. */
+    private static final double MOST_SPREAD = 1.6;
     /** Nothing has sounded yet. */
     public static final ToneTrace EMPTY =
             new ToneTrace(new short[SAMPLES], silence(), Optional.empty(), false, ToneExperiment.NONE, ToneScore.NONE);
@@ -70,6 +72,25 @@ public final class ToneTrace {
     /** What a column's tone has to reach now: not too far below the loudest row. */
     public double leastColumnDbm0() {
         return least(0);
+    }
+
+    /** Whether a row's tone stands out: it reaches what it has to, and the other rows together do not come near it. */
+    public boolean rowCounts(int row) {
+        return counts(0, row, leastRowDbm0());
+    }
+
+    /** Whether a column's tone stands out. */
+    public boolean columnCounts(int column) {
+        return counts(4, column, leastColumnDbm0());
+    }
+
+    private boolean counts(int group, int index, double leastDbm0) {
+        double together = 0;
+        for (int i = group; i < group + 4; i++) {
+            together += Math.pow(10, levelsDbm0[i] / 10);
+        }
+        double own = levelsDbm0[group + index];
+        return own > leastDbm0 && together < MOST_SPREAD * Math.pow(10, own / 10);
     }
 
     private double least(int otherGroup) {

@@ -124,7 +124,7 @@ public final class ToneScopePainter {
         paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
-            boolean counts = counts(trace, i);
+            boolean counts = i < 4 ? trace.rowCounts(i) : trace.columnCounts(i - 4);
             double share = share(level(trace, i));
             g.setColor(Ink.LINE.color(0.45));
             Drawing.fillCrisp(g, left + step * 0.16, y, step * 0.68, tall);
@@ -173,18 +173,6 @@ public final class ToneScopePainter {
                 ? DtmfKey.at(index, 0).rowHertz()
                 : DtmfKey.at(0, index - 4).columnHertz();
         return String.valueOf((int) hertz);
-    }
-
-    /** Whether this frequency is the loudest of its group and loud enough to be a tone. */
-    private static boolean counts(ToneTrace trace, int index) {
-        double own = level(trace, index);
-        int group = index / 4 * 4;
-        for (int i = group; i < group + 4; i++) {
-            if (level(trace, i) > own) {
-                return false;
-            }
-        }
-        return own > (group == 0 ? trace.leastRowDbm0() : trace.leastColumnDbm0());
     }
 
     private static void paintMatrix(Graphics2D g, ToneTrace trace, double x, double y, double size) {
