@@ -16,20 +16,27 @@ import simgsm.center.timer.Timers;
 final class OriginatingTransfer {
     private final Link link;
     private final TransactionIdentifier transaction;
+    private final boolean isRepeated;
     private final ShortMessageCenter center;
     private final Consumer<OriginatingTransfer> ended;
     private final CpRepeater answer;
     private boolean isOver;
-    private boolean isRelayed;
+    /** Null until the mobile's message has come. */
+    private ShortMessageControl beginning;
 
+    private boolean isConfirmed;
+
+    /** @param isRepeated whether the mobile has sent the same before, in a transaction that was given up here */
     OriginatingTransfer(
             Link link,
             TransactionIdentifier transaction,
+            boolean isRepeated,
             Timers timers,
             ShortMessageCenter center,
             Consumer<OriginatingTransfer> ended) {
         this.link = link;
         this.transaction = transaction;
+        this.isRepeated = isRepeated;
         this.center = center;
         this.ended = ended;
         this.answer = new CpRepeater(link, timers, this::end);
@@ -39,15 +46,25 @@ final class OriginatingTransfer {
         return transaction;
     }
 
+    ShortMessageControl beginning() {
+        return beginning;
+    }
+
+    /** Whether the mobile has our answer. */
+    boolean isConfirmed() {
+        return isConfirmed;
+    }
+
     void receive(ShortMessageControl message) {
         if (message instanceof ShortMessageControl.CpData data) {
             link.send(new ShortMessageControl.CpAck(transaction));
             // A repeated CP-DATA wants nothing but its acknowledgement.
-            if (!isRelayed) {
-                isRelayed = true;
+            if (beginning == null) {
+                beginning = message;
                 relay(data.relay());
             }
         } else if (message instanceof ShortMessageControl.CpError || answer.isWaiting()) {
+            isConfirmed = answer.isWaiting() && message instanceof ShortMessageControl.CpAck;
             end();
         }
     }
@@ -57,7 +74,7 @@ final class OriginatingTransfer {
         if (message instanceof RelayMessage.RpData && !link.moderation.admitsMessage()) {
             answer(reference, Optional.of(RpCause.CONGESTION));
         } else if (message instanceof RelayMessage.RpData data) {
-            center.submit(link.subscriber.number(), data.tpdu(), refusal -> answer(reference, refusal));
+            center.submit(link.subscriber.number(), data.tpdu(), isRepeated, refusal -> answer(reference, refusal));
         } else if (message instanceof RelayMessage.RpSmma) {
             answer(reference, Optional.empty());
             center.available(link.subscriber.number());

@@ -19,6 +19,9 @@ final class ShortMessageTransfers {
     private final Timers timers;
     private final ShortMessageCenter center;
     private final List<OriginatingTransfer> originating = new ArrayList<>(1);
+    /** What began the latest transaction whose answer the mobile never acknowledged; null if it has. */
+    private ShortMessageControl unconfirmed;
+
     private TerminatingTransfer terminating;
     private int nextTransaction;
     private int nextReference;
@@ -50,8 +53,11 @@ final class ShortMessageTransfers {
         } else if (originating.size() == TRANSACTIONS || !link.radio.takeService()) {
             refuseUnlessError(message, CpCause.NOT_COMPATIBLE_WITH_STATE);
         } else {
+            // It may have been long on its way, and the transaction given up here meanwhile.
+            boolean isRepeated = message.equals(unconfirmed);
+            unconfirmed = null;
             OriginatingTransfer fresh = new OriginatingTransfer(
-                    link, message.transaction().answered(), timers, center, this::originatingEnded);
+                    link, message.transaction().answered(), isRepeated, timers, center, this::originatingEnded);
             originating.add(fresh);
             fresh.receive(message);
         }
@@ -80,6 +86,7 @@ final class ShortMessageTransfers {
 
     private void originatingEnded(OriginatingTransfer transfer) {
         originating.remove(transfer);
+        unconfirmed = transfer.isConfirmed() ? null : transfer.beginning();
         link.touched();
     }
 

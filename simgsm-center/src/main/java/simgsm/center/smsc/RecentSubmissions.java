@@ -45,9 +45,9 @@ final class RecentSubmissions {
         }
     };
 
-    /** The ticket of the submission that this one repeats, if it says that it may be a repetition and is one. */
+    /** The ticket of the submission that this one repeats, if it is a repetition. */
     Optional<Long> original(Msisdn from, Msisdn to, SubmitTpdu submit, long nowNanos) {
-        Remembered found = submit.rejectDuplicates() ? recent.get(key(from, to, submit)) : null;
+        Remembered found = recent.get(key(from, to, submit));
         boolean isTooOld = found == null
                 || nowNanos - found.submittedNanos > REMEMBERED_NANOS
                 || sent.getOrDefault(from, 0L) - found.place > MOST_SINCE;

@@ -86,6 +86,11 @@ public final class ShortMessageCenter {
      * @param answer told once: empty when the message is stored, else the reason for which it is refused
      */
     public void submit(Msisdn from, OctetString submit, Consumer<Optional<RpCause>> answer) {
+        submit(from, submit, false, answer);
+    }
+
+    /** @param isRepeated whether it may be one that was taken already, even if it does not say so (TP-RD) */
+    public void submit(Msisdn from, OctetString submit, boolean isRepeated, Consumer<Optional<RpCause>> answer) {
         ShortMessage message;
         try {
             message = TransferUnits.accept(nextId, from, submit, now(), DEFAULT_VALIDITY);
@@ -94,7 +99,9 @@ public final class ShortMessageCenter {
             return;
         }
         SubmitTpdu unit = TransferUnits.submitOf(message);
-        Optional<Long> original = recent.original(from, message.to(), unit, timers.nowNanos());
+        Optional<Long> original = isRepeated || unit.rejectDuplicates()
+                ? recent.original(from, message.to(), unit, timers.nowNanos())
+                : Optional.empty();
         if (original.isPresent()) {
             answerAs(original.get(), answer);
         } else if (!port.isServed(message.to())) {

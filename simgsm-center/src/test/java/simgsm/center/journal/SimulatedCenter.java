@@ -194,7 +194,7 @@ final class SimulatedCenter {
             return;
         }
         long id = idOfText.get(text);
-        Invariant.tell(() -> "message " + id + " goes down: " + text);
+        Invariant.tell(() -> "message " + id + " goes down: " + text + ", " + tpdu);
         Invariant.holds(!durablyEnded.contains(id), () -> "message " + id + " has ended and is sent again");
         byte[] octets = tpdu.toArray();
         octets[0] |= MORE_MESSAGES;

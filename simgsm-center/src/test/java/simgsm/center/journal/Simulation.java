@@ -273,6 +273,8 @@ final class Simulation {
         while (!unnoticed.isEmpty()) {
             noticeOne();
         }
+        // Whoever has refused for long is not asked again for hours; but when it comes anew.
+        application.leave(center.exchange(), center.ownNanos());
         long stepMillis = 100;
         for (int i = 0; i < MOST_ROUNDS_TO_REST; i++) {
             phones.forEach(this::bringBack);

@@ -193,6 +193,28 @@ class ShortMessageTest {
         assertEquals(1, network.exchange.shortMessages().waitingCount());
     }
 
+    private void giveUpAnswering(TestMobile sender) {
+        network.passSeconds(90);
+        for (int i = 0; i < 3; i++) {
+            sender.next(ShortMessageControl.CpData.class);
+        }
+    }
+
+    @Test
+    void aCpDataThatComesAfterItsTransactionWasGivenUpIsAcknowledgedAndNotAcceptedTwice() {
+        TestMobile sender = network.attach("5550100");
+        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
+        sender.sendMessage(0, 9, submit("5550200", "hello"));
+        sender.next(ShortMessageControl.CpAck.class);
+        giveUpAnswering(sender);
+        sender.leaveReleasedChannel();
+        send(sender, submit("5550200", "hello"));
+        assertEquals(1, network.exchange.shortMessages().waitingCount());
+        send(sender, submit("5550200", "hello"));
+        assertEquals(
+                2, network.exchange.shortMessages().waitingCount(), "whose answer was confirmed cannot come again");
+    }
+
     @Test
     void aMobileThatDoesNotAcknowledgeIsSentTheMessageThreeTimesAndTriedAgainLater() {
         TestMobile sender = network.attach("5550100");
