@@ -128,7 +128,7 @@ final class Registration {
     }
 
     void accepted(LocationUpdatingAccept accept) {
-        if (state == RegistrationState.LOCATION_UPDATING_INITIATED) {
+        if (state == RegistrationState.LOCATION_UPDATING_INITIATED || isRegistered()) {
             area = accept.area();
             offeredIdentity = accept.newIdentity();
             notRefused();

@@ -67,6 +67,8 @@ final class RegistrationTable {
                     FORGET_IDENTITY,
                     SEND_LOCATION_UPDATING_REQUEST)
             .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, LIMITED_SERVICE, NORMAL_SERVICE), CHANNEL_RELEASED)
+            // The answer to a request that was made twice: the network pages by the identity that it gave last.
+            .stay(EnumSet.of(NORMAL_SERVICE), LOCATION_UPDATING_ACCEPTED, TAKE_NEW_IDENTITY)
             .on(
                     EnumSet.range(NO_CELL_AVAILABLE, NORMAL_SERVICE),
                     LINK_LOST,

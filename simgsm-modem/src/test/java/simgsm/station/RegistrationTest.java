@@ -26,6 +26,7 @@ import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
+import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.OctetString;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
@@ -372,5 +373,19 @@ class RegistrationTest {
         scene.frame(0x00, new byte[0]);
         scene.expectNothing();
         assertTrue(scene.station.snapshot().registered());
+    }
+
+    @Test
+    void aSecondAcceptanceBringsTheIdentityThatTheNetworkPagesBy() {
+        Scene registered = Scene.registered();
+        registered.page(Scene.TMSI);
+        registered.expectFirst(PagingResponse.class);
+        Tmsi next = new Tmsi(0x55aa55aa);
+        registered.down(new LocationUpdatingAccept(LocationArea.TEST, Optional.of(next)));
+        registered.expect(TmsiReallocationComplete.class);
+        registered.releaseChannel();
+        registered.page(next);
+        assertEquals(next, registered.expectFirst(PagingResponse.class).identity());
+        assertEquals(List.of(), registered.told.lines());
     }
 }

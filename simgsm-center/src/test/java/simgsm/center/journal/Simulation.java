@@ -309,7 +309,9 @@ final class Simulation {
                 center.exchange().calls().isEmpty(),
                 () -> "a call is stuck: " + center.exchange().calls());
         Invariant.holds(
-                center.isAtRest(), () -> center.exchange().shortMessages().waitingCount() + " wait for ever");
+                center.isAtRest(),
+                () -> center.exchange().shortMessages().waitingCount() + " wait for ever: "
+                        + center.exchange().shortMessages().waitingHistories(3));
         Invariant.holds(allAreRegistered(), () -> "a phone cannot come back");
         account.close();
         phones.forEach(this::vanish);

@@ -8,11 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import simgsm.air.Direction;
 import simgsm.air.MobilityManagement;
-import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
-import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
@@ -20,63 +17,13 @@ import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.MessageState;
-import simgsm.sms.CellBroadcast;
-import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
-import simgsm.sms.SmsAddress;
 import simgsm.sms.StatusReportTpdu;
-import simgsm.sms.SubmitTpdu;
-import simgsm.sms.Tpdu;
-import simgsm.sms.TpduCodec;
-import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
 
-class ShortMessageTest {
-    private static final TransactionIdentifier FIRST = new TransactionIdentifier(0, false);
-
-    private final TestNetwork network = new TestNetwork();
-
-    private static OctetString submit(String to, String text, boolean wantsReport, Optional<ValidityPeriod> validity) {
-        return TpduCodec.encode(new SubmitTpdu(
-                false, wantsReport, false, 7, SmsAddress.of(new Msisdn(to)), 0, validity, UserData.of(text)));
-    }
-
-    private static OctetString submit(String to, String text) {
-        return submit(to, text, false, Optional.empty());
-    }
-
-    /** Sends a message, from CM SERVICE REQUEST to the released channel. */
-    private static void send(TestMobile sender, OctetString tpdu) {
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, tpdu);
-        sender.next(ShortMessageControl.CpAck.class);
-        ShortMessageControl.CpData data = sender.next(ShortMessageControl.CpData.class);
-        assertEquals(new RelayMessage.RpAck(9, Optional.empty()), data.relay());
-        assertEquals(FIRST.answered(), data.transaction());
-        sender.tell(new ShortMessageControl.CpAck(FIRST));
-        sender.leaveReleasedChannel();
-    }
-
-    private static Tpdu decode(OctetString tpdu) {
-        try {
-            return TpduCodec.decode(tpdu, Direction.DOWNLINK);
-        } catch (ProtocolViolation violation) {
-            throw new AssertionError(violation);
-        }
-    }
-
-    private static String textOf(OctetString tpdu) {
-        return ((DeliverTpdu) decode(tpdu)).userData().text();
-    }
-
-    private List<MessageState> states() {
-        return network.events.stream()
-                .filter(ExchangeEvent.MessageChanged.class::isInstance)
-                .map(event -> ((ExchangeEvent.MessageChanged) event).state())
-                .toList();
-    }
-
+/** Short messages from the centre to mobiles, and their reports. */
+class TerminatingMessageTest extends MessageStage {
     @Test
     void aMessageIsAcknowledgedAndDeliveredAtOnce() {
         TestMobile sender = network.attach("5550100");
@@ -92,36 +39,6 @@ class ShortMessageTest {
         assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states());
         assertEquals(2, network.stored.size());
         assertTrue(network.exchange.shortMessages().waiting().isEmpty());
-    }
-
-    @Test
-    void theSenderIsAcknowledgedOnlyOnceTheMessageIsStored() {
-        network.commitsAtOnce = false;
-        TestMobile sender = network.attach("5550100");
-        TestMobile receiver = network.attach("5550200");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, submit("5550200", "hello"));
-        sender.next(ShortMessageControl.CpAck.class);
-        network.passSeconds(5);
-        assertTrue(sender.hasNothing() && receiver.hasNothing(), "stored first, then acknowledged and sent on");
-        network.commitAll(true);
-        sender.next(ShortMessageControl.CpData.class);
-        receiver.next(RslMessage.PagingCommand.class);
-    }
-
-    @Test
-    void aStoreThatFailsRefusesTheMessageWithCause38() {
-        network.commitsAtOnce = false;
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, submit("5550200", "hello"));
-        sender.next(ShortMessageControl.CpAck.class);
-        network.commitAll(false);
-        assertEquals(
-                new RelayMessage.RpError(9, RpCause.NETWORK_OUT_OF_ORDER),
-                sender.next(ShortMessageControl.CpData.class).relay());
-        assertEquals(List.of(MessageState.REJECTED), states());
-        assertEquals(0, network.exchange.shortMessages().waitingCount());
     }
 
     @Test
@@ -176,43 +93,6 @@ class ShortMessageTest {
         send(third, submit("5550200", "psst"));
         assertEquals("psst", textOf(call.called().takeMessage()));
         assertTrue(call.called().hasNothing(), "the channel stays for the call");
-    }
-
-    @Test
-    void aRepeatedCpDataIsAcknowledgedAndNotAcceptedTwice() {
-        network.commitsAtOnce = false;
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, submit("5550200", "once"));
-        sender.sendMessage(0, 9, submit("5550200", "once"));
-        sender.next(ShortMessageControl.CpAck.class);
-        sender.next(ShortMessageControl.CpAck.class);
-        network.commitAll(true);
-        sender.next(ShortMessageControl.CpData.class);
-        assertTrue(sender.hasNothing());
-        assertEquals(1, network.exchange.shortMessages().waitingCount());
-    }
-
-    private void giveUpAnswering(TestMobile sender) {
-        network.passSeconds(90);
-        for (int i = 0; i < 3; i++) {
-            sender.next(ShortMessageControl.CpData.class);
-        }
-    }
-
-    @Test
-    void aCpDataThatComesAfterItsTransactionWasGivenUpIsAcknowledgedAndNotAcceptedTwice() {
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, submit("5550200", "hello"));
-        sender.next(ShortMessageControl.CpAck.class);
-        giveUpAnswering(sender);
-        sender.leaveReleasedChannel();
-        send(sender, submit("5550200", "hello"));
-        assertEquals(1, network.exchange.shortMessages().waitingCount());
-        send(sender, submit("5550200", "hello"));
-        assertEquals(
-                2, network.exchange.shortMessages().waitingCount(), "whose answer was confirmed cannot come again");
     }
 
     @Test
@@ -306,17 +186,6 @@ class ShortMessageTest {
     }
 
     @Test
-    void aSenderWhoVanishesBeforeTheAcknowledgementHasStillSent() {
-        network.commitsAtOnce = false;
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, submit("5550200", "hello"));
-        sender.vanish();
-        network.commitAll(true);
-        assertEquals(List.of(MessageState.ACCEPTED), states());
-    }
-
-    @Test
     void unansweredPagingIsTriedAgainByTheSchedule() {
         TestMobile sender = network.attach("5550100");
         TestMobile receiver = network.attach("5550200");
@@ -358,84 +227,6 @@ class ShortMessageTest {
         assertEquals(DeliveryStatus.DELIVERED, report.status());
         sender.leaveReleasedChannel();
         assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states(), "reports make no events");
-    }
-
-    @Test
-    void aTransferUnitThatIsNoSubmitIsRefused() {
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.sendMessage(0, 9, OctetString.ofHex("ff"));
-        sender.next(ShortMessageControl.CpAck.class);
-        assertTrue(sender.next(ShortMessageControl.CpData.class).relay() instanceof RelayMessage.RpError);
-        sender.tell(new ShortMessageControl.CpAck(FIRST));
-        sender.leaveReleasedChannel();
-        assertTrue(network.stored.isEmpty());
-    }
-
-    @Test
-    void anAnswerFromTheNetworksSideIsNoMessage() {
-        TestMobile sender = network.attach("5550100");
-        sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        sender.tell(new ShortMessageControl.CpData(FIRST, new RelayMessage.RpAck(1, Optional.empty())));
-        sender.next(ShortMessageControl.CpAck.class);
-        assertEquals(
-                new RelayMessage.RpError(1, RpCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE),
-                sender.next(ShortMessageControl.CpData.class).relay());
-    }
-
-    @Test
-    void transactionsThatAreNotThereGetCpError81() {
-        TestMobile mobile = network.attach("5550100");
-        mobile.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
-        mobile.tell(new ShortMessageControl.CpData(
-                new TransactionIdentifier(3, true), new RelayMessage.RpAck(1, Optional.empty())));
-        assertEquals(81, mobile.next(ShortMessageControl.CpError.class).cause());
-        mobile.tell(new ShortMessageControl.CpAck(new TransactionIdentifier(3, true)));
-        mobile.tell(new ShortMessageControl.CpError(new TransactionIdentifier(3, true), 81));
-        mobile.tell(new ShortMessageControl.CpAck(FIRST));
-        assertTrue(mobile.hasNothing());
-    }
-
-    @Test
-    void aMessageWithoutServiceGetsCpError98() {
-        ActiveCall call = network.activeCall("5550100", "5550200");
-        call.caller().sendMessage(0, 9, submit("5550200", "hello"));
-        assertEquals(98, call.caller().next(ShortMessageControl.CpError.class).cause());
-    }
-
-    @Test
-    void aBroadcastReachesAllWhoAreAttachedAndNobodyElse() throws ProtocolViolation {
-        assertEquals(1, network.exchange.broadcast(0, 50, "nobody is here yet"));
-        TestMobile one = network.attach("5550100");
-        TestMobile other = network.attach("5550200");
-        network.attach("5550300").vanish();
-        TestMobile stranger = network.connect("5550400");
-        stranger.received.clear();
-        String text = "a".repeat(100);
-        assertEquals(2, network.exchange.broadcast(network.nowNanos, 50, text));
-        for (TestMobile mobile : List.of(one, other)) {
-            List<CellBroadcastPage> pages = new ArrayList<>();
-            for (int i = 0; i < 2; i++) {
-                pages.add(CellBroadcastPage.decode(
-                        mobile.next(RslMessage.SmsBroadcastCommand.class).page()));
-            }
-            CellBroadcast message = CellBroadcast.join(pages);
-            assertEquals(text, message.text());
-            assertEquals(50, message.messageIdentifier());
-        }
-        assertTrue(stranger.hasNothing());
-    }
-
-    @Test
-    void twoBroadcastsAreToldApartByTheirSerials() throws ProtocolViolation {
-        TestMobile mobile = network.attach("5550100");
-        network.exchange.broadcast(network.nowNanos, 50, "same");
-        network.exchange.broadcast(network.nowNanos, 50, "same");
-        var first = CellBroadcastPage.decode(
-                mobile.next(RslMessage.SmsBroadcastCommand.class).page());
-        var second = CellBroadcastPage.decode(
-                mobile.next(RslMessage.SmsBroadcastCommand.class).page());
-        assertFalse(first.serial().equals(second.serial()));
     }
 
     @Test
