@@ -6,21 +6,20 @@ import java.util.Map;
 
 /** How many connections are open, in all and from each address, and whether one more may come in. */
 final class Admissions {
-    /** From one address beyond this machine: a class behind one router, not a flood. */
-    static final int MAX_PER_ADDRESS = 500;
-
     private final int most;
+    private final int mostPerAddress;
     private final Map<InetAddress, Integer> remote = new HashMap<>();
     private int open;
 
-    /** @param most in all */
-    Admissions(int most) {
+    /** @param most in all; @param mostPerAddress from each address beyond this machine */
+    Admissions(int most, int mostPerAddress) {
         this.most = most;
+        this.mostPerAddress = mostPerAddress;
     }
 
     boolean admit(InetAddress address) {
         boolean isRemote = !address.isLoopbackAddress();
-        if (open == most || isRemote && remote.getOrDefault(address, 0) == MAX_PER_ADDRESS) {
+        if (open == most || isRemote && remote.getOrDefault(address, 0) == mostPerAddress) {
             return false;
         }
         open++;

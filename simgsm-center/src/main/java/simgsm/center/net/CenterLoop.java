@@ -27,8 +27,12 @@ import simgsm.center.msc.Exchange;
 public final class CenterLoop implements AutoCloseable {
     /** Further terminals are turned away at the door. */
     public static final int MAX_CONNECTIONS = 20_000;
+    /** So are further ones of one address beyond this machine: a class behind one router, not a flood. */
+    static final int MAX_CONNECTIONS_PER_ADDRESS = 500;
     /** So are further applications. */
     public static final int MAX_APPLICATIONS = 5_000;
+    /** Of one gateway, with all its sessions. */
+    static final int MAX_APPLICATIONS_PER_ADDRESS = 2_000;
 
     private static final System.Logger LOG = System.getLogger(CenterLoop.class.getName());
     private static final int READ_BUFFER_OCTETS = 64 * 1024;
@@ -104,7 +108,12 @@ public final class CenterLoop implements AutoCloseable {
     private CenterLoop(InetAddress address, int port) throws IOException {
         selector = Selector.open();
         try {
-            terminals = Door.open(selector, address, port, MAX_CONNECTIONS, this::terminal);
+            terminals = Door.open(
+                    selector,
+                    address,
+                    port,
+                    new Admissions(MAX_CONNECTIONS, MAX_CONNECTIONS_PER_ADDRESS),
+                    this::terminal);
         } catch (IOException e) {
             selector.close();
             throw e;
@@ -127,7 +136,12 @@ public final class CenterLoop implements AutoCloseable {
      * @return the port
      */
     public int openSmpp(InetAddress address, int port) throws IOException {
-        applications = Door.open(selector, address, port, MAX_APPLICATIONS, this::application);
+        applications = Door.open(
+                selector,
+                address,
+                port,
+                new Admissions(MAX_APPLICATIONS, MAX_APPLICATIONS_PER_ADDRESS),
+                this::application);
         return applications.port();
     }
 

@@ -33,10 +33,10 @@ final class Door {
     private long turnedAway;
     private long acceptAgainNanos = Long.MAX_VALUE;
 
-    private Door(ServerSocketChannel server, SelectionKey key, int most, Welcome welcome) {
+    private Door(ServerSocketChannel server, SelectionKey key, Admissions admissions, Welcome welcome) {
         this.server = server;
         this.key = key;
-        this.admissions = new Admissions(most);
+        this.admissions = admissions;
         this.welcome = welcome;
     }
 
@@ -46,14 +46,15 @@ final class Door {
      * @param port 0 for any free one
      * @throws IOException naming address and port
      */
-    static Door open(Selector selector, InetAddress address, int port, int most, Welcome welcome) throws IOException {
+    static Door open(Selector selector, InetAddress address, int port, Admissions admissions, Welcome welcome)
+            throws IOException {
         ServerSocketChannel server = ServerSocketChannel.open();
         try {
             server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
             server.bind(new InetSocketAddress(address, port), BACKLOG);
             server.configureBlocking(false);
             SelectionKey key = server.register(selector, SelectionKey.OP_ACCEPT);
-            Door door = new Door(server, key, most, welcome);
+            Door door = new Door(server, key, admissions, welcome);
             key.attach(door);
             return door;
         } catch (IOException e) {
