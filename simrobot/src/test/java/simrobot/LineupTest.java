@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.console.Arguments;
@@ -36,6 +39,18 @@ class LineupTest {
     void aSingleRobotIsCalledRobot() throws Exception {
         assertEquals(List.of("robot=5550200"), lineup(World.bare()));
         assertEquals(List.of("robot=42"), lineup(World.bare(), "--number=42"));
+    }
+
+    @Test
+    void theOnlyCardOfAFileGivesTheSingleRobotItsNumber(@TempDir Path folder) throws Exception {
+        String keys = " k=465b5ce8b199b49faa5f0a2ee238a6bc opc=cd63cb71954a9f4e48a5994e37a02baf\n";
+        Path one = Files.writeString(folder.resolve("one"), "sim number=77 imsi=001010000000077" + keys);
+        Path two = Files.writeString(
+                folder.resolve("two"), Files.readString(one) + "sim number=78 imsi=001010000000078" + keys);
+        assertEquals(List.of("robot=77"), lineup(World.bare(), "--sim", one.toString()));
+        assertEquals(List.of("robot=5"), lineup(World.bare(), "--sim", one.toString(), "--number=5"));
+        assertEquals(List.of("a=78"), lineup(World.bare(), "--sim", two.toString(), "--robot=a=78"));
+        assertThrows(UsageException.class, () -> lineup(World.bare(), "--sim", two.toString()));
     }
 
     @Test

@@ -54,14 +54,6 @@ class ClosedNetworkTest {
         return mobile;
     }
 
-    /** Takes the challenge that must have come and answers it with this card. */
-    private static MobilityManagement.AuthenticationRequest answer(TestMobile mobile, SimCard card) {
-        MobilityManagement.AuthenticationRequest request = mobile.next(MobilityManagement.AuthenticationRequest.class);
-        mobile.tell(new MobilityManagement.AuthenticationResponse(
-                GsmVector.of(card.functions(), request.rand()).sres()));
-        return request;
-    }
-
     private TestMobile attach(SimCard card) {
         TestMobile mobile = connect();
         attach(mobile, card, card.imsi());
@@ -70,7 +62,7 @@ class ClosedNetworkTest {
 
     private static void attach(TestMobile mobile, SimCard card, MobileIdentity identity) {
         mobile.requestUpdate(identity);
-        answer(mobile, card);
+        mobile.prove(card);
         assertEquals(
                 MobileIdentity.Type.IMEI,
                 mobile.next(MobilityManagement.IdentityRequest.class).identityType());
@@ -113,17 +105,17 @@ class ClosedNetworkTest {
     void noTwoChallengesAreTheSame() {
         TestMobile mobile = connect();
         mobile.requestUpdate(ANA.imsi());
-        OctetString first = answer(mobile, ANA).rand();
+        OctetString first = mobile.prove(ANA).rand();
         mobile.requestUpdate(ANA.imsi());
         mobile.next(MobilityManagement.IdentityRequest.class);
-        assertNotEquals(first, answer(mobile, ANA).rand());
+        assertNotEquals(first, mobile.prove(ANA).rand());
     }
 
     @Test
     void aCardWithAnotherKeyIsRejectedAndNothingIsGivenAway() {
         TestMobile mobile = connect();
         mobile.requestUpdate(ANA.imsi());
-        answer(mobile, EVA);
+        mobile.prove(EVA);
         mobile.next(MobilityManagement.AuthenticationReject.class);
         mobile.leaveReleasedChannel();
         assertTrue(mobile.hasNothing());
@@ -159,7 +151,7 @@ class ClosedNetworkTest {
     void aBarredCardIsRejectedWithCause11OnlyOnceItHasProvedItself() {
         TestMobile mobile = connect();
         mobile.requestUpdate(BARRED.imsi());
-        answer(mobile, BARRED);
+        mobile.prove(BARRED);
         assertEquals(
                 RejectCause.PLMN_NOT_ALLOWED,
                 mobile.next(MobilityManagement.LocationUpdatingReject.class).cause());
@@ -172,7 +164,7 @@ class ClosedNetworkTest {
         for (String digits : List.of("490154203237518", "490154203237510")) {
             TestMobile mobile = connect();
             mobile.requestUpdate(ANA.imsi());
-            answer(mobile, ANA);
+            mobile.prove(ANA);
             mobile.next(MobilityManagement.IdentityRequest.class);
             mobile.tell(new MobilityManagement.IdentityResponse(new Imei(digits)));
             assertEquals(
@@ -232,7 +224,7 @@ class ClosedNetworkTest {
         requestService(mobile, MobilityManagement.NO_KEY);
         mobile.tell(new MobilityManagement.AuthenticationResponse(
                 GsmVector.of(ANA.functions(), first).sres()));
-        answer(mobile, ANA);
+        mobile.prove(ANA);
         abandonService(mobile);
         assertEquals(1, network.events.size(), "still attached");
     }
@@ -249,12 +241,12 @@ class ClosedNetworkTest {
         Tmsi anas = (Tmsi) attach(ANA).temporaryIdentity.orElseThrow();
         TestMobile eva = connect();
         eva.requestUpdate(anas);
-        answer(eva, EVA);
+        eva.prove(EVA);
         assertEquals(
                 MobileIdentity.Type.IMSI,
                 eva.next(MobilityManagement.IdentityRequest.class).identityType());
         eva.tell(new MobilityManagement.IdentityResponse(EVA.imsi()));
-        answer(eva, EVA);
+        eva.prove(EVA);
         eva.next(MobilityManagement.IdentityRequest.class);
         eva.tell(new MobilityManagement.IdentityResponse(eva.imei));
         eva.next(MobilityManagement.LocationUpdatingAccept.class);
@@ -265,7 +257,7 @@ class ClosedNetworkTest {
         Tmsi anas = (Tmsi) attach(ANA).temporaryIdentity.orElseThrow();
         TestMobile eva = connect();
         eva.requestUpdate(anas);
-        answer(eva, EVA);
+        eva.prove(EVA);
         eva.next(MobilityManagement.IdentityRequest.class);
         eva.tell(new MobilityManagement.IdentityResponse(ANA.imsi()));
         eva.next(MobilityManagement.AuthenticationReject.class);
@@ -276,7 +268,7 @@ class ClosedNetworkTest {
     void aCardThatFailsWhereItWasRegisteredIsRegisteredNoLonger() {
         TestMobile mobile = attach(ANA);
         mobile.requestUpdate(ANA.imsi());
-        answer(mobile, EVA);
+        mobile.prove(EVA);
         mobile.next(MobilityManagement.AuthenticationReject.class);
         assertEquals(new ExchangeEvent.Detached(ANA.number()), network.events.get(1));
     }
@@ -298,7 +290,7 @@ class ClosedNetworkTest {
     void aServiceUnderTheAgreedKeyIsGrantedTenTimesAndThenForANewProof() {
         TestMobile mobile = connect();
         mobile.requestUpdate(ANA.imsi());
-        int agreed = answer(mobile, ANA).keySequence();
+        int agreed = mobile.prove(ANA).keySequence();
         mobile.next(MobilityManagement.IdentityRequest.class);
         mobile.tell(new MobilityManagement.IdentityResponse(mobile.imei));
         mobile.next(MobilityManagement.LocationUpdatingAccept.class);
@@ -310,7 +302,7 @@ class ClosedNetworkTest {
             abandonService(mobile);
         }
         requestService(mobile, agreed);
-        assertNotEquals(agreed, answer(mobile, ANA).keySequence());
+        assertNotEquals(agreed, mobile.prove(ANA).keySequence());
         abandonService(mobile);
     }
 
@@ -318,7 +310,7 @@ class ClosedNetworkTest {
     void aServiceUnderAnotherKeyNeedsAProof() {
         TestMobile mobile = attach(ANA);
         requestService(mobile, MobilityManagement.NO_KEY);
-        answer(mobile, ANA);
+        mobile.prove(ANA);
         abandonService(mobile);
         assertEquals(1, network.events.size());
     }
@@ -327,7 +319,7 @@ class ClosedNetworkTest {
     void whoeverFailsToProveHimselfForAServiceIsDetached() {
         TestMobile mobile = attach(ANA);
         requestService(mobile, MobilityManagement.NO_KEY);
-        answer(mobile, EVA);
+        mobile.prove(EVA);
         mobile.next(MobilityManagement.AuthenticationReject.class);
         mobile.leaveReleasedChannel();
         assertEquals(new ExchangeEvent.Detached(ANA.number()), network.events.get(1));
@@ -347,7 +339,7 @@ class ClosedNetworkTest {
 
     private Optional<Cause> releaseCauseOfCallTo(TestMobile caller, String number) {
         requestService(caller, MobilityManagement.NO_KEY);
-        answer(caller, ANA);
+        caller.prove(ANA);
         caller.next(MobilityManagement.CmServiceAccept.class);
         caller.tell(new CallControl.Setup(TestMobile.OUR_CALL, Optional.empty(), Optional.of(new Msisdn(number))));
         Object answer = caller.received.peek();
@@ -370,7 +362,7 @@ class ClosedNetworkTest {
     private static RelayMessage answerToMessage(TestMobile sender, int transaction, String to) {
         sender.establish(new MobilityManagement.CmServiceRequest(
                 MobilityManagement.ServiceType.SHORT_MESSAGE, MobilityManagement.NO_KEY, sender.identity()));
-        answer(sender, ANA);
+        sender.prove(ANA);
         sender.next(MobilityManagement.CmServiceAccept.class);
         SubmitTpdu submit = new SubmitTpdu(
                 false,

@@ -14,6 +14,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.CcmMessage;
 import simgsm.air.Direction;
+import simgsm.air.Imsi;
 import simgsm.air.IpaFrame;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
@@ -22,12 +23,14 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.RadioResource;
+import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
 import simgsm.air.RslCodec;
 import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.sim.SimCard;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
@@ -42,13 +45,39 @@ class RandomTrafficTest {
     private static final String[] NUMBERS = {"5550100", "5550101", "5550200", "5550201"};
     private static final int STEPS = 1_500;
 
-    private final TestNetwork network = new TestNetwork();
+    private TestNetwork network;
     private final List<TestMobile> mobiles = new ArrayList<>();
     private SplittableRandom random;
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
     void nothingIsStuckAndNothingIsLeft(long seed) {
+        network = new TestNetwork();
+        misbehave(seed);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+    void norInAClosedNetworkAndNobodyComesInUnproved(long seed) {
+        network = new TestNetwork(
+                List.of(NUMBERS).stream().map(RandomTrafficTest::card).toList());
+        misbehave(seed);
+        for (String number : NUMBERS) {
+            TestMobile thief = network.connect(number);
+            thief.received.clear();
+            thief.requestUpdate(thief.imsi);
+            thief.next(MobilityManagement.AuthenticationRequest.class);
+            thief.tell(thief.responseOf(card("1" + number)));
+            thief.next(MobilityManagement.AuthenticationReject.class);
+        }
+    }
+
+    private static SimCard card(String number) {
+        OctetString key = OctetString.ofHex("0".repeat(32 - number.length()) + number);
+        return new SimCard(Imsi.ofOpenNumber(new Msisdn(number)), new Msisdn(number), key, key);
+    }
+
+    private void misbehave(long seed) {
         random = new SplittableRandom(seed);
         network.commitsAtOnce = false;
         for (String number : NUMBERS) {
@@ -121,7 +150,7 @@ class RandomTrafficTest {
         TransactionIdentifier transaction = new TransactionIdentifier(random.nextInt(2), random.nextBoolean());
         Msisdn number = new Msisdn(NUMBERS[random.nextInt(NUMBERS.length)]);
         int reference = random.nextInt(3);
-        return switch (random.nextInt(22)) {
+        return switch (random.nextInt(network.cards.isEmpty() ? 22 : 26)) {
             case 0, 1 ->
                 new MobilityManagement.LocationUpdatingRequest(
                         MobilityManagement.LocationUpdatingType.NORMAL,
@@ -152,11 +181,20 @@ class RandomTrafficTest {
                         new TransactionIdentifier(0, false),
                         new RelayMessage.RpData(reference, new Msisdn("3003"), submit(number)));
             case 19 -> new ShortMessageControl.CpAck(transaction);
+            case 22, 23, 24, 25 -> answerTo(mobile);
             case 20 -> new ShortMessageControl.CpData(transaction, new RelayMessage.RpAck(reference, Optional.empty()));
             default ->
                 new ShortMessageControl.CpData(
                         transaction, new RelayMessage.RpError(reference, RpCause.MEMORY_CAPACITY_EXCEEDED));
         };
+    }
+
+    /** The right one mostly. */
+    private Layer3Message answerTo(TestMobile mobile) {
+        if (mobile.challenge.isEmpty() || random.nextInt(8) == 0) {
+            return new MobilityManagement.AuthenticationFailure(RejectCause.MAC_FAILURE, Optional.empty());
+        }
+        return mobile.responseOf(card(NUMBERS[random.nextInt(8) == 0 ? 0 : mobiles.indexOf(mobile)]));
     }
 
     private static OctetString submit(Msisdn to) {

@@ -26,6 +26,8 @@ import simgsm.air.RslCodec;
 import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.sim.GsmVector;
+import simgsm.sim.SimCard;
 
 /** A mobile that does only what the test tells it, in genuine octets; what the network sends piles up to be looked at. */
 final class TestMobile implements LinkPort {
@@ -41,6 +43,9 @@ final class TestMobile implements LinkPort {
 
     final List<byte[]> heard = new ArrayList<>();
     Optional<MobileIdentity> temporaryIdentity = Optional.empty();
+    /** RAND of the last challenge. */
+    Optional<OctetString> challenge = Optional.empty();
+
     Optional<String> closedFor = Optional.empty();
     boolean answersPings = true;
     private int nextSequence;
@@ -74,6 +79,9 @@ final class TestMobile implements LinkPort {
             Layer3Message layer3 = Layer3Codec.decode(data.layer3().toArray(), Direction.DOWNLINK);
             if (layer3 instanceof MobilityManagement.LocationUpdatingAccept accept) {
                 temporaryIdentity = accept.newIdentity();
+            }
+            if (layer3 instanceof MobilityManagement.AuthenticationRequest request) {
+                challenge = Optional.of(request.rand());
             }
             received.add(layer3);
         } else {
@@ -185,6 +193,7 @@ final class TestMobile implements LinkPort {
     TestMobile register() {
         received.clear();
         requestUpdate(imsi);
+        network.cards.stream().filter(card -> card.imsi().equals(imsi)).forEach(this::prove);
         next(MobilityManagement.IdentityRequest.class);
         tell(new MobilityManagement.IdentityResponse(imei));
         next(MobilityManagement.LocationUpdatingAccept.class);
@@ -193,6 +202,19 @@ final class TestMobile implements LinkPort {
         next(RadioResource.ChannelRelease.class);
         leaveChannel();
         return this;
+    }
+
+    /** Takes the challenge that must have come and answers it with this card. */
+    MobilityManagement.AuthenticationRequest prove(SimCard card) {
+        MobilityManagement.AuthenticationRequest request = next(MobilityManagement.AuthenticationRequest.class);
+        tell(responseOf(card));
+        return request;
+    }
+
+    /** The card's answer to the last challenge. */
+    MobilityManagement.AuthenticationResponse responseOf(SimCard card) {
+        return new MobilityManagement.AuthenticationResponse(
+                GsmVector.of(card.functions(), challenge.orElseThrow()).sres());
     }
 
     /** Up to CM SERVICE ACCEPT. */

@@ -15,6 +15,8 @@ import simgsm.air.Msisdn;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.ToneSet;
+import simgsm.sim.SimCard;
+import simgsm.sim.Subscription;
 
 /** An exchange with a clock moved by hand and a store that commits when told to. */
 final class TestNetwork {
@@ -32,6 +34,8 @@ final class TestNetwork {
     boolean commitsAtOnce = true;
     long nowNanos;
     final Exchange exchange;
+    /** Whose registration is challenged. */
+    List<SimCard> cards = List.of();
 
     TestNetwork() {
         this(HomeRegister.OPEN);
@@ -39,6 +43,18 @@ final class TestNetwork {
 
     TestNetwork(HomeRegister home) {
         this(home, Optional.empty());
+    }
+
+    /** A network closed to these cards. */
+    TestNetwork(List<SimCard> cards) {
+        this(
+                HomeRegister.closed(
+                        cards.stream()
+                                .map(card -> new Subscription(card, false))
+                                .toList(),
+                        List.of()),
+                Optional.empty());
+        this.cards = cards;
     }
 
     TestNetwork(HomeRegister home, Optional<ToneSet> tones) {
