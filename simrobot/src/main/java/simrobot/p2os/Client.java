@@ -20,6 +20,10 @@ import vericommand.Pose;
 final class Client implements Wire {
     private static final Logger LOG = System.getLogger(Client.class.getName());
     private static final int CHUNK = 2048;
+
+    /** Whoever says nothing valid for so long is no client yet. */
+    private static final long HANDSHAKE_NANOS = 500_000_000;
+
     private static final int MOST_QUEUED_PACKETS = 100;
 
     private final P2osServer server;
@@ -47,7 +51,8 @@ final class Client implements Wire {
     }
 
     boolean isSilent(long nanos) {
-        return nanos - session.heardNanos() > P2osSession.WATCHDOG_NANOS;
+        long patience = session.isOpen() ? P2osSession.WATCHDOG_NANOS : HANDSHAKE_NANOS;
+        return nanos - session.heardNanos() > patience;
     }
 
     // ---- any thread ------------------------------------------------------------------------------------------------

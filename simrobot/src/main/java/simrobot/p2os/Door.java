@@ -5,6 +5,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
@@ -20,8 +21,10 @@ import vericommand.Pose;
 final class Door {
     private static final Logger LOG = System.getLogger(Door.class.getName());
 
-    /** How long a further client waits: as long as ARIA gives a robot to answer. */
-    private static final long WAIT_NANOS = 1_000_000_000;
+    /** How long a further client waits: a little longer than the first may be silent. */
+    private static final long WAIT_NANOS = 2_500_000_000L;
+
+    private static final int MOST_SAID = 4096;
 
     private static final int MOST_WAITING = 16;
 
@@ -111,9 +114,13 @@ final class Door {
         }
     }
 
+    /** What it has said is read first: else it would hear of an error instead of an end. */
     private void dismiss(SocketChannel unwanted) {
-        try {
-            unwanted.close();
+        try (unwanted) {
+            unwanted.configureBlocking(false);
+            ByteBuffer said = ByteBuffer.allocate(MOST_SAID);
+            unwanted.read(said);
+            unwanted.shutdownOutput();
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing failed", e);
         }

@@ -38,7 +38,7 @@ public final class P2osSession {
     private final Motion motion;
     private final Report report;
     private final Stall stall;
-    private Stage stage = Stage.HANDSHAKE;
+    private volatile Stage stage = Stage.HANDSHAKE;
     private Told encoders = Told.NEVER;
     private Told simulator = Told.NEVER;
     private boolean silent;
@@ -95,6 +95,11 @@ public final class P2osSession {
             motion.end();
         }
         stage = Stage.ENDED;
+    }
+
+    /** Whether the client has come as far as to be heeded. Any thread may ask. */
+    public boolean isOpen() {
+        return stage == Stage.OPEN;
     }
 
     /** When the client last said something, or came; real time. Any thread may ask. */

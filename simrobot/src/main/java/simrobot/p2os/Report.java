@@ -68,6 +68,7 @@ final class Report {
                         Scale.millimeters(speed - half),
                         Scale.millimeters(speed + half),
                         (int) Math.round(robot.battery().volts() * 10),
+                        (int) Math.round(robot.battery().chargeShare() * 100),
                         stall.isNoticed(bumpers, simulatedNanos),
                         bumpers.front(),
                         bumpers.rear(),

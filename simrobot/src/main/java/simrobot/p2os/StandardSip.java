@@ -26,6 +26,7 @@ record StandardSip(
         int left,
         int right,
         int batteryDecivolts,
+        int chargePercent,
         boolean stalled,
         int frontBumpers,
         int rearBumpers,
@@ -48,7 +49,6 @@ record StandardSip(
     private static final int OPEN_INPUTS = 0xFF;
 
     private static final int NO_THERMOMETER = -127;
-    private static final int FULL_PERCENT = 100;
 
     byte[] packet() {
         Octets octets = new Octets()
@@ -66,6 +66,6 @@ record StandardSip(
         }
         octets.int1(0).int1(0).int1(0).int1(OPEN_INPUTS).int1(0);
         octets.int2(batteryDecivolts).int1(0).int2s(turnDecidegreesPerSecond, 0, 0);
-        return Packet.of(octets.int1(NO_THERMOMETER).int1(FULL_PERCENT).toBytes());
+        return Packet.of(octets.int1(NO_THERMOMETER).int1(chargePercent).toBytes());
     }
 }

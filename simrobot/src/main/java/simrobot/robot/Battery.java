@@ -49,6 +49,11 @@ public final class Battery {
         return volts;
     }
 
+    /** 1 when full, 0 when empty. */
+    public double chargeShare() {
+        return Math.max(0, Math.min(1, (volts - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS)));
+    }
+
     public boolean isLow() {
         return volts < LOW_VOLTS;
     }
