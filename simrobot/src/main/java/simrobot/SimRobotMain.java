@@ -20,6 +20,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
+import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
@@ -35,6 +36,8 @@ import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.pioneer.PioneerAddress;
+import simrobot.replay.Recording;
+import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
 import simrobot.ui.SimRobotWindow;
@@ -92,7 +95,8 @@ public final class SimRobotMain {
                 .value(
                         "replay",
                         "FILE",
-                        "replay a recorded session; headless its events, at the pace of --speed or at once")
+                        "replay a recorded session, in the window with a timeline; headless its events,"
+                                + "\nat the pace of --speed or at once")
                 .value("speed", "N", "simulated seconds per second (1)")
                 .value(
                         "noise",
@@ -139,11 +143,29 @@ public final class SimRobotMain {
                         WorldFile.find(arguments.path("world")));
     }
 
-    private static int replay(Arguments arguments) throws UsageException, IOException, InterruptedException {
+    private static int replay(Arguments arguments)
+            throws UsageException, UnavailableException, IOException, InterruptedException {
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         Path file = arguments.path("replay").orElseThrow();
+        if (!arguments.has("headless")) {
+            return watched(ProgramWindow.of(arguments, Optional.empty()), arguments.language(), file, speed);
+        }
         OptionalDouble pace = arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
         return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
+    }
+
+    /** In the window, from the beginning on at once. */
+    private static int watched(ProgramWindow window, Locale language, Path file, double speed)
+            throws IOException, InterruptedException {
+        try (ReplayThread replay = new ReplayThread(Recording.open(file))) {
+            ReplayModel model = new ReplayModel(replay);
+            replay.setSpeed(speed);
+            replay.setPaused(false);
+            replay.start();
+            window.show(
+                    () -> SimRobotWindow.content("SimRobot - " + file.getFileName(), language, model::snapshot, model));
+        }
+        return ExitStatus.OK;
     }
 
     private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet) {}
@@ -156,7 +178,7 @@ public final class SimRobotMain {
                 Ports ports = opened) {
             endInOrder(simRobot, record);
             record.listenTo(simRobot);
-            WindowModel model = new WindowModel(simRobot, built.fleet(), ports.pioneers(), worldFile);
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile);
             simRobot.start();
             ports.start();
             window.show(

@@ -3,6 +3,7 @@ package simrobot;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.Optional;
+import java.util.OptionalInt;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
@@ -52,6 +53,11 @@ final class WebPort implements AutoCloseable {
     /** Adds the port to what a program says at first. */
     Event with(Event ready) {
         return server.map(open -> ready.with("http", open.port())).orElse(ready);
+    }
+
+    /** Empty without a server. */
+    OptionalInt port() {
+        return server.isPresent() ? OptionalInt.of(server.get().port()) : OptionalInt.empty();
     }
 
     void start() {

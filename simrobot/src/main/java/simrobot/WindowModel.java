@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -42,8 +43,9 @@ final class WindowModel implements Operator {
     private final SimulationThread simulation;
     private final Loudspeaker loudspeaker;
     private final Fleet fleet;
-    private final PioneerPorts ports;
+    private final Ports ports;
     private final EventLog log;
+    private final SessionButton sessions;
     private final Exports exports;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
@@ -56,13 +58,14 @@ final class WindowModel implements Operator {
     private record Line(TelephoneRobot robot, SentTones sent) {}
 
     /** To be made before the start, for it listens to the robots. */
-    WindowModel(SimRobot simRobot, Fleet fleet, PioneerPorts ports, Path worldFile) {
+    WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile) {
         this.worldFile = worldFile;
         this.fleet = fleet;
         this.ports = ports;
         exports = new Exports(simRobot, new WorldPictures());
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
+        sessions = new SessionButton(simulation, this::tell);
         log = new EventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
         simRobot.onAdded(this::come);
         simRobot.onRemoved(this::gone);
@@ -78,6 +81,7 @@ final class WindowModel implements Operator {
         Line line = new Line(robot, new SentTones());
         robot.listen(line.sent());
         robot.listen(log.of(robot.name()));
+        robot.listen(sessions.of(robot.name()));
         log.added(robot);
         lines.add(line);
     }
@@ -97,7 +101,9 @@ final class WindowModel implements Operator {
                 worldFile,
                 System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : "",
                 openPorts(),
-                log.newest());
+                log.newest(),
+                Optional.empty(),
+                sessions.file());
         if (!now.equals(newest)) {
             newest = now;
         }
@@ -105,10 +111,13 @@ final class WindowModel implements Operator {
     }
 
     private List<OpenPort> openPorts() {
-        return lines.stream()
-                .map(line -> line.robot().name())
-                .flatMap(name -> ports.of(name).stream().mapToObj(port -> new OpenPort("P2OS", name, port)))
-                .toList();
+        List<OpenPort> open = new ArrayList<>();
+        for (Line line : lines) {
+            String name = line.robot().name();
+            ports.pioneers().of(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
+        }
+        ports.web().port().ifPresent(port -> open.add(new OpenPort("HTTP", "", port)));
+        return open;
     }
 
     private LineSnapshot picture(Line line) {
@@ -297,6 +306,16 @@ final class WindowModel implements Operator {
         } catch (IOException unreadable) {
             tell(unreadable.getMessage());
         }
+    }
+
+    @Override
+    public void seek(long nanos) {
+        // time that runs cannot be turned back
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        sessions.record(file);
     }
 
     @Override

@@ -77,7 +77,7 @@ class WindowModelTest {
                         robot -> CallTap.NONE,
                         number -> Optional.empty()));
         Arguments plain = SimRobotMain.options().parse(List.of());
-        model = new WindowModel(simRobot, fleet, PioneerPorts.open(plain, simRobot), WORLDS.resolve("empty.map"));
+        model = new WindowModel(simRobot, fleet, Ports.open(plain, simRobot), WORLDS.resolve("empty.map"));
         simRobot.start();
     }
 

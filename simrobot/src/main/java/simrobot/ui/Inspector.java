@@ -163,6 +163,7 @@ final class Inspector extends JPanel {
         names = rows.stream().map(RobotList.Row::name).toList();
         numbers = rows.stream().map(RobotList.Row::number).toList();
         robots.show(rows, selected, newest.ports());
+        robots.setLive(newest.timeline().isEmpty());
         events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
         selected.ifPresent(this::show);
         selected.ifPresent(robot -> camera.show(newest.simulation(), robot));

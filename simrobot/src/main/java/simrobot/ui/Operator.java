@@ -74,6 +74,12 @@ public interface Operator {
      */
     void export(String robot, Path file, Consumer<Optional<String>> answer);
 
+    /** Jumps to a simulated time of a recording that is played. */
+    void seek(long nanos);
+
+    /** Begins to record the session in a file, or with none ends what was begun; a problem is told. */
+    void record(Optional<Path> file);
+
     /** Something for the person at the window to read in {@link WindowSnapshot#notice}. */
     void tell(String message);
 

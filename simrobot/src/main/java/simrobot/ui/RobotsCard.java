@@ -30,7 +30,10 @@ final class RobotsCard extends JPanel {
     private final RobotList robots;
     private final StatusLamps statuses;
     private final Line ports = new Line("ports", Theme::monoSmall, Ink.QUIET);
+    private final Act add;
     private final Act remove;
+    private final JPanel buttons;
+    private final JPanel process;
     private final JComboBox<String> behaviour = new JComboBox<>();
     private String selected = "";
     private BehaviourKind present = BehaviourKind.NONE;
@@ -43,12 +46,12 @@ final class RobotsCard extends JPanel {
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
-        Act add = new Act("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
+        add = new Act("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
         add.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK));
         remove = new Act("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
                 .with(Symbol.MINUS.icon(12));
         remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
-        JPanel buttons = Arrange.row(
+        buttons = Arrange.row(
                 Theme.HALF,
                 button(add, texts.of("robot.add.hint")),
                 button(remove, texts.of("robot.remove.hint")),
@@ -62,7 +65,7 @@ final class RobotsCard extends JPanel {
         behaviour.addActionListener(event -> chosen(operator));
         JLabel label = new JLabel(texts.of("robot.behaviour"));
         label.setLabelFor(behaviour);
-        JPanel process = Arrange.row(Theme.GRID, label, Arrange.growing(behaviour));
+        process = Arrange.row(Theme.GRID, label, Arrange.growing(behaviour));
         step(KeyEvent.VK_DOWN, 1);
         step(KeyEvent.VK_UP, -1);
         add(new Card(
@@ -84,6 +87,13 @@ final class RobotsCard extends JPanel {
     public void updateUI() {
         super.updateUI();
         Compact.buttonsIn(this);
+    }
+
+    /** Nothing can be done to the robots of a recording. */
+    void setLive(boolean live) {
+        buttons.setVisible(live);
+        add.setEnabled(live);
+        process.setVisible(live);
     }
 
     static String word(Texts texts, BehaviourKind kind) {
@@ -117,7 +127,7 @@ final class RobotsCard extends JPanel {
         robots.show(rows, selected);
         show(shown);
         statuses.show(shown.map(RobotSnapshot::status).orElse(null));
-        remove.setEnabled(shown.isPresent());
+        remove.setEnabled(shown.isPresent() && add.isEnabled());
         String text = portsText(open);
         ports.show(text);
         if (ports.isVisible() == text.isEmpty()) {

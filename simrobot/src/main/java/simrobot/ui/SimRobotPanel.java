@@ -41,6 +41,8 @@ public final class SimRobotPanel extends JPanel {
     private boolean pausedBefore;
     private WindowSnapshot shown;
     private final CalledElsewhere elsewhere;
+    private final TimelinePanel timeline;
+    private final JPanel bottom;
     private String selected;
     private String wished;
 
@@ -60,8 +62,9 @@ public final class SimRobotPanel extends JPanel {
         noticeRow.setVisible(false);
         elsewhere = new CalledElsewhere(texts, this::select);
         JPanel floor = new Framed(world);
-        JPanel bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), Arrange.growing(orders));
-        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom);
+        bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), Arrange.growing(orders));
+        timeline = new TimelinePanel(texts, operator);
+        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom, timeline);
         JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);
         JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle));
         sheets.setOpaque(false);
@@ -95,12 +98,16 @@ public final class SimRobotPanel extends JPanel {
         if (editor.isVisible()) {
             editor.showRobots(newest.simulation().robots());
         }
+        world.setLive(newest.timeline().isEmpty());
         world.select(selected);
         world.show(newest.simulation());
         tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
         inspector.show(rows(), robot, newest);
-        modem.setVisible(line.isPresent());
-        orders.setVisible(line.isPresent());
+        bottom.setVisible(line.isPresent());
+        newest.timeline().ifPresent(recorded -> {
+            timeline.setVisible(true);
+            timeline.show(recorded, newest.simulation().timeNanos());
+        });
         line.ifPresent(modem::show);
         line.ifPresent(orders::show);
         notice.show(newest.notice());

@@ -3,6 +3,7 @@ package simrobot.ui;
 import java.awt.BorderLayout;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -10,6 +11,7 @@ import java.util.function.UnaryOperator;
 import javax.swing.AbstractButton;
 import javax.swing.Icon;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
@@ -39,6 +41,10 @@ final class ToolRow extends JPanel {
     private final JToggleButton follow;
     private final SpeedChoice speed;
     private final JToggleButton ruler;
+    private final RecordButton record;
+    /** What changes robots or world; not there while a recording is looked at. */
+    private final List<JComponent> acts;
+
     private final ExportChoice exports;
     private String robot = "";
     private boolean paused;
@@ -65,9 +71,12 @@ final class ToolRow extends JPanel {
         worded(brake, "brake");
         worded(power, "power");
         worded(motors, "motors");
+        record = new RecordButton(texts, operator);
         JPanel running = Arrange.row(
                 Theme.HALF, worlds.component(), gap(), link, gap(), power, motors, brake, gap(), pause, step);
         running.add(speed.component());
+        running.add(record.component());
+        acts = List.of(worlds.component(), power, motors, brake, record.component());
         add(new TwoEnds(running, looking()), BorderLayout.CENTER);
         Compact.buttonsIn(this);
     }
@@ -96,6 +105,11 @@ final class ToolRow extends JPanel {
 
     void show(WindowSnapshot newest, Optional<RobotSnapshot> selected, Optional<LinkState> linkState) {
         worlds.show(newest.worldFile());
+        boolean live = newest.timeline().isEmpty();
+        for (JComponent act : acts) {
+            act.setVisible(live);
+        }
+        record.show(newest.recording());
         link.setVisible(linkState.isPresent());
         linkState.ifPresent(state -> link.show(state, language));
         robot = selected.map(RobotSnapshot::name).orElse("");
@@ -140,7 +154,7 @@ final class ToolRow extends JPanel {
 
     // ---- buttons ---------------------------------------------------------------------------------------------------
 
-    private static javax.swing.JComponent gap() {
+    private static JComponent gap() {
         JPanel gap = new JPanel(null);
         gap.setOpaque(false);
         gap.setPreferredSize(new java.awt.Dimension(Theme.GRID, 1));

@@ -3,6 +3,7 @@ package simrobot.ui;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import simrobot.control.LoggedEvent;
 import simrobot.simulation.SimulationSnapshot;
 
@@ -15,6 +16,8 @@ import simrobot.simulation.SimulationSnapshot;
  * @param notice a message for the person at the window, empty when there is none
  * @param ports on which others may come
  * @param events what happened, the oldest first
+ * @param timeline when this is a recording that is played; then nothing can be done to its robots
+ * @param recording the file in which the session is being recorded
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,
@@ -24,7 +27,9 @@ public record WindowSnapshot(
         Path worldFile,
         String notice,
         List<OpenPort> ports,
-        List<LoggedEvent> events) {
+        List<LoggedEvent> events,
+        Optional<Timeline> timeline,
+        Optional<Path> recording) {
     public WindowSnapshot {
         Objects.requireNonNull(simulation);
         lines = List.copyOf(lines);
@@ -32,5 +37,7 @@ public record WindowSnapshot(
         Objects.requireNonNull(notice);
         ports = List.copyOf(ports);
         events = List.copyOf(events);
+        Objects.requireNonNull(timeline);
+        Objects.requireNonNull(recording);
     }
 }

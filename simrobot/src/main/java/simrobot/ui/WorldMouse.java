@@ -55,11 +55,15 @@ final class WorldMouse extends MouseAdapter {
         if (view.ruler() != null && SwingUtilities.isLeftMouseButton(event)) {
             drag = Drag.MEASURE;
             takeRuler(event);
-        } else if (isOnHandle(event)) {
+        } else if (view.isLive() && isOnHandle(event)) {
             drag = Drag.TURN;
         } else if (hit.isPresent()) {
             RobotSnapshot robot = hit.get();
             view.pick(robot);
+            if (!view.isLive()) {
+                drag = Drag.NONE;
+                return;
+            }
             drag = SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown() ? Drag.MOVE : Drag.TURN;
             view.hand().take(robot);
             gripX = robot.xMeters() - worldX(event);

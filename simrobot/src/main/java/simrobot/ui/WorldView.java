@@ -39,6 +39,7 @@ final class WorldView extends SpokenComponent {
     private final Hand hand;
     private PlaceWish placeWish;
     private Ruler ruler;
+    private boolean live = true;
 
     /** Who wants to know where on the floor a robot is to go; the heading is NaN while it was not shown. */
     interface PlaceWish {
@@ -220,6 +221,15 @@ final class WorldView extends SpokenComponent {
         return placeWish != null;
     }
 
+    /** Robots of a recording cannot be taken. */
+    void setLive(boolean nowLive) {
+        live = nowLive;
+    }
+
+    boolean isLive() {
+        return live;
+    }
+
     void namePlace(double xMeters, double yMeters, double headingRadians) {
         placeWish.at(xMeters, yMeters, headingRadians);
     }
@@ -249,6 +259,7 @@ final class WorldView extends SpokenComponent {
     /** Moves the selected robot by hand. */
     void nudge(double dxMeters, double dyMeters, double turnRadians) {
         selectedRobot()
+                .filter(robot -> live)
                 .ifPresent(robot -> hand.put(
                         robot,
                         robot.xMeters() + dxMeters,

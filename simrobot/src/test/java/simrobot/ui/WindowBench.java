@@ -43,6 +43,8 @@ final class WindowBench implements Operator {
     String notice = "";
     List<OpenPort> ports = List.of();
     List<LoggedEvent> events = List.of();
+    Optional<Timeline> timeline = Optional.empty();
+    Optional<Path> recording = Optional.empty();
     Optional<String> refusal = Optional.empty();
 
     WindowBench(String worldFile, Locale language, String... robots) throws Exception {
@@ -67,7 +69,9 @@ final class WindowBench implements Operator {
                 Path.of("..", "worlds", simulation.world().name()),
                 notice,
                 ports,
-                events);
+                events,
+                timeline,
+                recording);
     }
 
     /** Shows the simulation as it is now. */
@@ -285,6 +289,17 @@ final class WindowBench implements Operator {
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
         acts.add("export " + robot + " " + file.getFileName());
         answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void seek(long nanos) {
+        acts.add("seek " + nanos);
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        acts.add("record " + file.isPresent());
+        recording = file;
     }
 
     @Override

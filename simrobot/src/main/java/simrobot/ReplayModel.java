@@ -1,0 +1,191 @@
+package simrobot;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.dtmf.ToneExperiment;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Exports;
+import simrobot.control.LoggedEvent;
+import simrobot.replay.RecordedEvent;
+import simrobot.replay.Recording;
+import simrobot.replay.ReplayThread;
+import simrobot.robot.Placement;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.ui.Operator;
+import simrobot.ui.Timeline;
+import simrobot.ui.WindowSnapshot;
+import simrobot.ui.WorldPictures;
+import simrobot.world.World;
+import vericommand.Pose;
+
+/** A recorded session as the window sees it: it can be looked at from any time, but nothing can be done to it. */
+final class ReplayModel implements Operator {
+    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
+    private static final String ONLY_LOOKED_AT = "this is a recording";
+
+    private final ReplayThread replay;
+    private final Timeline timeline;
+    private final List<LoggedEvent> events = new ArrayList<>();
+    private final String damage;
+    private volatile String notice = "";
+    private volatile long noticeNanos;
+    private WindowSnapshot newest;
+
+    ReplayModel(ReplayThread replay) {
+        this.replay = replay;
+        Recording recording = replay.recording();
+        timeline = new Timeline(recording.firstNanos(), recording.lastNanos(), recording.markers());
+        for (RecordedEvent event : recording.events()) {
+            ReplayedEvents.of(event).ifPresent(events::add);
+        }
+        damage = recording.damage().orElse("");
+    }
+
+    /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
+    WindowSnapshot snapshot() {
+        SimulationSnapshot scene = replay.snapshot();
+        WindowSnapshot now = new WindowSnapshot(
+                scene,
+                List.of(),
+                replay.speed(),
+                replay.isPaused(),
+                replay.recording().path(),
+                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : damage,
+                List.of(),
+                until(scene.timeNanos()),
+                Optional.of(timeline),
+                Optional.empty());
+        if (!now.equals(newest)) {
+            newest = now;
+        }
+        return newest;
+    }
+
+    /** What has happened by then; the same list as long as nothing more has. */
+    private List<LoggedEvent> until(long nanos) {
+        int low = 0;
+        int high = events.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (events.get(middle).timeNanos() <= nanos) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return newest != null && newest.events().size() == low ? newest.events() : List.copyOf(events.subList(0, low));
+    }
+
+    // ---- looking ---------------------------------------------------------------------------------------------------
+
+    @Override
+    public void seek(long nanos) {
+        replay.seek(nanos);
+    }
+
+    @Override
+    public void setSpeed(double simulatedSecondsPerSecond) {
+        replay.setSpeed(simulatedSecondsPerSecond);
+    }
+
+    @Override
+    public void setPaused(boolean paused) {
+        replay.setPaused(paused);
+    }
+
+    @Override
+    public void stepOnce() {
+        replay.stepOnce();
+    }
+
+    @Override
+    public void watch(String robot) {
+        replay.watch(robot == null ? "" : robot);
+    }
+
+    @Override
+    public void tell(String message) {
+        noticeNanos = System.nanoTime();
+        notice = message;
+    }
+
+    /** Pictures of the present moment; tracks belong to sessions that run. */
+    @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        try {
+            String name = file.getFileName().toString();
+            String ending = name.substring(name.lastIndexOf('.') + 1);
+            Exports.write(new WorldPictures().of(replay.snapshot(), robot, ending), file);
+            answer.accept(Optional.empty());
+        } catch (IOException unwritable) {
+            answer.accept(Optional.of(unwritable.getMessage()));
+        }
+    }
+
+    // ---- what cannot be done ---------------------------------------------------------------------------------------
+
+    @Override
+    public void setPower(String robot, boolean on) {
+        // it is past
+    }
+
+    @Override
+    public void setMotors(String robot, boolean on) {
+        // it is past
+    }
+
+    @Override
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
+        answer.accept(Placement.MOVING);
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(ONLY_LOOKED_AT));
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        // it is past
+    }
+
+    @Override
+    public void brake(String robot) {
+        // it is past
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        // it is past
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(ONLY_LOOKED_AT));
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(ONLY_LOOKED_AT));
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        // it is past
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        // nobody calls
+    }
+
+    @Override
+    public void load(Path worldFile) {
+        // it is past
+    }
+}

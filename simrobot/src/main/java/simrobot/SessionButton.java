@@ -1,0 +1,70 @@
+package simrobot;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simrobot.control.ConsoleEvents;
+import simrobot.control.ControlListener;
+import simrobot.replay.Recorder;
+import simrobot.simulation.SimulationThread;
+
+/** Records the session while somebody at the window wishes so. */
+final class SessionButton {
+    private final SimulationThread simulation;
+    private final Consumer<String> problem;
+    private volatile Recorder recorder;
+    private volatile Path file;
+
+    /** @param problem told why nothing is recorded; any thread tells */
+    SessionButton(SimulationThread simulation, Consumer<String> problem) {
+        this.simulation = simulation;
+        this.problem = problem;
+    }
+
+    /** In which the session is being recorded. */
+    Optional<Path> file() {
+        return Optional.ofNullable(file);
+    }
+
+    /** What a robot's console would be told goes into the recording. */
+    ControlListener of(String robot) {
+        return new ConsoleEvents(robot, event -> {
+            Recorder present = recorder;
+            if (present != null) {
+                present.event(event);
+            }
+        });
+    }
+
+    /** Ends what was begun, and begins anew if a file is named. */
+    void record(Optional<Path> wanted) {
+        simulation.withSimulation(owned -> {
+            close();
+            if (wanted.isPresent()) {
+                try {
+                    recorder = Recorder.open(wanted.get(), owned, simulation);
+                    file = wanted.get();
+                } catch (NoSuchFileException e) {
+                    problem.accept(wanted.get() + ": the folder does not exist");
+                } catch (AccessDeniedException e) {
+                    problem.accept(wanted.get() + ": no permission to write there");
+                } catch (IOException e) {
+                    problem.accept(String.valueOf(e.getMessage()));
+                }
+            }
+        });
+    }
+
+    /** On the simulation's thread, or when that has ended. */
+    void close() {
+        Recorder present = recorder;
+        recorder = null;
+        file = null;
+        if (present != null) {
+            present.close();
+        }
+    }
+}

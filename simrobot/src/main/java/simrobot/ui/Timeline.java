@@ -1,0 +1,43 @@
+package simrobot.ui;
+
+import java.util.List;
+import simrobot.replay.Marker;
+
+/**
+ * A recording that is played: where it begins and ends, in simulated time, and what is marked in it.
+ *
+ * @param markers in their order
+ */
+public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
+    public Timeline {
+        markers = List.copyOf(markers);
+        if (lastNanos < firstNanos) {
+            throw new IllegalArgumentException("a recording that ends at " + lastNanos + " ns, before it begins");
+        }
+    }
+
+    /** Within the recording. */
+    long clamp(long nanos) {
+        return Math.max(firstNanos, Math.min(lastNanos, nanos));
+    }
+
+    /** The time of the next marker behind a time, or the end. */
+    long next(long nanos) {
+        return markers.stream()
+                .mapToLong(Marker::timeNanos)
+                .filter(at -> at > nanos)
+                .findFirst()
+                .orElse(lastNanos);
+    }
+
+    /** The time of the marker before a time, or the beginning. */
+    long previous(long nanos) {
+        long before = firstNanos;
+        for (Marker marker : markers) {
+            if (marker.timeNanos() < nanos) {
+                before = Math.max(before, marker.timeNanos());
+            }
+        }
+        return before;
+    }
+}
