@@ -30,6 +30,8 @@ final class DigitTracker {
     private int run;
     private float quietest;
     private int missed;
+    /** Hop before which another look is not worth it. */
+    private long nextLook;
 
     private DtmfDigit current;
     /** One over the likeness of the tone itself. */
@@ -64,10 +66,11 @@ final class DigitTracker {
         } else {
             run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
             quietest = run == 1 ? loudness : Math.min(quietest, loudness);
+            nextLook = run == 1 ? 0 : nextLook;
             runKey = key;
             missed = 0;
         }
-        boolean due = run >= LEAST_RUN && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
+        boolean due = run >= LEAST_RUN && hop >= nextLook && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
         if (due && (current == null || current.key().ordinal() != runKey)) {
             consider(hop, at, end);
         }
@@ -76,10 +79,10 @@ final class DigitTracker {
     private void consider(long hop, int at, int end) {
         int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
         DtmfKey rival = current == null ? null : current.key();
-        if (fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS)) {
-            if (!isTail(hop) && judge.judge(fit, recent, end, followsKey(hop)) != null) {
-                decide(hop);
-            }
+        int wait = fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS);
+        nextLook = hop + wait;
+        if (wait == 0 && !isTail(hop) && judge.judge(fit, recent, end, followsKey(hop)) != null) {
+            decide(hop);
         }
     }
 
@@ -157,5 +160,6 @@ final class DigitTracker {
         run = 0;
         missed = 0;
         barrier = 0;
+        nextLook = 0;
     }
 }

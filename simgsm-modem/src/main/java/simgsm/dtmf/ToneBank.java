@@ -22,7 +22,7 @@ import java.util.Arrays;
 final class ToneBank {
     static final int HOP = 20;
     static final int HOPS_PER_SECOND = 400;
-    static final int MOST_HOPS = 128;
+    static final int MOST_HOPS = 64;
     static final int HISTORY = 64;
     static final int TONES = 8;
     /** Of white noise from 0 to 3 kHz so much falls into one tone's window, 267 Hz wide. */
@@ -115,11 +115,19 @@ final class ToneBank {
     }
 
     private void load(short[] samples, int at, int count) {
+        for (int i = 0; i < HOP; i += 5) {
+            spread(samples, at + i, columns, i * STRIDE, count);
+        }
+    }
+
+    private static void spread(short[] samples, int at, float[] columns, int to, int count) {
         for (int b = 0; b < count; b++) {
             int from = at + HOP * b;
-            for (int i = 0; i < HOP; i++) {
-                columns[i * STRIDE + b] = samples[from + i];
-            }
+            columns[to + b] = samples[from];
+            columns[to + STRIDE + b] = samples[from + 1];
+            columns[to + 2 * STRIDE + b] = samples[from + 2];
+            columns[to + 3 * STRIDE + b] = samples[from + 3];
+            columns[to + 4 * STRIDE + b] = samples[from + 4];
         }
     }
 

@@ -28,11 +28,20 @@ final class ToneFit {
     private static final double FAR_LOUDER = 64;
 
     private static final int MOST_LOUDER = 2;
+    /** Hops until tones off their frequency are looked at again: 5 ms. */
+    private static final int OFF_FREQUENCY_WAIT = 2;
     /** What an interruption of 10 ms touches, in hops. */
     private static final int LONGEST_HOLE = 6;
 
     /** Farther off than this it is no key's tone; half-way between what Q.24 accepts (1.8 %) and rejects (3 %). */
     private static final double MOST_ERROR = 0.024;
+    /** Of the turn that 4 % make over a lag of one hop for the highest column, of two hops for the highest row. */
+    private static final double[] FAR_OFF_TANGENTS = {
+        0,
+        Math.tan(2 * Math.PI * 0.04 * 1633 / ToneBank.HOPS_PER_SECOND),
+        Math.tan(4 * Math.PI * 0.04 * 941 / ToneBank.HOPS_PER_SECOND)
+    };
+
     /** One turn in steps of a tone's phase from hop to hop, for all tones are whole numbers of hertz. */
     private static final double[] TURN_COSINE = new double[ToneBank.HOPS_PER_SECOND];
 
@@ -88,27 +97,32 @@ final class ToneFit {
      * @param reach how many hops back it may look at most
      * @param rival a key that sounded just before, perhaps with no pause between, or null
      * @param leastHops how long the tones must have sounded
-     * @return whether they did, sound still, and are on frequency; only then the fields hold
+     * @return 0 if they did, sound still, and are on frequency; only then the fields hold; else in how many hops another
+     *     look is worth it
      */
-    boolean measure(ToneBank bank, int newest, long hopNumber, int reach, int key, DtmfKey rival, double leastHops) {
+    int measure(ToneBank bank, int newest, long hopNumber, int reach, int key, DtmfKey rival, double leastHops) {
         row = key / 4;
         column = key % 4;
         leak = ToneBank.leakBetween(row, 4 + column);
         scale = 1 / (1 - leak * leak);
         int most = Math.min(SPAN, reach);
-        if (most < REFERENCE) {
-            return false;
-        }
-        if (isTooEarly(bank, newest, (int) leastHops)) {
-            return false;
+        if (most < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
+            return 1;
         }
         double reference = reference(bank, newest);
-        findOnset(bank, newest, most, rival, reference);
-        if (sinceOnset < leastHops || likeness[0] <= HALF || louder > MOST_LOUDER) {
-            return false;
+        if (isFarOff(ROW, 2, (int) ToneBank.HERTZ[row]) || isFarOff(COLUMN, 1, (int) ToneBank.HERTZ[4 + column])) {
+            return 1;
         }
-        return tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
+        findOnset(bank, newest, most, rival, reference);
+        if (sinceOnset < leastHops) {
+            return (int) Math.max(1, leastHops - sinceOnset);
+        }
+        if (likeness[0] <= HALF || louder > MOST_LOUDER) {
+            return 1;
+        }
+        boolean tuned = tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
                 && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
+        return tuned ? 0 : OFF_FREQUENCY_WAIT;
     }
 
     /** A glance that saves the closer look: so long ago, and before, the tones were far weaker than a moment ago. */
@@ -121,17 +135,11 @@ final class ToneFit {
         return bank.power(row, at) * bank.power(4 + column, at);
     }
 
+    /** Median of the product of both tones' powers, by sorting as they come. */
     private double reference(ToneBank bank, int newest) {
         for (int i = 0; i < REFERENCE; i++) {
             separate(bank, newest - i, i);
-        }
-        return median(power[ROW]) * median(power[COLUMN]);
-    }
-
-    /** Of eight, by sorting as they come. */
-    private double median(double[] values) {
-        for (int i = 0; i < REFERENCE; i++) {
-            double value = values[i];
+            double value = power[ROW][i] * power[COLUMN][i];
             int at = i;
             for (; at > 0 && sorted[at - 1] > value; at--) {
                 sorted[at] = sorted[at - 1];
@@ -139,6 +147,22 @@ final class ToneFit {
             sorted[at] = value;
         }
         return (sorted[REFERENCE / 2 - 1] + sorted[REFERENCE / 2]) / 2;
+    }
+
+    /** A glance at the newest hops' phase over a lag: 4 % or more off the frequency. Saves the closer look at voices. */
+    private boolean isFarOff(int tone, int lag, int nominalHertz) {
+        double[] x = re[tone];
+        double[] y = im[tone];
+        double along = 0;
+        double across = 0;
+        for (int i = 0; i + lag < REFERENCE; i++) {
+            along += x[i] * x[i + lag] + y[i] * y[i + lag];
+            across += y[i] * x[i + lag] - x[i] * y[i + lag];
+        }
+        int turn = lag * nominalHertz % ToneBank.HOPS_PER_SECOND;
+        double near = along * TURN_COSINE[turn] + across * TURN_SINE[turn];
+        double off = across * TURN_COSINE[turn] - along * TURN_SINE[turn];
+        return Math.abs(off) > near * FAR_OFF_TANGENTS[lag];
     }
 
     /** Each tone without what the other leaks into it. */
@@ -232,8 +256,9 @@ final class ToneFit {
     private double intoStep(int tone, int nominalHertz, long hopNumber, int n) {
         double energy = 0;
         int used = 0;
+        int turn = (int) (hopNumber * nominalHertz % ToneBank.HOPS_PER_SECOND);
+        int step = nominalHertz % ToneBank.HOPS_PER_SECOND;
         for (int i = 0; i < n; i++) {
-            int turn = (int) ((hopNumber - i) * nominalHertz % ToneBank.HOPS_PER_SECOND);
             double c = TURN_COSINE[turn];
             double s = TURN_SINE[turn];
             double x = re[tone][i] * c + im[tone][i] * s;
@@ -243,6 +268,8 @@ final class ToneFit {
                 energy += power[tone][i];
                 used++;
             }
+            turn -= step;
+            turn += turn < 0 ? ToneBank.HOPS_PER_SECOND : 0;
         }
         return energy / used;
     }
