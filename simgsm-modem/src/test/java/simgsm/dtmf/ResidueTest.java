@@ -1,0 +1,70 @@
+package simgsm.dtmf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+class ResidueTest {
+    private static final int ONSET = 400;
+    private static final int END = 700;
+
+    private static Residue of(Tape tape) {
+        Residue residue = new Residue();
+        residue.measure(tape.samples(), END, ONSET, 770, 1336);
+        return residue;
+    }
+
+    /** A tape on which 770 and 1336 Hz begin at ONSET. */
+    private static Tape key() {
+        Tape tape = new Tape(8);
+        tape.silence(ONSET / 8.0);
+        return tape.digits("5");
+    }
+
+    @Test
+    void aKeyAloneLeavesNothing() {
+        Residue residue = of(key());
+        double tone = Math.pow(ToneLevel.amplitude(-10), 2);
+        assertTrue(residue.rest < 2e-3 * tone, residue.rest / tone + " of a tone");
+        assertEquals(0, residue.restBefore, 1);
+        assertEquals(0, residue.rowBefore + residue.columnBefore, 1);
+    }
+
+    @Test
+    void aThirdToneIsFoundAtItsPlaceWithItsPower() {
+        Residue residue = of(key().hum(2000, -20));
+        assertEquals(2000, residue.lineHertz, 16);
+        double decibels = 10 * Math.log10(residue.line / Math.pow(ToneLevel.amplitude(-20), 2));
+        assertEquals(0, decibels, 1.5);
+        assertTrue(residue.newLine < 0.1 * residue.line, "it was there before");
+    }
+
+    @Test
+    void noiseIsEvenAndTheSameBefore() {
+        double evenness = 0;
+        double ratio = 0;
+        for (int seed = 0; seed < 30; seed++) {
+            Tape tape = new Tape(seed);
+            tape.silence(ONSET / 8.0);
+            Residue residue = of(tape.digits("5").noise(-20));
+            assertTrue(residue.evenness() > 0.4, "seed " + seed);
+            evenness += residue.evenness() / 30;
+            ratio += residue.rest / residue.restBefore / 30;
+        }
+        assertEquals(0.63, evenness, 0.08);
+        assertEquals(1, ratio, 0.2);
+    }
+
+    @Test
+    void aVoicesHarmonicsAreUnevenAndAFamily() {
+        Tape tape = key();
+        for (int h = 2; h < 12; h++) {
+            tape.hum(300 * h, -22);
+        }
+        Residue residue = of(tape);
+        assertTrue(residue.evenness() < 0.3, "evenness " + residue.evenness());
+        assertTrue(residue.familyShare(300) > 0.8, "share " + residue.familyShare(300));
+        assertTrue(residue.family(300, 0, 0) > 0.5 * Math.pow(ToneLevel.amplitude(-22), 2));
+    }
+}
