@@ -94,6 +94,35 @@ class ReplayTest {
         assertTrue(told.output().startsWith("ready robots=robot\n"), told.output());
     }
 
+    private Path run(String name, String seed) throws Exception {
+        Path file = folder.resolve(name);
+        FinishedProgram run = FinishedProgram.run(
+                "simrobot",
+                "--run",
+                "30",
+                "--behaviour",
+                "wall-follow",
+                "--noise",
+                "1",
+                "--seed",
+                seed,
+                "--robots",
+                "all",
+                "--world",
+                Scenario.world("office.map").toString(),
+                "--record",
+                file.toString());
+        assertEquals(0, run.status(), run.error());
+        return file;
+    }
+
+    @Test
+    void aSeedGivesTheSameRecordingToTheLastOctet() throws Exception {
+        Path first = run("first.rec", "5");
+        assertEquals(-1, Files.mismatch(first, run("again.rec", "5")));
+        assertTrue(Files.mismatch(first, run("other.rec", "6")) >= 0);
+    }
+
     @Test
     void whatIsNoRecordingOrADamagedOneIsSaid() throws Exception {
         Path file = folder.resolve("run.rec");

@@ -9,8 +9,11 @@ import vericommand.RobotStatus;
  * lies from where its last three values lead. Writer and reader foretell alike, so nothing is lost.
  */
 final class Track {
-    private static final int QUANTITIES = 5;
-    private static final int STATUS_BIT = 1 << QUANTITIES;
+    private static final int QUANTITIES = 8;
+
+    /** The lowest, for it costs an octet more to say of the highest that they have changed. */
+    private static final int STATUS_BIT = 1;
+
     private static final RobotStatus[] STATUSES = RobotStatus.values();
     private static final BehaviourKind[] BEHAVIOURS = BehaviourKind.values();
 
@@ -28,12 +31,17 @@ final class Track {
             case 1 -> state.yMeters();
             case 2 -> state.headingRadians();
             case 3 -> state.speedMetersPerSecond();
-            default -> state.turnRadiansPerSecond();
+            case 4 -> state.turnRadiansPerSecond();
+            case 5 -> state.odometryXMeters();
+            case 6 -> state.odometryYMeters();
+            default -> state.odometryHeadingRadians();
         };
     }
 
     RobotState state() {
-        return new RobotState(newest[0], newest[1], newest[2], newest[3], newest[4], status, behaviour);
+        return new RobotState(
+                newest[0], newest[1], newest[2], newest[3], newest[4], newest[5], newest[6], newest[7], status,
+                behaviour);
     }
 
     boolean differs(RobotState state) {
@@ -75,16 +83,16 @@ final class Track {
         int mask = 0;
         for (int i = 0; i < QUANTITIES; i++) {
             if (bits(quantity(state, i)) != bits(foretold(i))) {
-                mask |= 1 << i;
+                mask |= bit(i);
             }
         }
         if (state.status() != status || state.behaviour() != behaviour) {
             mask |= STATUS_BIT;
         }
-        out.octet(mask);
+        out.number(mask);
         for (int i = 0; i < QUANTITIES; i++) {
             double value = quantity(state, i);
-            if ((mask & 1 << i) != 0) {
+            if ((mask & bit(i)) != 0) {
                 out.signed(bits(value) - bits(foretold(i)));
             }
             advance(i, value);
@@ -96,14 +104,18 @@ final class Track {
     }
 
     void readChange(OctetReader in) {
-        int mask = in.octet();
+        long mask = in.number();
         for (int i = 0; i < QUANTITIES; i++) {
             double foretold = foretold(i);
-            advance(i, (mask & 1 << i) == 0 ? foretold : value(bits(foretold) + in.signed()));
+            advance(i, (mask & bit(i)) == 0 ? foretold : value(bits(foretold) + in.signed()));
         }
         if ((mask & STATUS_BIT) != 0) {
             readStatus(in);
         }
+    }
+
+    private static int bit(int i) {
+        return STATUS_BIT << 1 + i;
     }
 
     /** Where constant acceleration leads; what stands stays. */

@@ -32,6 +32,13 @@ public final class Odometry {
         heading = 0;
     }
 
+    /** Takes what it said before; for a replay. */
+    void restore(double xMeters, double yMeters, double headingRadians) {
+        x = xMeters;
+        y = yMeters;
+        heading = headingRadians;
+    }
+
     public double xMeters() {
         return x;
     }

@@ -10,6 +10,7 @@ import vericommand.RobotStatus;
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param speedMetersPerSecond ahead, of the wheels
  * @param turnRadiansPerSecond anticlockwise, of the wheels
+ * @param odometryXMeters with the next two where the wheels say that it is
  */
 public record RobotState(
         double xMeters,
@@ -17,8 +18,25 @@ public record RobotState(
         double headingRadians,
         double speedMetersPerSecond,
         double turnRadiansPerSecond,
+        double odometryXMeters,
+        double odometryYMeters,
+        double odometryHeadingRadians,
         RobotStatus status,
         BehaviourKind behaviour) {
+    static RobotState of(SimulatedRobot robot) {
+        return new RobotState(
+                robot.xMeters(),
+                robot.yMeters(),
+                robot.headingRadians(),
+                robot.speedMetersPerSecond(),
+                robot.turnRadiansPerSecond(),
+                robot.odometry().xMeters(),
+                robot.odometry().yMeters(),
+                robot.odometry().headingRadians(),
+                robot.status(),
+                robot.autonomy().kind());
+    }
+
     public RobotState {
         Objects.requireNonNull(status);
         Objects.requireNonNull(behaviour);

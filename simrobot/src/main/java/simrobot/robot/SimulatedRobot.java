@@ -297,7 +297,7 @@ public final class SimulatedRobot implements Pioneer {
 
     /** All that can be seen of it, to the last bit. */
     public RobotState state() {
-        return new RobotState(x, y, heading, speed, turnRadiansPerSecond(), status(), autonomy.kind());
+        return RobotState.of(this);
     }
 
     /** Makes it look as it did, for a replay: nothing is judged, nobody is told, and it does not go on by itself. */
@@ -308,6 +308,7 @@ public final class SimulatedRobot implements Pioneer {
         runsAt(state.speedMetersPerSecond(), state.turnRadiansPerSecond());
         machine = new StatusMachine(state.status());
         autonomy.show(state.behaviour());
+        odometry.restore(state.odometryXMeters(), state.odometryYMeters(), state.odometryHeadingRadians());
         floor.moved(this);
         return this;
     }

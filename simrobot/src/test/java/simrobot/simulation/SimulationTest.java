@@ -11,6 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;
 import simrobot.world.Position;
@@ -103,6 +105,23 @@ class SimulationTest {
                         Double.doubleToLongBits(robot.yMeters()),
                         Double.doubleToLongBits(robot.headingRadians())))
                 .toArray();
+    }
+
+    private static List<RobotState> wandering(long seed) throws Exception {
+        Simulation simulation = new Simulation(office(), seed);
+        simulation.setNoise(1);
+        for (int i = 0; i < 6; i++) {
+            simulation.addRobot("r" + i).autonomy().begin(i < 4 ? BehaviourKind.WANDER : BehaviourKind.WALL_FOLLOW);
+        }
+        simulation.run(6000);
+        return simulation.robots().stream().map(SimulatedRobot::state).toList();
+    }
+
+    @Test
+    void aSeedRepeatsErringWheelsAndTheProcessesThatSteerThem() throws Exception {
+        List<RobotState> first = wandering(42);
+        assertEquals(first, wandering(42));
+        assertNotEquals(first, wandering(43));
     }
 
     @Test
