@@ -79,7 +79,7 @@ class RecordingTest {
             robot.expect("keys", "keys", "0");
             phone.kill();
             assertTrue(decoded(file, LEFT).startsWith("555019"), decoded(file, LEFT));
-            assertEquals("1", decoded(file, RIGHT));
+            assertTrue(decoded(file, RIGHT).startsWith("1"), decoded(file, RIGHT));
         }
     }
 

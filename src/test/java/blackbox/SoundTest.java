@@ -75,6 +75,10 @@ class SoundTest {
             phone.say("press 5**#**20**");
             robot.expect("tone", "key", "3");
             phone.expect("tone", "key", "3");
+            scenario.tell("another key, so that the reply has been heard to its end before the call is over");
+            phone.say("press 0");
+            robot.expect("keys", "keys", "0");
+            phone.expect("sent", "keys", "0");
             phone.say("hangup");
             robot.expect("released");
             assertEquals(0, phone.quit());
@@ -83,8 +87,8 @@ class SoundTest {
         }
         // A device takes a moment to open, so the first tone may have passed before; and tone 6 sets in while the last
         // key still sounds, so in one room those two are heard as a mixture.
-        assertTrue(decoded(atPhone).matches(".*5\\*\\*#\\*\\*20\\*.*3"), decoded(atPhone));
-        assertTrue(decoded(atRobot).matches(".*5\\*\\*#\\*\\*20\\*.*3"), decoded(atRobot));
+        assertTrue(decoded(atPhone).matches(".*5\\*\\*#\\*\\*20\\*.*3.*"), decoded(atPhone));
+        assertTrue(decoded(atRobot).matches(".*5\\*\\*#\\*\\*20\\*.*3.*"), decoded(atRobot));
     }
 
     @Test
