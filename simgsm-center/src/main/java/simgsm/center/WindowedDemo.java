@@ -12,11 +12,15 @@ final class WindowedDemo {
 
     static int run(Arguments arguments, CenterSettings settings) throws Exception {
         DemoLayout layout = DemoLayout.of(Display.usableArea());
-        ProgramWindow window = ProgramWindow.of(arguments, Optional.of(layout.center()));
+        ProgramWindow window =
+                ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(arguments, layout.zoomPercent());
+        String zoom = arguments.text("zoom").orElse(String.valueOf(layout.zoomPercent()));
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             programs.startPhone(
                     Redirect.DISCARD,
                     "--end-with-input",
+                    "--zoom",
+                    zoom,
                     "--window",
                     layout.phone().toString());
             // On one machine each tone is heard once, from the phone.
@@ -24,6 +28,8 @@ final class WindowedDemo {
                     Redirect.DISCARD,
                     "--no-sound",
                     "--end-with-input",
+                    "--zoom",
+                    zoom,
                     "--window",
                     layout.robot().toString());
             return CenterWindow.run(programs.center(), arguments, settings, programs.children(), window);

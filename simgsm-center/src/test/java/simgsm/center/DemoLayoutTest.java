@@ -16,7 +16,9 @@ class DemoLayoutTest {
         WindowPlace robot = layout.robot();
         WindowPlace center = layout.center();
         assertEquals("10,20", layout.phone().toString());
-        assertTrue(robot.x() >= 10 + 320, "the phone stands free");
+        assertTrue(robot.x() >= 10 + 320 * layout.zoomPercent() / 100, "the phone stands free");
+        assertTrue(center.width() >= 970 * layout.zoomPercent() / 100 || width >= 1900, "room for the centre");
+        assertTrue(robot.height() >= 480 * layout.zoomPercent() / 100, "room for the robot");
         assertTrue(
                 robot.x() + robot.width() <= center.x() || robot.y() + robot.height() <= center.y(),
                 robot + " and " + center);
@@ -29,6 +31,7 @@ class DemoLayoutTest {
     @Test
     void whereThereIsRoomEachHasItsOwnSize() {
         DemoLayout layout = DemoLayout.of(new WindowPlace(0, 0, 2560, 1440));
+        assertEquals(100, layout.zoomPercent());
         assertEquals("336,0,1180,860", layout.robot().toString());
         assertEquals("1516,0,980,720", layout.center().toString());
     }

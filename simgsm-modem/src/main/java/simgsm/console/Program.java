@@ -147,6 +147,7 @@ public final class Program {
                 .flag("end-with-input", "with a window: end when standard input ends (for a starting program)")
                 .value("lang", "en|es", "language of the window and of texts; else the system's")
                 .value("theme", "light|dark|system", "colours of the window")
+                .value("zoom", "PERCENT", "size of everything in the window, 50 to 300; Ctrl + and - change it (100)")
                 .value("window", "X,Y[,W,H]", "where the window's top left corner goes on the screen, and its size")
                 .flag("no-sound", "use no sound device")
                 .value("seed", "N", "seed of everything random, for runs that repeat")

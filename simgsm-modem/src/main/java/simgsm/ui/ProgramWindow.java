@@ -40,21 +40,27 @@ public final class ProgramWindow {
             Runnable shown,
             Runnable closed) {}
 
+    private static final int HUNDRED_PERCENT = 100;
+
     private final Appearance appearance;
+    private final double zoom;
     private final Optional<WindowPlace> place;
     private final Locale language;
     private final boolean endsWithInput;
     private final CountDownLatch ended = new CountDownLatch(1);
 
-    private ProgramWindow(Appearance appearance, Optional<WindowPlace> place, Locale language, boolean endsWithInput) {
+    private ProgramWindow(
+            Appearance appearance, double zoom, Optional<WindowPlace> place, Locale language, boolean endsWithInput) {
         this.appearance = appearance;
+        this.zoom = zoom;
         this.place = place;
         this.language = language;
         this.endsWithInput = endsWithInput;
     }
 
     /**
-     * Reads {@code --theme}, {@code --window}, {@code --lang} and {@code --end-with-input}; nothing is opened yet.
+     * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang} and {@code --end-with-input}; nothing is
+     * opened yet.
      *
      * @param otherwise where the window goes if the command line does not say; empty for wherever the desktop likes
      * @throws UnavailableException without a display
@@ -63,21 +69,36 @@ public final class ProgramWindow {
             throws UsageException, UnavailableException {
         Optional<Appearance> chosen = arguments.value("theme", Appearance::parse);
         Optional<WindowPlace> place = arguments.value("window", WindowPlace::parse);
+        double zoom = percent(arguments) / (double) HUNDRED_PERCENT;
         Locale language = arguments.language();
         if (!Display.isThere()) {
             throw new UnavailableException(Messages.in(language).of("window.noDisplay"));
         }
         return new ProgramWindow(
                 chosen.orElseGet(Appearance::ofSystem),
+                zoom,
                 place.or(() -> otherwise),
                 language,
                 arguments.has("end-with-input"));
+    }
+
+    private static int percent(Arguments arguments) throws UsageException {
+        return (int) arguments.integer("zoom", HUNDRED_PERCENT, (int) (Theme.ZOOM_MIN * HUNDRED_PERCENT), (int)
+                (Theme.ZOOM_MAX * HUNDRED_PERCENT));
+    }
+
+    /** The same window at another size of everything, unless the command line has said which. */
+    public ProgramWindow zoomed(Arguments arguments, int percent) {
+        return arguments.has("zoom")
+                ? this
+                : new ProgramWindow(appearance, percent / (double) HUNDRED_PERCENT, place, language, endsWithInput);
     }
 
     /** Opens the window and returns when it has been closed, by its user or by {@link #close}. */
     public void show(Supplier<Content> content) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance);
+            Theme.zoomTo(zoom);
             open(content.get());
         });
         if (endsWithInput) {
@@ -104,7 +125,7 @@ public final class ProgramWindow {
                 close();
             }
         });
-        content.least().ifPresent(frame::setMinimumSize);
+        content.least().ifPresent(least -> frame.setMinimumSize(zoomed(least)));
         lay(frame, content);
         frame.setVisible(true);
         content.shown().run();
@@ -112,11 +133,15 @@ public final class ProgramWindow {
 
     private void lay(JFrame frame, Content content) {
         frame.pack();
-        content.size().ifPresent(size -> {
+        content.size().map(this::zoomed).ifPresent(size -> {
             Rectangle screen = frame.getGraphicsConfiguration().getBounds();
             frame.setSize(Math.min(size.width, screen.width), Math.min(size.height, screen.height));
         });
         place.ifPresentOrElse(where -> where.take(frame), () -> frame.setLocationByPlatform(true));
+    }
+
+    private Dimension zoomed(Dimension size) {
+        return new Dimension((int) Math.round(size.width * zoom), (int) Math.round(size.height * zoom));
     }
 
     /** Whoever started the program holds its input open; when that ends, the program ends. */

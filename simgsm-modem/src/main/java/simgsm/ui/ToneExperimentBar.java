@@ -40,16 +40,15 @@ final class ToneExperimentBar extends JPanel {
     private final JLabel noiseValue = new JLabel();
     private final JLabel shiftValue = new JLabel();
     private final JButton reset;
+    private final JPanel loudness;
+    private final JPanel pitch;
+    private JPanel faders;
+    private boolean isNarrow;
     private ToneExperiment experiment = ToneExperiment.NONE;
     private ToneScore score = ToneScore.NONE;
 
-    /**
-     * Nothing is tried out at first.
-     *
-     * @param isNarrow whether the sliders lie one below the other
-     * @param chosen told each experiment that is set, on the event thread
-     */
-    ToneExperimentBar(Locale language, boolean isNarrow, Consumer<ToneExperiment> chosen) {
+    /** @param chosen told each experiment that is set, on the event thread */
+    ToneExperimentBar(Locale language, Consumer<ToneExperiment> chosen) {
         super(new BorderLayout());
         this.texts = Messages.in(language);
         this.chosen = chosen;
@@ -60,18 +59,25 @@ final class ToneExperimentBar extends JPanel {
         reset.setToolTipText(texts.of("scope.reset.tip"));
         Named.name(reset, "scope.reset", texts.of("scope.reset.tip"));
         Named.name(verdict, "scope.verdict", "");
-        JPanel pitch = Arrange.row(6, shiftLabel, Arrange.growing(shift), shiftValue);
-        JPanel loudness = Arrange.row(6, noiseLabel, Arrange.growing(noise), noiseValue);
-        add(
-                Arrange.column(
-                        0,
-                        Arrange.row(4, Arrange.growing(verdict), reset),
-                        isNarrow
-                                ? Arrange.column(0, loudness, pitch)
-                                : Arrange.row(16, Arrange.growing(loudness), Arrange.growing(pitch))),
-                BorderLayout.CENTER);
+        loudness = Arrange.growing(Arrange.row(6, noiseLabel, Arrange.growing(noise), noiseValue));
+        pitch = Arrange.growing(Arrange.row(6, shiftLabel, Arrange.growing(shift), shiftValue));
+        add(Arrange.row(4, Arrange.growing(verdict), reset), BorderLayout.NORTH);
+        arrange(false);
         dress();
         tell();
+    }
+
+    /** @param narrow whether the faders lie one below the other */
+    void arrange(boolean narrow) {
+        if (faders == null || narrow != isNarrow) {
+            isNarrow = narrow;
+            if (faders != null) {
+                remove(faders);
+            }
+            faders = narrow ? Arrange.column(0, loudness, pitch) : Arrange.row(16, loudness, pitch);
+            add(faders, BorderLayout.CENTER);
+            revalidate();
+        }
     }
 
     private JLabel label(String key, Fader slider) {

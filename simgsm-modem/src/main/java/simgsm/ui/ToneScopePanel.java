@@ -9,21 +9,23 @@ import simgsm.dtmf.ToneTrace;
 
 /** The tone scope of phone and modem with the experiment below it: what it shows, and what may be done to what it hears. */
 public final class ToneScopePanel extends JPanel {
+    /** In units: where two faders have no room side by side. */
+    private static final int NARROW = 320;
+
     private final ToneScope scope;
     private final ToneExperimentBar experiment;
 
     /**
      * A scope that shows nothing yet.
      *
-     * @param isNarrow for a place that is higher than wide
      * @param chosen told each experiment that is set, on the event thread: the scope's owner lets its tracer try it out
      */
-    public ToneScopePanel(Locale language, boolean isNarrow, Consumer<ToneExperiment> chosen) {
+    public ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen) {
         super(new BorderLayout());
         setOpaque(false);
         setName("scope");
         scope = new ToneScope(language);
-        experiment = new ToneExperimentBar(language, isNarrow, chosen);
+        experiment = new ToneExperimentBar(language, chosen);
         add(scope, BorderLayout.CENTER);
         add(experiment, BorderLayout.SOUTH);
     }
@@ -31,6 +33,12 @@ public final class ToneScopePanel extends JPanel {
     /** A place with little room may do without the faders; what they are set to holds all the same. */
     public void showExperiment(boolean wanted) {
         experiment.setVisible(wanted);
+    }
+
+    @Override
+    public void doLayout() {
+        experiment.arrange(getWidth() < Theme.px(NARROW));
+        super.doLayout();
     }
 
     public void show(ToneTrace trace) {

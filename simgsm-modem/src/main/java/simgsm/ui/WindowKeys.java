@@ -52,7 +52,7 @@ public final class WindowKeys {
             double factor = Theme.zoom() / before;
             Dimension size = window.getSize();
             window.setMinimumSize(null);
-            window.setSize((int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
+            ScreenRoom.resize(window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
             window.validate();
         }
     }

@@ -80,7 +80,7 @@ class ToneScopeTest {
     @Test
     void theFadersSetAnExperimentAndResetEndsIt() {
         List<ToneExperiment> chosen = new ArrayList<>();
-        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, true, chosen::add);
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, chosen::add);
         move(panel, "scope.noise", 21);
         move(panel, "scope.shift", -15);
         assertEquals(List.of(new ToneExperiment(10, 0), new ToneExperiment(10, -1.5)), chosen);
@@ -92,7 +92,7 @@ class ToneScopeTest {
 
     @Test
     void theBarSaysThatOnlyTheScopeHearsItAndThenHowManyKeysItHeard() {
-        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, false, experiment -> {});
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
         assertTrue(verdict(panel).contains("Only this scope"), verdict(panel));
         move(panel, "scope.noise", 16);
         ToneTracer tracer = new ToneTracer();
@@ -130,15 +130,19 @@ class ToneScopeTest {
     @ParameterizedTest
     @ValueSource(strings = {"en", "es"})
     void everyTextOfTheExperimentFits(String language) {
-        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), true, experiment -> {});
-        panel.setSize(260, 242);
+        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
         move(panel, "scope.noise", 40);
         move(panel, "scope.shift", -50);
-        layOut(panel);
-        for (Component label : labels(panel, new ArrayList<>())) {
-            assertTrue(
-                    label.getWidth() >= ((JLabel) label).getUI().getPreferredSize((JLabel) label).width,
-                    ((JLabel) label).getText());
+        for (int width : new int[] {220, 319, 320, 500}) {
+            panel.setSize(width, 242);
+            layOut(panel);
+            layOut(panel);
+            for (Component label : labels(panel, new ArrayList<>())) {
+                assertTrue(
+                        label.getWidth() >= ((JLabel) label).getUI().getPreferredSize((JLabel) label).width,
+                        ((JLabel) label).getText() + " in " + width);
+            }
+            assertTrue(Named.find(panel, "scope.noise").orElseThrow().getWidth() > 30, "fader in " + width);
         }
     }
 

@@ -50,7 +50,7 @@ final class ModemPanel extends JPanel {
         signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
-        scope = new ToneScopePanel(language, false, this::tryOut);
+        scope = new ToneScopePanel(language, this::tryOut);
         JPanel facts = Arrange.column(
                 6,
                 Arrange.row(10, number, Arrange.spring(), signal),

@@ -20,6 +20,7 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
 import simgsm.ui.Named;
+import simgsm.ui.ScreenRoom;
 import simgsm.ui.SignalBars;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
@@ -61,7 +62,7 @@ public final class HandsetPanel extends JPanel {
             keys.put(key, button);
             add(button, HandsetLayout.placeOf(key));
         }
-        scope = new ToneScopePanel(language, true, controls::tryOut);
+        scope = new ToneScopePanel(language, controls::tryOut);
         scope.setVisible(false);
         add(scope, HandsetLayout.SCOPE);
         scopeSwitch = new JButton(new Act("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));
@@ -129,7 +130,7 @@ public final class HandsetPanel extends JPanel {
         if (window != null && before != layout.height() && getWidth() > 0) {
             double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
             int grown = (int) Math.round((layout.height() - before) * scale);
-            window.setSize(window.getWidth(), window.getHeight() + grown);
+            ScreenRoom.resize(window, window.getWidth(), window.getHeight() + grown);
         }
         revalidate();
         repaint();
