@@ -79,6 +79,18 @@ class ClosedNetworkTest {
                 phone.say("sms 5550300 and to you");
                 assertEquals("and to you", application.await(false).text());
             }
+            scenario.tell("a card that lies about its number is called by the network's own list");
+            String card = Files.readString(Path.of(card(Scenario.PHONE)));
+            assertEquals(0, phone.quit());
+            center.expect("detached", "number", Scenario.PHONE);
+            Path lying = Files.writeString(
+                    cards.resolve("lying.sim"), card.replace("number=" + Scenario.PHONE, "number=" + ABSENT));
+            RunningProgram liar = scenario.phone(ABSENT, "--sim", lying.toString());
+            center.expect("attached", "number", Scenario.PHONE);
+            liar.say("dial " + Scenario.ROBOT);
+            robot.expect("call", "from", Scenario.PHONE);
+            liar.expect("tone", "key", "1");
+            liar.say("hangup");
             scenario.tell("the operator sees all cards");
             center.say("subscribers");
             center.expect("subscriber", "number", Scenario.PHONE, "state", "attached");

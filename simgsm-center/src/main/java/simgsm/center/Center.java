@@ -120,6 +120,11 @@ final class Center implements AutoCloseable {
         return new HostPort(near.getHostAddress(), port()).toString();
     }
 
+    /** Whether it listens for other machines, too. */
+    boolean isReachedByOthers() {
+        return !address.isLoopbackAddress();
+    }
+
     int port() {
         return loop.port();
     }

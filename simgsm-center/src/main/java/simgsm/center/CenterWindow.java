@@ -14,6 +14,7 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.ui.MonitorWindow;
+import simgsm.center.ui.NetworkAccess;
 import simgsm.center.ui.Operator;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
@@ -64,8 +65,11 @@ final class CenterWindow implements Operator {
     }
 
     @Override
-    public boolean isClosed() {
-        return center.home().isClosed();
+    public NetworkAccess access() {
+        if (center.home().isClosed()) {
+            return NetworkAccess.CLOSED;
+        }
+        return center.isReachedByOthers() ? NetworkAccess.OPEN_TO_OTHERS : NetworkAccess.OPEN;
     }
 
     @Override
@@ -89,7 +93,7 @@ final class CenterWindow implements Operator {
     }
 
     private String numberFor(AtomicLong next) throws IOException {
-        return isClosed() ? spareCard() : free(next);
+        return center.home().isClosed() ? spareCard() : free(next);
     }
 
     /** A card that nobody uses, one that was not given out before if there is one. */

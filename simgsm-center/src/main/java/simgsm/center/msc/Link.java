@@ -129,7 +129,7 @@ public final class Link {
     /** Gives the link up. */
     void drop(String reason) {
         if (!isClosed) {
-            LOG.log(Level.INFO, "{0}: closed, {1}", this, reason);
+            LOG.log(hasNumber() ? Level.INFO : Level.DEBUG, "{0}: closed, {1}", this, reason);
             forget();
             port.close(reason);
         }

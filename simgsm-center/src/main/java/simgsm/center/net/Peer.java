@@ -40,7 +40,7 @@ abstract class Peer {
     /** Reads once, so that a busy peer does not keep the others waiting. */
     final void readable(ByteBuffer buffer) {
         try {
-            buffer.clear();
+            buffer.clear().limit(Math.min(buffer.capacity(), mostOctetsAtOnce()));
             if (incoming.channel().read(buffer) < 0) {
                 hasPeerLeft = true;
                 broken("closed by the peer");
@@ -50,6 +50,11 @@ abstract class Peer {
         } catch (IOException e) {
             broken(String.valueOf(e.getMessage()));
         }
+    }
+
+    /** What is read in one turn at most. */
+    int mostOctetsAtOnce() {
+        return Integer.MAX_VALUE;
     }
 
     /** Takes all octets that the buffer holds. */

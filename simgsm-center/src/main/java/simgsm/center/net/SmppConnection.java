@@ -16,6 +16,9 @@ final class SmppConnection extends Peer implements SmppPort {
     /** With more than this unsent, the peer is not worth keeping. */
     static final int TOO_MUCH_UNSENT = 8 * 1024 * 1024;
 
+    /** From another machine: a hundred or two requests, before the others have their turn. */
+    private static final int REMOTE_OCTETS_AT_ONCE = 4 * 1024;
+
     private static final int INITIAL_CAPACITY = 4 * 1024;
     private static final int KEPT_CAPACITY = 64 * 1024;
 
@@ -40,6 +43,11 @@ final class SmppConnection extends Peer implements SmppPort {
     SmppConnection(Incoming incoming, Server server) {
         super(incoming, server);
         this.server = server;
+    }
+
+    @Override
+    int mostOctetsAtOnce() {
+        return address().isLoopbackAddress() ? super.mostOctetsAtOnce() : REMOTE_OCTETS_AT_ONCE;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
+import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -21,6 +22,7 @@ final class HeaderPanel extends JPanel {
     private final Texts texts;
     private final JLabel title = new JLabel("SMSyCT");
     private final JLabel network = new JLabel();
+    private final NetworkAccess access;
     private final Lamp port;
     private final Lamp attached;
     private final Lamp calls;
@@ -36,8 +38,10 @@ final class HeaderPanel extends JPanel {
         attached = lamp("lamp.attached", "window.attached.name");
         calls = lamp("lamp.calls", "window.calls");
         waiting = lamp("lamp.waiting", "window.waiting.name");
-        network.setText(texts.of(operator.isClosed() ? "window.network.closed" : "window.network.open"));
-        network.setToolTipText(texts.of(operator.isClosed() ? "window.network.closed.why" : "window.network.open.why"));
+        access = operator.access();
+        String accessKey = "window.network." + access.name().toLowerCase(Locale.ROOT);
+        network.setText(texts.of(accessKey));
+        network.setToolTipText(texts.of(accessKey + ".why"));
         network.setName("network");
         Act appearance = new Act("window.appearance", "", () -> WindowKeys.switchAppearance(this))
                 .described(texts.of("window.appearance.why"))
@@ -115,7 +119,7 @@ final class HeaderPanel extends JPanel {
 
     private void dress() {
         title.setFont(Theme.sans(20, true));
-        network.setForeground(Ink.QUIET.color());
+        network.setForeground((access == NetworkAccess.OPEN_TO_OTHERS ? Ink.WARNING : Ink.QUIET).color());
         rateLabel.setForeground(Ink.QUIET.color());
     }
 }

@@ -9,8 +9,7 @@ public interface Operator {
     /** The port on which terminals are served. */
     int port();
 
-    /** Whether only the SIMs of a list may register; else anybody may, under any free number. */
-    boolean isClosed();
+    NetworkAccess access();
 
     /** The newest picture, at most a tenth of a second old; empty until the first one is there. */
     Optional<ExchangeSnapshot> snapshot();

@@ -47,7 +47,7 @@ import simgsm.ui.Theme.Ink;
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();
     private MonitorPanel panel;
-    private boolean isClosed;
+    private NetworkAccess access = NetworkAccess.OPEN;
 
     @BeforeEach
     void buildInEnglish() {
@@ -62,9 +62,16 @@ class MonitorPanelTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"en,false,open network", "en,true,closed network", "es,false,red abierta", "es,true,red cerrada"})
-    void theHeaderSaysWhoMayCome(String language, boolean closed, String words) {
-        isClosed = closed;
+    @CsvSource({
+        "en,OPEN,open network",
+        "en,OPEN_TO_OTHERS,open to other machines",
+        "en,CLOSED,closed network",
+        "es,OPEN,red abierta",
+        "es,OPEN_TO_OTHERS,abierta a otras m\u00e1quinas",
+        "es,CLOSED,red cerrada"
+    })
+    void theHeaderSaysWhoMayCome(String language, NetworkAccess who, String words) {
+        access = who;
         panel = build(language);
 
         JLabel network = find("network", JLabel.class);
@@ -413,8 +420,8 @@ class MonitorPanelTest {
         }
 
         @Override
-        public boolean isClosed() {
-            return isClosed;
+        public NetworkAccess access() {
+            return access;
         }
 
         @Override
