@@ -129,6 +129,13 @@ final class TestMobile implements LinkPort {
         rsl(new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, OctetString.ofHex(hex)));
     }
 
+    /** A message as its first octet and its type, N(SD) put in, and what follows. */
+    void tellNext(String headAndType, String rest) {
+        int type = Integer.parseInt(headAndType.substring(2), 16) | nextSequence << 6;
+        nextSequence ^= 1;
+        tellOctets(headAndType.substring(0, 2) + String.format("%02x", type) + rest);
+    }
+
     void leaveChannel() {
         rsl(new RslMessage.ReleaseIndication(RslMessage.Sapi.SIGNALLING));
     }
@@ -258,6 +265,11 @@ final class TestMobile implements LinkPort {
         tell(new CallControl.Disconnect(transaction, Cause.NORMAL_CALL_CLEARING));
         next(CallControl.Release.class);
         tell(new CallControl.ReleaseComplete(transaction, Optional.empty()));
+    }
+
+    /** DISCONNECT of our call, whatever comes back. */
+    void hangUpUnheard() {
+        tell(new CallControl.Disconnect(OUR_CALL, Cause.NORMAL_CALL_CLEARING));
     }
 
     void sendMessage(int transaction, int reference, OctetString tpdu) {
