@@ -145,7 +145,8 @@ final class Center implements AutoCloseable {
                         settings.random(),
                         Instant.now(),
                         settings.home().register(),
-                        settings.tones()),
+                        settings.tones(),
+                        settings.callWaiting()),
                 store,
                 listener);
         exchange.restore(journal.restored());

@@ -44,6 +44,11 @@ public final class CenterMain {
                         "eu|us",
                         "let callers hear ring-back, busy and congestion as the network's own sound, European or"
                                 + "\nAmerican; else phones make these tones themselves, as GSM has it")
+                .value(
+                        "call-waiting",
+                        "on|off",
+                        "on: a second call is offered to a phone that is in one, and waits; off (default): its caller hears"
+                                + "\nthat the number is busy")
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
                 .value(
                         "hlr",

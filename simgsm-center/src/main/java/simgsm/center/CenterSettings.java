@@ -24,6 +24,7 @@ import simgsm.dtmf.ToneSet;
  * @param capture empty for none
  * @param home who may come
  * @param tones of the network's own; empty when phones make them
+ * @param callWaiting whether a second call is offered to who is in one
  */
 record CenterSettings(
         InetAddress address,
@@ -34,7 +35,8 @@ record CenterSettings(
         HomeSettings home,
         RandomGenerator random,
         Locale language,
-        Optional<ToneSet> tones) {
+        Optional<ToneSet> tones,
+        boolean callWaiting) {
     static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -49,7 +51,8 @@ record CenterSettings(
                 HomeSettings.read(arguments),
                 random(arguments),
                 arguments.language(),
-                arguments.value("tones", ToneSet::of));
+                arguments.value("tones", ToneSet::of),
+                arguments.choice("call-waiting", "off", "on").equals("on"));
     }
 
     private static Optional<CapturePlan> capture(Arguments arguments) throws UsageException {

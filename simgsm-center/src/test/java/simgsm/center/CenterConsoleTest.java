@@ -45,7 +45,8 @@ class CenterConsoleTest {
                 new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of()),
                 new SplittableRandom(1),
                 Locale.ENGLISH,
-                Optional.empty());
+                Optional.empty(),
+                false);
         center = Center.open(settings, temporary, 0);
     }
 

@@ -20,11 +20,43 @@ public sealed interface CallControl extends Layer3Message {
     /**
      * Opens a call. The mobile names the called number, the network the calling one. A mobile-originated SETUP also
      * carries the speech bearer capability, which the codec writes and does not show here.
+     *
+     * @param signal what the network asks the called mobile to let its user hear
      */
-    record Setup(TransactionIdentifier transaction, Optional<Msisdn> calling, Optional<Msisdn> called)
-            implements CallControl {}
+    record Setup(
+            TransactionIdentifier transaction,
+            Optional<Signal> signal,
+            Optional<Msisdn> calling,
+            Optional<Msisdn> called)
+            implements CallControl {
+        public Setup(TransactionIdentifier transaction, Optional<Msisdn> calling, Optional<Msisdn> called) {
+            this(transaction, Optional.empty(), calling, called);
+        }
+    }
 
-    record CallConfirmed(TransactionIdentifier transaction) implements CallControl {}
+    /** What a user is made to hear (TS 24.008, 10.5.4.23), as far as we use it. */
+    enum Signal {
+        /** Somebody else calls, while a call is under way. */
+        CALL_WAITING(0x07);
+
+        private final int code;
+
+        Signal(int code) {
+            this.code = code;
+        }
+
+        /** The value on the wire. */
+        public int code() {
+            return code;
+        }
+    }
+
+    /** @param cause why the call, though confirmed, will have to wait: 17 */
+    record CallConfirmed(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {
+        public CallConfirmed(TransactionIdentifier transaction) {
+            this(transaction, Optional.empty());
+        }
+    }
 
     record CallProceeding(TransactionIdentifier transaction) implements CallControl {}
 

@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.CallControl.Alerting;
 import simgsm.air.CallControl.CallConfirmed;
@@ -11,6 +12,7 @@ import simgsm.air.CallControl.Progress;
 import simgsm.air.CallControl.Release;
 import simgsm.air.CallControl.ReleaseComplete;
 import simgsm.air.CallControl.Setup;
+import simgsm.air.CallControl.Signal;
 import simgsm.air.CallControl.StartDtmf;
 import simgsm.air.CallControl.StartDtmfAcknowledge;
 import simgsm.air.CallControl.StartDtmfReject;
@@ -27,6 +29,7 @@ final class CallControlCodec {
     private static final int PROGRESS_INDICATOR = 0x1e;
     private static final int BACKUP_BEARER = 0x3b;
     private static final int KEYPAD_FACILITY = 0x2c;
+    private static final int SIGNAL = 0x34;
     private static final int CALLING_NUMBER = 0x5c;
     private static final int CALLED_NUMBER = 0x5e;
 
@@ -47,6 +50,8 @@ final class CallControlCodec {
     static void write(OctetWriter out, CallControl message, Direction direction) {
         if (message instanceof Setup setup) {
             writeSetup(out, setup, direction);
+        } else if (message instanceof CallConfirmed confirmed) {
+            writeOptionalCause(out, confirmed.cause());
         } else if (message instanceof Progress) {
             out.string(IN_BAND_TONES);
         } else if (message instanceof StartDtmf start) {
@@ -72,6 +77,7 @@ final class CallControlCodec {
 
     private static void writeSetup(OctetWriter out, Setup setup, Direction direction) {
         out.string(direction == Direction.UPLINK ? SPEECH_FROM_MOBILE : SPEECH_FROM_NETWORK);
+        setup.signal().ifPresent(signal -> out.octet(SIGNAL).octet(signal.code()));
         setup.calling().ifPresent(number -> NumberElements.writeCalling(out.octet(CALLING_NUMBER), number));
         setup.called().ifPresent(number -> NumberElements.writeCalled(out.octet(CALLED_NUMBER), number));
     }
@@ -91,6 +97,8 @@ final class CallControlCodec {
         switch (type) {
             case SETUP:
                 return readSetup(transaction, in, direction);
+            case CALL_CONFIRMED:
+                return new CallConfirmed(transaction, readOptionalCause(in));
             case RELEASE:
                 return new Release(transaction, readOptionalCause(in));
             case RELEASE_COMPLETE:
@@ -109,8 +117,6 @@ final class CallControlCodec {
     private static CallControl readPlain(Layer3Type type, TransactionIdentifier transaction, OctetReader in)
             throws ProtocolViolation {
         switch (type) {
-            case CALL_CONFIRMED:
-                return new CallConfirmed(transaction);
             case CALL_PROCEEDING:
                 return new CallProceeding(transaction);
             case PROGRESS:
@@ -140,12 +146,15 @@ final class CallControlCodec {
     /** Uplink a called number is mandatory; one that cannot be read, such as *21#, is left out (cause 28 is the network's). */
     private static Setup readSetup(TransactionIdentifier transaction, OctetReader in, Direction direction)
             throws ProtocolViolation {
+        Optional<Signal> signal = Optional.empty();
         Optional<Msisdn> calling = Optional.empty();
         Optional<Msisdn> called = Optional.empty();
         boolean isCalledThere = false;
         OptionalElements elements = new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-            if (identifier == CALLING_NUMBER && calling.isEmpty()) {
+            if (identifier == SIGNAL && direction == Direction.DOWNLINK) {
+                signal = readSignal(elements.value());
+            } else if (identifier == CALLING_NUMBER && calling.isEmpty()) {
                 calling = NumberElements.readOptional(elements.value());
             } else if (identifier == CALLED_NUMBER && called.isEmpty()) {
                 called = NumberElements.readOptional(elements.value());
@@ -155,7 +164,15 @@ final class CallControlCodec {
         if (!isCalledThere && direction == Direction.UPLINK) {
             throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, "the called number is missing");
         }
-        return new Setup(transaction, calling, called);
+        return new Setup(transaction, signal, calling, called);
+    }
+
+    /** A signal that we do not know is passed over. */
+    private static Optional<Signal> readSignal(OctetReader value) throws ProtocolViolation {
+        int code = value.octet("signal");
+        return Arrays.stream(Signal.values())
+                .filter(each -> each.code() == code)
+                .findFirst();
     }
 
     /** Clears the call even if its cause cannot be read; cause 96 then stands for it (TS 24.008, 8.5.2). */

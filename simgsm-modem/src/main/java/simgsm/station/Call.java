@@ -17,6 +17,7 @@ final class Call implements ServiceRequests.User {
     private final ServiceRequests services;
     private final SpeechPath speech;
     private final KeySignalling keys;
+    private final WaitingCall waiting;
     private CallState state = CallState.NULL;
     /** As our messages carry it; null in state NULL. */
     private TransactionIdentifier transaction;
@@ -42,6 +43,7 @@ final class Call implements ServiceRequests.User {
         this.services = services;
         this.speech = speech;
         this.keys = keys;
+        this.waiting = new WaitingCall(parts);
     }
 
     CallState state() {
@@ -129,6 +131,7 @@ final class Call implements ServiceRequests.User {
         if (next.isPresent()) {
             giveUpNext(Cause.NORMAL_CALL_CLEARING);
         }
+        waiting.over();
         happens(CallEvent.POWER_OFF, Cause.NORMAL_CALL_CLEARING);
     }
 
@@ -155,6 +158,7 @@ final class Call implements ServiceRequests.User {
             services.request(ServiceType.MOBILE_ORIGINATED_CALL);
             return;
         }
+        waiting.over();
         happens(CallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
     }
 
@@ -229,7 +233,29 @@ final class Call implements ServiceRequests.User {
     private void beginNext() {
         Optional<Msisdn> number = next;
         next = Optional.empty();
-        number.ifPresent(this::begin);
+        if (number.isPresent()) {
+            begin(number.get());
+        } else {
+            waiting.take().ifPresent(this::ringWaiting);
+        }
+    }
+
+    private void ringWaiting(WaitingCall.Offer offer) {
+        transaction = offer.received().answered();
+        peer = offer.caller();
+        services.adopt(ServiceType.MOBILE_ORIGINATED_CALL);
+        happens(CallEvent.TAKE_WAITING);
+    }
+
+    WaitingCall waiting() {
+        return waiting;
+    }
+
+    /** Whether a second call may wait for the end of this one. */
+    boolean letsWait() {
+        return state == CallState.ACTIVE
+                && !waiting.isThere()
+                && parts.notifications().ask(StationListener::takesWaitingCalls);
     }
 
     private void perform(CallAction action) {

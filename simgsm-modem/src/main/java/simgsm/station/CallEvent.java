@@ -12,6 +12,8 @@ enum CallEvent {
     RADIO_LOST,
 
     SETUP,
+    /** A call that has waited, alerted already, becomes the call. */
+    TAKE_WAITING,
     /** The offered call is one that we can take: one for speech, as all are. */
     COMPATIBLE,
     /** The user hears the ringing. */

@@ -39,6 +39,8 @@ final class CallMessages {
             offered(setup);
         } else if (call.has(message.transaction())) {
             arrivedInCall(message);
+        } else if (call.waiting().has(message.transaction())) {
+            call.waiting().arrived(message);
         } else {
             arrivedOutsideCall(message);
         }
@@ -69,8 +71,12 @@ final class CallMessages {
     }
 
     private void offered(CallControl.Setup setup) {
-        if (setup.transaction().fromOtherSide() || call.has(setup.transaction())) {
+        if (setup.transaction().fromOtherSide()
+                || call.has(setup.transaction())
+                || call.waiting().has(setup.transaction())) {
             parts.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");
+        } else if (call.letsWait()) {
+            call.waiting().offered(setup);
         } else if (call.state() != CallState.NULL) {
             refuse(setup.transaction(), Cause.USER_BUSY);
         } else {

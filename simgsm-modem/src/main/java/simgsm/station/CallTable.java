@@ -62,6 +62,8 @@ final class CallTable {
     /** 5.2.2. */
     private static void terminating() {
         ROWS.on(EnumSet.of(NULL), SETUP, CALL_PRESENT, CHECK_COMPATIBILITY)
+                // TS 24.083, 1: it was confirmed and alerted while the call before was under way.
+                .on(EnumSet.of(NULL), TAKE_WAITING, CALL_RECEIVED, TELL_RINGING)
                 .on(EnumSet.of(CALL_PRESENT), COMPATIBLE, MT_CALL_CONFIRMED, SEND_CALL_CONFIRMED, ALERT_USER)
                 .on(EnumSet.of(MT_CALL_CONFIRMED), USER_ALERTED, CALL_RECEIVED, SEND_ALERTING, TELL_RINGING)
                 .on(EnumSet.of(CALL_RECEIVED), ANSWER, CONNECT_REQUEST, SEND_CONNECT, START_T313)

@@ -4,6 +4,7 @@ import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** What the listener is still to be told: told only once the station's state is settled, in order. */
 final class Notifications {
@@ -19,6 +20,11 @@ final class Notifications {
 
     void add(Consumer<StationListener> notification) {
         queue.add(notification);
+    }
+
+    /** Asks the listener something that it can say at once. */
+    boolean ask(Predicate<StationListener> question) {
+        return question.test(listener);
     }
 
     /** Tells everything, also what is added meanwhile; an act from within a notification does not nest another delivery. */

@@ -26,6 +26,17 @@ public interface StationListener {
     /** @param from empty if the network does not say */
     default void ringing(Optional<Msisdn> from) {}
 
+    /** Whether a second call may wait while one is under way; else its caller hears that the user is busy. */
+    default boolean takesWaitingCalls() {
+        return false;
+    }
+
+    /** A second call waits; when the first has ended it is told as {@link #ringing}. */
+    default void waiting(Optional<Msisdn> from) {}
+
+    /** The caller that waited has given up. */
+    default void waitingOver() {}
+
     default void connected(Optional<Msisdn> peer) {}
 
     /** Exactly once a call, at the first clearing message sent or received. One's own hang-up is cause 16. */

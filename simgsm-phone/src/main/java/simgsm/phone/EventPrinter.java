@@ -50,6 +50,16 @@ final class EventPrinter implements HandsetListener {
     }
 
     @Override
+    public void waiting(Optional<Msisdn> from) {
+        console.emit(Event.of("waiting").with("from", digits(from)));
+    }
+
+    @Override
+    public void waitingOver() {
+        console.emit(Event.of("waiting-over"));
+    }
+
+    @Override
     public void connected(Optional<Msisdn> peer) {
         console.emit(Event.of("connected").with("number", digits(peer)));
     }

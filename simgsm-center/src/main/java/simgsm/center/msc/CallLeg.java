@@ -269,7 +269,8 @@ final class CallLeg implements PagedTransaction {
 
     private void perform(CallAction action) {
         switch (action) {
-            case SEND_SETUP -> link.send(new CallControl.Setup(transaction, calling, Optional.empty()));
+            case SEND_SETUP ->
+                link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));
             case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
             case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, tonesAnnounced));
             case SEND_CONNECT -> link.send(new CallControl.Connect(transaction));
@@ -284,6 +285,13 @@ final class CallLeg implements PagedTransaction {
             case TELL_ACTIVE -> owner.active(this);
             case TELL_CLEARED -> owner.cleared(this, cause);
         }
+    }
+
+    /** Who is in a call already is told that this one waits (TS 24.083, 1). */
+    private Optional<CallControl.Signal> waitingSignal() {
+        boolean isSecond = link.callLegs.stream()
+                .anyMatch(leg -> leg != this && !leg.state().isClearing());
+        return isSecond ? Optional.of(CallControl.Signal.CALL_WAITING) : Optional.empty();
     }
 
     @Override

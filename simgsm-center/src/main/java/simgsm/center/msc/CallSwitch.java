@@ -28,6 +28,7 @@ final class CallSwitch {
     private final Mobility mobility;
     private final Timers timers;
     private final Consumer<Call> changes;
+    private final boolean callWaiting;
     private final Set<Call> calls = new LinkedHashSet<>();
     private final HeldCalls heldCalls;
     private final Optional<ToneSet> tones;
@@ -37,13 +38,15 @@ final class CallSwitch {
 
     /**
      * @param tones that callers are made to hear, if any
+     * @param callWaiting whether a second call is offered to who is in one
      * @param changes told of each call that enters a state
      */
-    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, Consumer<Call> changes) {
+    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, boolean callWaiting, Consumer<Call> changes) {
         this.tones = tones;
         this.mobility = mobility;
         this.timers = timers;
         this.changes = changes;
+        this.callWaiting = callWaiting;
         this.heldCalls = new HeldCalls(timers);
     }
 
@@ -138,9 +141,12 @@ final class CallSwitch {
             return;
         }
         Optional<TransactionIdentifier> transaction = freeTransaction(called.get());
-        if (called.get().isInCall() || transaction.isEmpty()) {
+        boolean waits = callWaiting
+                && called.get() != call.originating().link()
+                && called.get().mayLetWait();
+        if (called.get().isInCall() && !waits || transaction.isEmpty()) {
             call.refuse(Cause.USER_BUSY);
-        } else if (called.get().isClearingCall()) {
+        } else if (called.get().isClearingCall() && !waits) {
             heldCalls.hold(call, called.get());
         } else {
             call.extend(called.get(), transaction.get(), timers);

@@ -73,7 +73,8 @@ public final class Exchange {
                 new AttachmentEvents(listener, number -> shortMessages.available(number)));
         delivery.locations(mobility);
         smpp.serve(shortMessages);
-        calls = new CallSwitch(mobility, timers, settings.tones(), call -> callChanged(call, listener));
+        calls = new CallSwitch(
+                mobility, timers, settings.tones(), settings.callWaiting(), call -> callChanged(call, listener));
         broadcaster = new Broadcaster(mobility, random);
         signalling = new SignallingDispatcher(mobility, calls, ladder);
         parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);

@@ -173,6 +173,13 @@ public final class Link {
         return callLegs.stream().anyMatch(leg -> !leg.state().isClearing());
     }
 
+    /** Whether one call is active here and no other is known, so that a second may wait (TS 22.083). */
+    boolean mayLetWait() {
+        List<CallLeg> live =
+                callLegs.stream().filter(leg -> !leg.state().isClearing()).toList();
+        return live.size() == 1 && live.get(0).state() == NetworkCallState.ACTIVE;
+    }
+
     /** Whether a call is over here but for its last messages. */
     boolean isClearingCall() {
         return callLegs.stream().anyMatch(leg -> leg.state().isClearing());

@@ -385,6 +385,18 @@ public final class Handset {
         changed();
     }
 
+    void callWaits(String number) {
+        call = call.withWaiting(Optional.of(number));
+        sounds.callWaits();
+        changed();
+    }
+
+    void waitingCallIsOver() {
+        call = call.withWaiting(Optional.empty());
+        sounds.quiet();
+        changed();
+    }
+
     void callAlerts() {
         call = call.in(CallPhase.ALERTING, call.number());
         sounds.ringBack();

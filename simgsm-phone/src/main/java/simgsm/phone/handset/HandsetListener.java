@@ -19,6 +19,12 @@ public interface HandsetListener {
 
     default void ringing(Optional<Msisdn> from) {}
 
+    /** A second call waits; it rings when the first has ended. */
+    default void waiting(Optional<Msisdn> from) {}
+
+    /** Its caller has given up. */
+    default void waitingOver() {}
+
     default void connected(Optional<Msisdn> peer) {}
 
     /** The last tone of these keys has left. @param keys as they were pressed, without blanks */

@@ -152,14 +152,23 @@ final class Sounds {
         return earpiece.pollChanged() || before != line.sounding();
     }
 
-    /** The far end's next 20 ms, or the network's; what the network plays is no key. */
+    /** The far end's next 20 ms, or the network's; what the network plays is no key, nor is our own call waiting tone. */
     void hear(short[] frame) {
-        if (connected || hearsNetwork) {
-            earpiece.heard(frame);
-        }
         if (connected) {
             ear.accept(frame);
         }
+        if (connected && !supervisory.isIdle()) {
+            short[] mixed = frame.clone();
+            supervisory.addTo(mixed);
+            earpiece.heard(mixed);
+        } else if (connected || hearsNetwork) {
+            earpiece.heard(frame);
+        }
+    }
+
+    /** Somebody else calls in the middle of a call. */
+    void callWaits() {
+        supervisory.callWaits();
     }
 
     /** The key that sounds now. */

@@ -50,6 +50,23 @@ final class StationEars implements StationListener {
     }
 
     @Override
+    public boolean takesWaitingCalls() {
+        return true;
+    }
+
+    @Override
+    public void waiting(Optional<Msisdn> from) {
+        handset.callWaits(from.map(Msisdn::digits).orElse(""));
+        listener.waiting(from);
+    }
+
+    @Override
+    public void waitingOver() {
+        handset.waitingCallIsOver();
+        listener.waitingOver();
+    }
+
+    @Override
     public void connected(Optional<Msisdn> peer) {
         handset.callConnected(peer.map(Msisdn::digits));
         listener.connected(peer);

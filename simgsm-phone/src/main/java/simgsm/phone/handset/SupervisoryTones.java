@@ -20,6 +20,8 @@ final class SupervisoryTones {
     /** As long as the network lets it ring, for it ends the call after that. */
     private static final int LONGEST_MILLIS = 180_000;
 
+    private static final int WAITING_MILLIS = 8_000;
+
     private final ToneSet set;
     private final CadencePlayer player = new CadencePlayer();
 
@@ -40,6 +42,11 @@ final class SupervisoryTones {
     /** We are called. */
     void ringing() {
         player.start(RING, LONGEST_MILLIS);
+    }
+
+    /** Another calls while we talk: twice round its tone, which is enough to notice. */
+    void callWaits() {
+        player.start(set.cadence(ProgressTone.CALL_WAITING), WAITING_MILLIS);
     }
 
     /** The other phone rings. */

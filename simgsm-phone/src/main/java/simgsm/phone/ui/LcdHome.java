@@ -119,7 +119,11 @@ final class LcdHome {
             keyed(pen, call.keyed());
             tone(pen, call.heard(), 146);
         }
-        hint(pen, texts.of(hintKey(phone)));
+        hint(pen, call.waiting().map(this::waiting).orElseGet(() -> texts.of(hintKey(phone))));
+    }
+
+    private String waiting(String number) {
+        return texts.of("lcd.hint.waiting", number.isEmpty() ? texts.of("lcd.unknown") : number);
     }
 
     private static String hintKey(HandsetSnapshot phone) {
