@@ -174,7 +174,7 @@ public final class P2osSession {
         if (command instanceof Command.Enable enable) {
             robot.setMotors(enable.motors());
         } else if (command instanceof Command.SetOrigin) {
-            robot.odometry().reset();
+            robot.resetOdometry();
         } else if (command instanceof Command.Configuration) {
             wire.send(ConfigurationPacket.of(report.name()));
         } else if (command instanceof Command.Encoders wanted) {
@@ -193,7 +193,7 @@ public final class P2osSession {
             place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
         } else if (command instanceof Command.SimReset) {
             place(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
-            robot.odometry().reset();
+            robot.resetOdometry();
         } else {
             motion.perform(command);
         }

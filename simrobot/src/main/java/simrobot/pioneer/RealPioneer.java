@@ -358,7 +358,13 @@ public final class RealPioneer implements Pioneer {
                 Arrays.stream(sonars)
                         .mapToDouble(millimeters -> millimeters / 1000.0)
                         .toArray(),
-                new Condition(volts, known && volts < Battery.LOW_VOLTS, known && newest.stalled(), bumpers, pose()),
+                new Condition(
+                        volts,
+                        known && volts < Battery.LOW_VOLTS,
+                        known && newest.stalled(),
+                        bumpers,
+                        pose(),
+                        new Pose(0, 0, 0)),
                 trail.crumbs(),
                 BehaviourKind.NONE,
                 false);

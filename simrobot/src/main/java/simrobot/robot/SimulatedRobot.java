@@ -43,6 +43,7 @@ public final class SimulatedRobot implements Pioneer {
     private final DrivenMotion driven;
     private final Autonomy autonomy;
     private final Odometry odometry = new Odometry();
+    private Pose odometryZero;
     private final Battery battery = new Battery();
     private Touch touch = Touch.NONE;
     private Noise noise = Noise.NONE;
@@ -60,6 +61,7 @@ public final class SimulatedRobot implements Pioneer {
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
+        odometryZero = pose();
         ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
         autonomy = new Autonomy(this);
@@ -347,6 +349,12 @@ public final class SimulatedRobot implements Pioneer {
         return odometry;
     }
 
+    /** From here on the wheels count from 0. */
+    public void resetOdometry() {
+        odometry.reset();
+        odometryZero = pose();
+    }
+
     /** What presses on its body. */
     public Bumpers bumpers() {
         return Bumpers.pressed(this, floor, touch);
@@ -363,7 +371,8 @@ public final class SimulatedRobot implements Pioneer {
                 battery.isLow(),
                 status() == RobotStatus.COLLISION,
                 bumpers(),
-                Cleaned.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()));
+                Cleaned.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()),
+                odometryZero);
     }
 
     Noise noise() {

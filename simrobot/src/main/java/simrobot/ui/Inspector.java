@@ -35,8 +35,11 @@ final class Inspector extends JPanel {
     private final Reading heading;
     private final Reading speed;
     private final Reading turn;
+    private final Reading battery;
+    private final OdometryCard wheels;
     private final SonarRose sonar;
     private final CameraView camera;
+    private final String low;
     private JPanel tabs;
     private List<String> names = List.of();
     private List<String> numbers = List.of();
@@ -44,6 +47,7 @@ final class Inspector extends JPanel {
     Inspector(Texts texts, Consumer<String> selection, Operator operator, WorldView view) {
         super(new BorderLayout());
         setOpaque(false);
+        low = texts.of("pose.battery.low");
         newcomer = new NewRobotForm(texts, operator, view);
         robots = new RobotsCard(texts, selection, operator, this::askForNewcomer);
         events = new EventsCard(texts);
@@ -52,13 +56,15 @@ final class Inspector extends JPanel {
         heading = new Reading("pose.heading", texts.of("pose.heading"), "\u00b0");
         speed = new Reading("pose.speed", texts.of("pose.speed"), "m/s");
         turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
+        battery = new Reading("pose.battery", texts.of("pose.battery"), "V");
+        wheels = new OdometryCard(texts);
         sonar = new SonarRose(texts);
         camera = new CameraView(texts);
-        Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn));
+        Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn, battery));
         Card rose = new Card(texts.of("sonar.title"), sonar);
         Card picture = new Card(texts.of("camera.title"), camera);
         sheet.setOpaque(false);
-        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose))), "robot");
+        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels)), "robot");
         sheet.add(events, "events");
         JPanel top = Arrange.column(Theme.GRID, robots, newcomer, tabs(texts));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
@@ -164,6 +170,8 @@ final class Inspector extends JPanel {
         numbers = rows.stream().map(RobotList.Row::number).toList();
         robots.show(rows, selected, newest.ports());
         robots.setLive(newest.timeline().isEmpty());
+        wheels.setVisible(newest.timeline().isEmpty());
+        selected.ifPresent(wheels::show);
         events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
         selected.ifPresent(this::show);
         selected.ifPresent(robot -> camera.show(newest.simulation(), robot));
@@ -175,6 +183,8 @@ final class Inspector extends JPanel {
         heading.show(PoseTexts.degrees(robot.headingRadians()));
         speed.show(PoseTexts.fixed(robot.speedMetersPerSecond(), 2));
         turn.show(PoseTexts.fixed(Math.toDegrees(robot.turnRadiansPerSecond()), 1));
+        String volts = PoseTexts.fixed(robot.condition().batteryVolts(), 1);
+        battery.show(robot.condition().batteryLow() ? low + " " + volts : volts);
         sonar.show(robot.sonarRangesMeters());
     }
 }

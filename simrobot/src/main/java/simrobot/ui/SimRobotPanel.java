@@ -62,7 +62,7 @@ public final class SimRobotPanel extends JPanel {
         noticeRow.setVisible(false);
         elsewhere = new CalledElsewhere(texts, this::select);
         JPanel floor = new Framed(world);
-        bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), Arrange.growing(orders));
+        bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), orders);
         timeline = new TimelinePanel(texts, operator);
         JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom, timeline);
         JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);

@@ -1,6 +1,7 @@
 package simrobot.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JPanel;
@@ -16,6 +17,8 @@ import vericommand.VeriCommandSnapshot;
 
 /** VeriCommand at work: the keys as they come, the order in words, the verdict, the replies. */
 final class VeriCommandPanel extends JPanel {
+    private static final int WIDTH_UNITS = 340;
+
     private final Texts texts;
     private final Line from = new Line("order.from", Theme::base, Ink.QUIET);
     private final Keycaps keys;
@@ -35,6 +38,12 @@ final class VeriCommandPanel extends JPanel {
         replies = new ReplyChips(language);
         JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
         add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
+    }
+
+    /** Wide enough for an order's keys; the scope beside it takes the rest. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
     }
 
     void show(LineSnapshot line) {

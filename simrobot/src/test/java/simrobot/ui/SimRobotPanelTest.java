@@ -78,6 +78,26 @@ class SimRobotPanelTest {
     }
 
     @Test
+    void odometryIsReadAgainstTheTruthAndTheBatteryInVolts() throws Exception {
+        WindowBench bench = bench();
+        var robot = bench.simulation.robots().get(0);
+        robot.start(new Instruction.Forward(100), ended -> {});
+        bench.simulation.run(600);
+        bench.show();
+        assertEquals("x: 1.000 m", bench.spoken("odometry.x"));
+        assertEquals("away from truth: 0.000 m", bench.spoken("odometry.error"));
+        assertTrue(bench.spoken("pose.battery").matches("battery: 1[23]\\.[0-9] V"), bench.spoken("pose.battery"));
+        robot.place(robot.xMeters(), robot.yMeters() + 0.5, robot.headingRadians() + Math.toRadians(30));
+        bench.show();
+        assertEquals("away from truth: 0.500 m", bench.spoken("odometry.error"));
+        assertEquals("turned from truth: -30.0 \u00b0", bench.spoken("odometry.turned"));
+        robot.resetOdometry();
+        bench.show();
+        assertEquals("away from truth: 0.000 m", bench.spoken("odometry.error"));
+        assertEquals("x: 0.000 m", bench.spoken("odometry.x"));
+    }
+
+    @Test
     void exactlyTheLampOfThePresentStatusIsLit() throws Exception {
         WindowBench bench = bench();
         assertLit(bench, RobotStatus.STOPPED);
