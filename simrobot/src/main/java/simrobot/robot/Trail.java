@@ -1,10 +1,13 @@
 package simrobot.robot;
 
+import java.util.Arrays;
+
 /** Breadcrumbs: where a robot has been. Old ones make room, so a robot may run for weeks. */
 public final class Trail {
     /** Crumbs that are kept; at their spacing 80 m of way. */
     public static final int CAPACITY = 4000;
 
+    private static final int FIRST_ROOM = 16;
     private static final double SPACING_METERS = 0.02;
 
     /**
@@ -21,9 +24,11 @@ public final class Trail {
         }
     }
 
-    private final double[] xs = new double[CAPACITY];
-    private final double[] ys = new double[CAPACITY];
-    private final long[] times = new long[CAPACITY];
+    /** A ring that grows until it holds the most; most robots of a crowd never come so far. */
+    private double[] xs = new double[FIRST_ROOM];
+
+    private double[] ys = new double[FIRST_ROOM];
+    private long[] times = new long[FIRST_ROOM];
     private int count;
     private int next;
     private Crumbs published = Crumbs.NONE;
@@ -34,29 +39,45 @@ public final class Trail {
 
     /** Drops a crumb when the robot has come a crumb's spacing from the last one. */
     public void pass(double x, double y, long timeNanos) {
-        int last = (next + CAPACITY - 1) % CAPACITY;
-        if (count == 0 || !(Math.hypot(x - xs[last], y - ys[last]) < SPACING_METERS)) {
+        if (count == 0 || !(Math.hypot(x - xs[last()], y - ys[last()]) < SPACING_METERS)) {
             add(x, y, timeNanos);
         }
     }
 
     /** The robot leaves the floor: no line leads from here to the next crumb. */
     void lift() {
-        if (count > 0 && !Double.isNaN(xs[(next + CAPACITY - 1) % CAPACITY])) {
-            add(Double.NaN, Double.NaN, times[(next + CAPACITY - 1) % CAPACITY]);
+        if (count > 0 && !Double.isNaN(xs[last()])) {
+            add(Double.NaN, Double.NaN, times[last()]);
         }
     }
 
     public void clear() {
         count = 0;
+        next = 0;
         changed = true;
     }
 
+    private int last() {
+        return (next + xs.length - 1) % xs.length;
+    }
+
+    /** A ring that is not full size yet has never gone round. */
+    private void grow() {
+        int room = Math.min(CAPACITY, 4 * xs.length);
+        xs = Arrays.copyOf(xs, room);
+        ys = Arrays.copyOf(ys, room);
+        times = Arrays.copyOf(times, room);
+        next = count;
+    }
+
     private void add(double x, double y, long timeNanos) {
+        if (count == xs.length && count < CAPACITY) {
+            grow();
+        }
         xs[next] = x;
         ys[next] = y;
         times[next] = timeNanos;
-        next = (next + 1) % CAPACITY;
+        next = (next + 1) % xs.length;
         count = Math.min(CAPACITY, count + 1);
         changed = true;
     }
@@ -67,7 +88,7 @@ public final class Trail {
             double[] xy = new double[2 * count];
             long[] at = new long[count];
             for (int i = 0; i < count; i++) {
-                int from = (next - count + i + CAPACITY) % CAPACITY;
+                int from = (next - count + i + xs.length) % xs.length;
                 xy[2 * i] = xs[from];
                 xy[2 * i + 1] = ys[from];
                 at[i] = times[from];
