@@ -16,6 +16,8 @@ import simgsm.center.capture.Capture;
 import simgsm.center.journal.FileDisk;
 import simgsm.center.journal.Journal;
 import simgsm.center.journal.JournalThread;
+import simgsm.center.msc.BroadcastOrder;
+import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeListener;
 import simgsm.center.msc.ExchangeSettings;
@@ -173,8 +175,13 @@ final class Center implements AutoCloseable {
     }
 
     /** Sends a text to everybody attached; IllegalArgumentException says what is wrong with it. */
-    void broadcast(int channel, String text) {
-        ask(exchange -> exchange.broadcast(loop.nowNanos(), channel, text));
+    BroadcastView broadcast(BroadcastOrder order) {
+        return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
+    }
+
+    /** @return false if no broadcast with this id is repeated */
+    boolean stopBroadcast(int id) {
+        return ask(exchange -> exchange.stopBroadcast(id));
     }
 
     /** From now on {@link #snapshot} is kept fresh; without a window nobody pays for it. To be called before start. */

@@ -13,10 +13,12 @@ import simgsm.console.Event;
 final class CenterCommands implements Console.Commands {
     private final Center center;
     private final Console console;
+    private final BroadcastCommand broadcasts;
 
     CenterCommands(Center center, Console console) {
         this.center = center;
         this.console = console;
+        this.broadcasts = new BroadcastCommand(center, console);
     }
 
     @Override
@@ -40,10 +42,16 @@ final class CenterCommands implements Console.Commands {
                                 .map(ConsoleEvents::of)
                                 .toList());
             case "message" -> message(command);
-            case "broadcast" -> broadcast(command);
+            case "broadcast" -> broadcasts.perform(command);
+            case "broadcasts" ->
+                list(
+                        command,
+                        exchange -> exchange.broadcasts().stream()
+                                .map(ConsoleEvents::of)
+                                .toList());
             default ->
                 throw new CommandException("unknown command " + command.name()
-                        + ", expected subscribers, calls, messages, message, broadcast, wait or quit");
+                        + ", expected subscribers, calls, messages, message, broadcast, broadcasts, wait or quit");
         }
     }
 
@@ -66,22 +74,5 @@ final class CenterCommands implements Console.Commands {
         console.emit(ConsoleEvents.of(history));
         history.attempts().stream().map(ConsoleEvents::of).forEach(console::emit);
         console.emit(ConsoleEvents.end("message", history.attempts().size()));
-    }
-
-    private void broadcast(Command command) throws CommandException {
-        Command channel = command.tail();
-        if (!channel.name().matches("[0-9]{1,5}") || channel.rest().isEmpty()) {
-            throw new CommandException("broadcast: expected CHANNEL TEXT, found "
-                    + (command.rest().isEmpty() ? "nothing after it" : command.rest()));
-        }
-        String text = channel.text();
-        if (text.isEmpty()) {
-            throw new CommandException("broadcast: expected CHANNEL TEXT, found an empty text");
-        }
-        try {
-            center.broadcast(Integer.parseInt(channel.name()), text);
-        } catch (IllegalArgumentException e) {
-            throw new CommandException("broadcast: " + e.getMessage());
-        }
     }
 }

@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.ui.MonitorWindow;
@@ -78,8 +79,13 @@ final class CenterWindow implements Operator {
     }
 
     @Override
-    public void broadcast(int channel, String text) {
-        center.broadcast(channel, text);
+    public void broadcast(BroadcastOrder order) {
+        center.broadcast(order);
+    }
+
+    @Override
+    public void stopBroadcast(int id) {
+        center.stopBroadcast(id);
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.smsc.Attempt;
@@ -85,6 +86,21 @@ final class ConsoleEvents {
 
     private static String time(Instant time) {
         return time.truncatedTo(ChronoUnit.SECONDS).toString();
+    }
+
+    static Event of(BroadcastView broadcast) {
+        Event event = Event.of("broadcast")
+                .with("id", broadcast.id())
+                .with("channel", broadcast.channel())
+                .with("language", broadcast.language().orElse(""))
+                .with("update", broadcast.update())
+                .with("pages", broadcast.pages())
+                .with("every", broadcast.period().toSeconds())
+                .with("sent", broadcast.sent());
+        return (broadcast.left().isPresent()
+                        ? event.with("left", broadcast.left().getAsInt())
+                        : event)
+                .with("text", broadcast.text());
     }
 
     static Event end(String list, int count) {

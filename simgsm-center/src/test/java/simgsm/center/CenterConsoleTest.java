@@ -65,6 +65,37 @@ class CenterConsoleTest {
     }
 
     @Test
+    void aRepeatedBroadcastIsListedUntilItIsStopped() throws Exception {
+        String running = "broadcast id=1 channel=50 language=es update=0 pages=1 every=60 sent=1 text=\"mucho ruido\"";
+        assertEquals(
+                List.of(
+                        "ready port=1234",
+                        running,
+                        running,
+                        "end of=broadcasts count=1",
+                        "broadcast id=1 channel=50 language=\"\" update=1 pages=1 every=30 sent=1 left=4 text=nada",
+                        "error text=\"broadcast stop: no broadcast 1 is repeated\"",
+                        "end of=broadcasts count=0"),
+                linesAfter(
+                        "broadcast lang=es every=60 50 mucho ruido\nbroadcasts\n"
+                                + "broadcast update=1 times=5 50 nada\nbroadcast stop 1\nbroadcast stop 1\nbroadcasts\nquit\n"));
+    }
+
+    @Test
+    void whatIsWrongBeforeTheChannelIsNamed() throws Exception {
+        assertEquals(
+                List.of(
+                        "ready port=1234",
+                        "error text=\"broadcast: expected lang= and two letters, found lang=Spanish\"",
+                        "error text=\"broadcast: expected every= and a number, found every=often\"",
+                        "error text=\"broadcast: a period of 0 s is not 1 to 86400 s\"",
+                        "error text=\"broadcast: 0 times is not 1 to 65535\"",
+                        "error text=\"broadcast: no broadcast 7 is repeated\""),
+                linesAfter("broadcast lang=Spanish 50 x\nbroadcast every=often 50 x\nbroadcast every=0 50 x\n"
+                        + "broadcast times=0 50 x\nbroadcast update=7 50 x\nquit\n"));
+    }
+
+    @Test
     void aMessageThatIsNoneIsAnError() throws Exception {
         assertEquals(
                 List.of(
@@ -91,7 +122,7 @@ class CenterConsoleTest {
         assertEquals(
                 List.of(
                         "ready port=1234",
-                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, wait or"
+                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, broadcasts, wait or"
                                 + " quit\"",
                         "error text=\"calls: expected nothing after it, found please\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",

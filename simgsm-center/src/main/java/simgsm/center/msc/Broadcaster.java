@@ -1,39 +1,137 @@
 package simgsm.center.msc;
 
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
+import java.util.OptionalInt;
 import java.util.random.RandomGenerator;
 import simgsm.air.RslMessage;
+import simgsm.center.timer.Timer;
+import simgsm.center.timer.Timers;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
 
-/** Cell broadcast (TS 23.041): the same pages to everybody who is attached. */
+/**
+ * Cell broadcast (TS 23.041): the same pages to everybody who is attached, once or again and again, so that who comes
+ * later sees them, too; phones show a serial number once.
+ */
 final class Broadcaster {
+    /** So many may be repeated at a time. */
+    static final int MOST_RUNNING = 100;
+
     private static final int CODES = 1024;
+    private static final int UPDATES = 16;
 
     private final Mobility mobility;
+    private final Timers timers;
+    private final Map<Integer, Running> running = new LinkedHashMap<>();
     private int nextCode;
+    private int nextId = 1;
+
+    private static final class Running {
+        final int id;
+        final BroadcastOrder order;
+        final BroadcastSerial serial;
+        final List<CellBroadcastPage> pages;
+        int sent;
+        Timer timer;
+
+        Running(int id, BroadcastOrder order, BroadcastSerial serial) {
+            this.id = id;
+            this.order = order;
+            this.serial = serial;
+            this.pages = CellBroadcast.split(order.text(), order.channel(), serial, order.language());
+        }
+
+        OptionalInt left() {
+            return order.times().isPresent() ? OptionalInt.of(order.times().getAsInt() - sent) : OptionalInt.empty();
+        }
+
+        BroadcastView view() {
+            return new BroadcastView(
+                    id,
+                    order.channel(),
+                    order.language(),
+                    serial.update(),
+                    pages.size(),
+                    order.period(),
+                    sent,
+                    left(),
+                    order.text());
+        }
+    }
 
     /** @param random for the first message code, so that phones do not take a new centre's broadcasts for old ones */
-    Broadcaster(Mobility mobility, RandomGenerator random) {
+    Broadcaster(Mobility mobility, Timers timers, RandomGenerator random) {
         this.mobility = mobility;
+        this.timers = timers;
         this.nextCode = random.nextInt(CODES);
     }
 
-    /**
-     * @param channel message identifier, 0 to 65535
-     * @return the number of pages
-     */
-    int broadcast(int channel, String text) {
-        BroadcastSerial serial = new BroadcastSerial(BroadcastSerial.NETWORK_WIDE, nextCode, 0);
-        List<CellBroadcastPage> pages = CellBroadcast.split(text, channel, serial, Optional.empty());
+    /** @throws IllegalArgumentException saying what is wrong with the order */
+    BroadcastView broadcast(BroadcastOrder order) {
+        Running begun = begin(order);
+        send(begun);
+        return begun.view();
+    }
+
+    private Running begin(BroadcastOrder order) {
+        if (order.updated().isPresent()) {
+            return update(order, order.updated().getAsInt());
+        }
+        boolean isRepeated = order.times().isEmpty() || order.times().getAsInt() > 1;
+        if (isRepeated && running.size() == MOST_RUNNING) {
+            throw new IllegalArgumentException(MOST_RUNNING + " broadcasts are repeated already; stop one first");
+        }
+        Running begun = new Running(nextId, order, new BroadcastSerial(BroadcastSerial.NETWORK_WIDE, nextCode, 0));
+        nextId++;
         nextCode = (nextCode + 1) % CODES;
+        return begun;
+    }
+
+    /** The same message code, so that phones see that it takes the place of what they have shown. */
+    private Running update(BroadcastOrder order, int id) {
+        Running old = running.get(id);
+        if (old == null) {
+            throw new IllegalArgumentException("no broadcast " + id + " is repeated");
+        }
+        if (old.order.channel() != order.channel()) {
+            throw new IllegalArgumentException(
+                    "broadcast " + id + " is on channel " + old.order.channel() + ", not on " + order.channel());
+        }
+        int update = (old.serial.update() + 1) % UPDATES;
+        Running begun = new Running(id, order, new BroadcastSerial(old.serial.scope(), old.serial.code(), update));
+        stop(id);
+        return begun;
+    }
+
+    private void send(Running broadcast) {
         for (Link link : mobility.attachedLinks()) {
-            for (CellBroadcastPage page : pages) {
+            for (CellBroadcastPage page : broadcast.pages) {
                 link.sendCommon(new RslMessage.SmsBroadcastCommand(page.encode()));
             }
         }
-        return pages.size();
+        broadcast.sent++;
+        if (broadcast.left().orElse(1) > 0) {
+            running.put(broadcast.id, broadcast);
+            broadcast.timer = timers.start(broadcast.order.period().toNanos(), () -> send(broadcast));
+        } else {
+            running.remove(broadcast.id);
+        }
+    }
+
+    /** @return false if there is no such broadcast, or it is over */
+    boolean stop(int id) {
+        Running stopped = running.remove(id);
+        if (stopped != null) {
+            timers.cancel(stopped.timer);
+        }
+        return stopped != null;
+    }
+
+    /** Those that are repeated, oldest first. */
+    List<BroadcastView> running() {
+        return running.values().stream().map(Running::view).toList();
     }
 }

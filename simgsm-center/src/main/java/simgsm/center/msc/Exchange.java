@@ -75,10 +75,10 @@ public final class Exchange {
         smpp.serve(shortMessages);
         calls = new CallSwitch(
                 mobility, timers, settings.tones(), settings.callWaiting(), call -> callChanged(call, listener));
-        broadcaster = new Broadcaster(mobility, random);
+        broadcaster = new Broadcaster(mobility, timers, random);
         signalling = new SignallingDispatcher(mobility, calls, ladder);
         parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);
-        snapshots = new SnapshotMaker(register, calls, shortMessages, ladder);
+        snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
         startedAt = settings.startedAt();
     }
 
@@ -208,15 +208,23 @@ public final class Exchange {
     }
 
     /**
-     * Sends a text to everybody who is attached.
+     * Sends a text to everybody who is attached, now and perhaps again.
      *
-     * @param channel message identifier, 0 to 65535
-     * @return the number of pages
-     * @throws IllegalArgumentException saying what is wrong with channel or text
+     * @throws IllegalArgumentException saying what is wrong with the order
      */
-    public int broadcast(long nowNanos, int channel, String text) {
+    public BroadcastView broadcast(long nowNanos, BroadcastOrder order) {
         timers.advance(nowNanos);
-        return broadcaster.broadcast(channel, text);
+        return broadcaster.broadcast(order);
+    }
+
+    /** @return false if no broadcast with this id is repeated */
+    public boolean stopBroadcast(int id) {
+        return broadcaster.stop(id);
+    }
+
+    /** Broadcasts that are repeated, oldest first. */
+    public List<BroadcastView> broadcasts() {
+        return broadcaster.running();
     }
 
     // What an operator looks at; all of it on the driving thread.

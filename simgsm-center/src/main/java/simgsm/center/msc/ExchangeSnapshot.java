@@ -15,6 +15,7 @@ import simgsm.center.smsc.MessageHistory;
  * @param ladder the latest signalling messages, oldest first
  * @param ladderCount how many have passed since the start; the last entry of {@code ladder} is number {@code ladderCount}
  * @param latest what began last: a call, or a short message
+ * @param broadcasts those that are repeated
  */
 public record ExchangeSnapshot(
         Instant time,
@@ -27,7 +28,8 @@ public record ExchangeSnapshot(
         List<MessageRow> messages,
         List<LadderEntry> ladder,
         long ladderCount,
-        Optional<Passing> latest) {
+        Optional<Passing> latest,
+        List<BroadcastView> broadcasts) {
     public static final int MAX_ROWS = 1_000;
 
     /** @param imei empty until the subscriber has registered once; @param barred whether the operator lets him not register */

@@ -19,15 +19,22 @@ final class SnapshotMaker {
     private final CallSwitch calls;
     private final ShortMessageCenter shortMessages;
     private final Ladder ladder;
+    private final Broadcaster broadcaster;
     private ExchangeSnapshot.Passing latestCall;
     private ShortMessage latestMessage;
     private boolean latestIsCall;
 
-    SnapshotMaker(SubscriberRegister register, CallSwitch calls, ShortMessageCenter shortMessages, Ladder ladder) {
+    SnapshotMaker(
+            SubscriberRegister register,
+            CallSwitch calls,
+            ShortMessageCenter shortMessages,
+            Ladder ladder,
+            Broadcaster broadcaster) {
         this.register = register;
         this.calls = calls;
         this.shortMessages = shortMessages;
         this.ladder = ladder;
+        this.broadcaster = broadcaster;
     }
 
     void callBegan(CallView call) {
@@ -55,7 +62,8 @@ final class SnapshotMaker {
                 messages(most),
                 ladder.entries(),
                 ladder.passedCount(),
-                latest());
+                latest(),
+                broadcaster.running());
     }
 
     /** Only now is a message's text read, since few are ever looked at. */

@@ -3,8 +3,13 @@ package simgsm.center.ui;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
+import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -13,6 +18,8 @@ import javax.swing.JTextArea;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import simgsm.center.msc.BroadcastOrder;
+import simgsm.center.msc.BroadcastView;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.ui.Act;
@@ -23,12 +30,22 @@ import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
 
-/** Cell broadcast: a channel, a text, how many pages it takes, and the button that sends it to everybody. */
+/**
+ * Cell broadcast: channel, language, how often, a text and how many pages it takes; below, what is repeated and can be
+ * stopped.
+ */
 final class BroadcastPanel extends JPanel {
     /** The channel that handsets listen to when they are new: area names (050). */
     private static final int FIRST_CHANNEL = 50;
 
     private static final int MAX_CHANNEL = 0xffff;
+    private static final int RUNNING_UNITS = 110;
+    /** The first one names none. */
+    private static final String[] LANGUAGES = {
+        "-", "en", "es", "de", "fr", "it", "pt", "nl", "sv", "da", "fi", "no", "el", "tr", "hu", "pl", "cs", "he", "ar",
+        "ru", "is"
+    };
+
     private static final BroadcastSerial ANY_SERIAL = new BroadcastSerial(BroadcastSerial.NETWORK_WIDE, 0, 0);
 
     private final Texts texts;
@@ -39,7 +56,13 @@ final class BroadcastPanel extends JPanel {
     private final JLabel result = new JLabel(" ");
     private final JLabel channelLabel;
     private final JLabel textLabel;
+    private final JComboBox<String> language = new JComboBox<>(LANGUAGES);
+    private final JSpinner times = new JSpinner(new SpinnerNumberModel(1, 0, BroadcastOrder.MOST_TIMES, 1));
+    private final JSpinner period = new JSpinner(new SpinnerNumberModel(
+            (int) BroadcastOrder.DEFAULT_PERIOD.toSeconds(), 1, (int) BroadcastOrder.LONGEST_PERIOD.toSeconds(), 1));
+    private final RowsPanel<BroadcastView> running;
     private final Act send;
+    private final Act stop;
 
     BroadcastPanel(Texts texts, Operator operator) {
         super(new BorderLayout());
@@ -55,6 +78,9 @@ final class BroadcastPanel extends JPanel {
         textLabel.setLabelFor(text);
         channel.setEditor(new JSpinner.NumberEditor(channel, "0"));
         Named.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
+        Named.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
+        Named.name(times, "broadcast.times", texts.of("window.broadcast.times.name"));
+        Named.name(period, "broadcast.period", texts.of("window.broadcast.period.name"));
         Named.name(text, "broadcast.text", texts.of("window.broadcast.text"));
         Named.name(pages, "broadcast.pages", texts.of("window.broadcast.pages.name"));
         Named.name(result, "broadcast.result", texts.of("window.broadcast.result"));
@@ -64,26 +90,83 @@ final class BroadcastPanel extends JPanel {
         text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.getDocument().addDocumentListener(new Counter());
+        language.addActionListener(event -> count());
         JScrollPane scroll = new JScrollPane(text);
         scroll.setPreferredSize(new Dimension(0, 0));
+        running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
+        running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
+        stop = new Act("broadcast.stop", texts.of("window.broadcast.stop"), this::stop)
+                .described(texts.of("window.broadcast.stop.why"));
+        stop.setEnabled(false);
         add(
                 Arrange.column(
                         8,
-                        Arrange.row(8, channelLabel, channel, Arrange.spring(), pages),
+                        Arrange.row(
+                                8,
+                                channelLabel,
+                                channel,
+                                labelled(texts.of("window.broadcast.language"), language),
+                                language,
+                                Arrange.spring(),
+                                pages),
+                        Arrange.row(
+                                8,
+                                labelled(texts.of("window.broadcast.times"), times),
+                                times,
+                                labelled(texts.of("window.broadcast.period"), period),
+                                period,
+                                Arrange.spring()),
                         textLabel,
                         Arrange.growing(scroll),
                         Arrange.row(
                                 8,
                                 Arrange.growing(result),
-                                Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send")))),
+                                Named.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop")),
+                                Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"))),
+                        running),
                 BorderLayout.CENTER);
         dress();
         count();
     }
 
+    private static JLabel labelled(String title, JComponent field) {
+        JLabel label = new JLabel(title);
+        label.setLabelFor(field);
+        return label;
+    }
+
+    /** The broadcasts that are repeated. */
+    void show(List<BroadcastView> broadcasts) {
+        running.show(broadcasts);
+        lookAtChoice();
+    }
+
+    private void lookAtChoice() {
+        stop.setEnabled(running.selected().isPresent());
+    }
+
+    private void stop() {
+        running.selected().ifPresent(chosen -> operator.stopBroadcast(chosen.id()));
+    }
+
+    private BroadcastOrder order() {
+        int count = (Integer) times.getValue();
+        return new BroadcastOrder(
+                (Integer) channel.getValue(),
+                text.getText(),
+                chosenLanguage(),
+                Duration.ofSeconds((Integer) period.getValue()),
+                count == 0 ? OptionalInt.empty() : OptionalInt.of(count),
+                OptionalInt.empty());
+    }
+
+    private Optional<String> chosenLanguage() {
+        return language.getSelectedIndex() == 0 ? Optional.empty() : Optional.of((String) language.getSelectedItem());
+    }
+
     private void send() {
         try {
-            operator.broadcast((Integer) channel.getValue(), text.getText());
+            operator.broadcast(order());
             result.setText(texts.of("window.broadcast.sent", String.valueOf(channel.getValue())));
             result.setForeground(Ink.GOOD.color());
             text.setText("");
@@ -97,7 +180,7 @@ final class BroadcastPanel extends JPanel {
     private void count() {
         String written = text.getText();
         try {
-            int count = CellBroadcast.split(written, 0, ANY_SERIAL, Optional.empty())
+            int count = CellBroadcast.split(written, 0, ANY_SERIAL, chosenLanguage())
                     .size();
             pages.setText(texts.of("window.broadcast.pages", written.length(), count));
             pages.setForeground(Ink.QUIET.color());

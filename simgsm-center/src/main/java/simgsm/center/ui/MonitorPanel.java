@@ -40,6 +40,7 @@ public final class MonitorPanel extends JPanel {
     private final RowsPanel<SubscriberRow> subscribers;
     private final RowsPanel<CallView> calls;
     private final MessagesPanel messages;
+    private final BroadcastPanel broadcasts;
     private final LadderPanel ladder;
     private final JTabbedPane tabs = new JTabbedPane();
     private final JSplitPane split;
@@ -58,6 +59,7 @@ public final class MonitorPanel extends JPanel {
                 .onChoice(row -> ladder.choose(row.number().digits()));
         calls = Tables.calls(texts);
         messages = new MessagesPanel(texts);
+        broadcasts = new BroadcastPanel(texts, operator);
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
@@ -71,7 +73,7 @@ public final class MonitorPanel extends JPanel {
         tabs.addTab(texts.of("window.subscribers"), subscribers);
         tabs.addTab(texts.of("window.calls"), calls);
         tabs.addTab(texts.of("window.messages"), messages);
-        tabs.addTab(texts.of("window.broadcast"), new BroadcastPanel(texts, operator));
+        tabs.addTab(texts.of("window.broadcast"), broadcasts);
         Act phone = new Act("new.phone", texts.of("window.new.phone"), () -> start(operator::newPhone))
                 .described(texts.of("window.new.phone.why"))
                 .with(Symbol.PHONE.icon());
@@ -104,6 +106,7 @@ public final class MonitorPanel extends JPanel {
         subscribers.show(byNumber(snapshot.subscribers()));
         calls.show(snapshot.calls());
         messages.show(snapshot.messages());
+        broadcasts.show(snapshot.broadcasts());
         ladder.show(snapshot);
     }
 

@@ -2,6 +2,7 @@ package simgsm.center.ui;
 
 import java.io.IOException;
 import java.util.Optional;
+import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeSnapshot;
 
 /** What the window may see and do. Any thread may call; nothing here blocks for long. */
@@ -15,12 +16,14 @@ public interface Operator {
     Optional<ExchangeSnapshot> snapshot();
 
     /**
-     * Sends a text to everybody who is attached.
+     * Sends a text to everybody who is attached, now and perhaps again.
      *
-     * @param channel message identifier, 0 to 65535
-     * @throws IllegalArgumentException saying what is wrong with channel or text
+     * @throws IllegalArgumentException saying what is wrong with the order
      */
-    void broadcast(int channel, String text);
+    void broadcast(BroadcastOrder order);
+
+    /** Ends a broadcast that is repeated; one that has ended already is left alone. */
+    void stopBroadcast(int id);
 
     /**
      * Starts one more phone with a free number, as a process of its own that ends with the centre.

@@ -3,6 +3,7 @@ package simgsm.center.ui;
 import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.CallState;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
@@ -76,6 +77,31 @@ final class Tables {
                                 new Column<>(texts.of("window.next"), 62, row -> new Digits(HistoryWords.next(row))),
                                 new Column<>(texts.of("window.text"), 90, MessageRow::text)))
                 .identifiedBy(row -> row.history().message().id());
+    }
+
+    static RowsPanel<BroadcastView> broadcasts(Texts texts) {
+        return new RowsPanel<BroadcastView>(
+                        "broadcasts",
+                        texts.of("window.broadcasts"),
+                        texts.of("window.broadcasts.empty"),
+                        List.of(
+                                new Column<>(
+                                        texts.of("window.broadcast.channel"),
+                                        56,
+                                        row -> new Digits(String.valueOf(row.channel()))),
+                                new Column<>(
+                                        texts.of("window.broadcast.sent.times"), 56, row -> new Digits(sentOf(row))),
+                                new Column<>(
+                                        texts.of("window.broadcast.every"),
+                                        56,
+                                        row -> new Digits(row.period().toSeconds() + " s")),
+                                new Column<>(texts.of("window.text"), 220, BroadcastView::text)))
+                .identifiedBy(BroadcastView::id);
+    }
+
+    private static String sentOf(BroadcastView row) {
+        return row.sent()
+                + (row.left().isPresent() ? "/" + (row.sent() + row.left().getAsInt()) : "");
     }
 
     /** What was dialled; nothing for what cannot be a number. */

@@ -1,14 +1,18 @@
 package simgsm.center.journal;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import simgsm.air.Imsi;
 import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
+import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
@@ -136,7 +140,7 @@ final class Simulation {
             case NOTICE -> noticeOne();
             case MEMORY_FULL -> phone.station.memoryFull();
             case MEMORY_FREE -> phone.station.memoryAvailable();
-            case BROADCAST -> center.exchange().broadcast(center.ownNanos(), random.nextInt(3), "news " + broadcasts++);
+            case BROADCAST -> broadcast();
             case APPLICATION_BINDS -> application.bind(center.exchange(), center.ownNanos());
             case APPLICATION_SUBMITS -> application.submit(phone.number.digits(), UNIQUE + texts++);
             case APPLICATION_ANSWERS -> application.answer(false);
@@ -159,6 +163,17 @@ final class Simulation {
             case 1, 2 -> phone.write(to, "ping");
             default -> phone.write(to, UNIQUE + texts++);
         }
+    }
+
+    private void broadcast() {
+        BroadcastOrder order = new BroadcastOrder(
+                random.nextInt(3),
+                "news " + broadcasts++,
+                Optional.empty(),
+                Duration.ofSeconds(1 + random.nextInt(60)),
+                OptionalInt.of(1 + random.nextInt(4)),
+                OptionalInt.empty());
+        center.exchange().broadcast(center.ownNanos(), order);
     }
 
     private void die(boolean isPowerCut) throws IOException {
@@ -273,6 +288,7 @@ final class Simulation {
         while (!unnoticed.isEmpty()) {
             noticeOne();
         }
+        center.exchange().broadcasts().forEach(each -> center.exchange().stopBroadcast(each.id()));
         // Whoever has refused for long is not asked again for hours; but when it comes anew.
         application.leave(center.exchange(), center.ownNanos());
         long stepMillis = 100;

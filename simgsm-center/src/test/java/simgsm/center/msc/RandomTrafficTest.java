@@ -129,7 +129,7 @@ class RandomTrafficTest {
             case 6, 7, 8 -> mobile.establish(message(mobile));
             case 9 -> mobile.frame(damaged(message(mobile)));
             case 10 -> mobile.ccm(new CcmMessage.Pong());
-            case 11 -> network.exchange.broadcast(network.nowNanos, 50, "all");
+            case 11 -> network.exchange.broadcast(network.nowNanos, BroadcastOrder.once(50, "all"));
             default -> mobile.tell(message(mobile));
         }
         mobile.received.clear();

@@ -34,6 +34,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.CallState;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -148,7 +149,7 @@ class MonitorPanelTest {
         List<ExchangeSnapshot.SubscriberRow> fewer =
                 List.of(before.subscribers().get(0), before.subscribers().get(2));
         panel.show(new ExchangeSnapshot(
-                Scene.NOON, 1, 1, 0, 0, fewer, List.of(), List.of(), List.of(), 0, Optional.empty()));
+                Scene.NOON, 1, 1, 0, 0, fewer, List.of(), List.of(), List.of(), 0, Optional.empty(), List.of()));
 
         assertEquals(0, subscribers.getSelectedRow());
         assertEquals("5550200", String.valueOf(subscribers.getValueAt(0, 0)));
@@ -257,7 +258,7 @@ class MonitorPanelTest {
     void aRefusedBroadcastKeepsItsTextAndSaysWhy() {
         panel = new MonitorPanel(texts("en"), new NotingOperator() {
             @Override
-            public void broadcast(int channel, String text) {
+            public void broadcast(BroadcastOrder order) {
                 throw new IllegalArgumentException("nobody is there");
             }
         });
@@ -430,8 +431,13 @@ class MonitorPanelTest {
         }
 
         @Override
-        public void broadcast(int channel, String text) {
-            acts.add("broadcast " + channel + " " + text);
+        public void stopBroadcast(int id) {
+            acts.add("stop " + id);
+        }
+
+        @Override
+        public void broadcast(BroadcastOrder order) {
+            acts.add("broadcast " + order.channel() + " " + order.text());
         }
 
         @Override

@@ -14,7 +14,18 @@ class RatesTest {
 
     private static ExchangeSnapshot passed(long messages, long frames) {
         return new ExchangeSnapshot(
-                Scene.NOON, 0, 0, 0, frames, List.of(), List.of(), List.of(), List.of(), messages, Optional.empty());
+                Scene.NOON,
+                0,
+                0,
+                0,
+                frames,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                messages,
+                Optional.empty(),
+                List.of());
     }
 
     @Test

@@ -101,7 +101,8 @@ final class Scene {
     }
 
     static ExchangeSnapshot empty() {
-        return new ExchangeSnapshot(NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty());
+        return new ExchangeSnapshot(
+                NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), List.of());
     }
 
     /** A call that is active, a message that waits. */
@@ -124,7 +125,8 @@ final class Scene {
                 List.of(new ExchangeSnapshot.MessageRow("** #**20 **", waiting())),
                 everyKind(),
                 everyKind().size(),
-                latest);
+                latest,
+                List.of());
     }
 
     /** A message that has been tried once in vain. */
