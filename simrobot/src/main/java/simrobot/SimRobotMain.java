@@ -36,6 +36,7 @@ import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.pioneer.PioneerAddress;
+import simrobot.replay.DamagedException;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
@@ -154,10 +155,18 @@ public final class SimRobotMain {
         return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
     }
 
+    private static ReplayThread opened(Path file) throws IOException {
+        try {
+            return new ReplayThread(Recording.open(file));
+        } catch (DamagedException e) {
+            throw new IOException(file + ": " + e.getMessage(), e);
+        }
+    }
+
     /** In the window, from the beginning on at once. */
     private static int watched(ProgramWindow window, Locale language, Path file, double speed)
             throws IOException, InterruptedException {
-        try (ReplayThread replay = new ReplayThread(Recording.open(file))) {
+        try (ReplayThread replay = opened(file)) {
             ReplayModel model = new ReplayModel(replay);
             replay.setSpeed(speed);
             replay.setPaused(false);

@@ -1,7 +1,7 @@
 package simrobot.replay;
 
 /** What a checked record holds makes no sense; says what. */
-final class DamagedException extends RuntimeException {
+public final class DamagedException extends RuntimeException {
     DamagedException(String message) {
         super(message);
     }

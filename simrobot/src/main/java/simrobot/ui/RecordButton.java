@@ -17,7 +17,7 @@ import simgsm.ui.Theme.Ink;
 
 /** Records the session in a file that is asked for, until it is pressed again. */
 final class RecordButton {
-    private static final String ENDING = "session";
+    private static final String ENDING = "rec";
 
     private final Texts texts;
     private final Operator operator;
@@ -61,7 +61,7 @@ final class RecordButton {
             return;
         }
         JFileChooser chooser = new JFileChooser();
-        chooser.setSelectedFile(new File("simrobot." + ENDING));
+        chooser.setSelectedFile(new File("session." + ENDING));
         chooser.setFileFilter(new FileNameExtensionFilter(texts.of("tool.record.files"), ENDING));
         while (chooser.showSaveDialog(button) == JFileChooser.APPROVE_OPTION) {
             Path file = ExportChoice.withEnding(chooser.getSelectedFile().toPath(), ENDING);
