@@ -36,7 +36,10 @@ final class Authenticity {
     private Consumer<Boolean> outcome;
 
     private Timer guard;
+    /** The key agreed last, by its number; and the number of the challenge made last. */
     private int keySequence = MobilityManagement.NO_KEY;
+
+    private int challengeSequence = MobilityManagement.NO_KEY;
     private int keyUses;
 
     Authenticity(Link link, Timers timers) {
@@ -66,10 +69,9 @@ final class Authenticity {
         cancel();
         expected = GsmVector.of(card.functions(), rand).sres();
         outcome = ended;
-        keySequence = (keySequence + 1) % MobilityManagement.NO_KEY;
-        keyUses = 0;
+        challengeSequence = (challengeSequence + 1) % MobilityManagement.NO_KEY;
         guard = timers.start(T3260_NANOS, this::unanswered);
-        link.send(new MobilityManagement.AuthenticationRequest(keySequence, rand, Optional.empty()));
+        link.send(new MobilityManagement.AuthenticationRequest(challengeSequence, rand, Optional.empty()));
     }
 
     /** Takes the answer. Returns false if the message is none, or none is awaited. */
@@ -92,9 +94,8 @@ final class Authenticity {
     private void end(boolean proven) {
         Consumer<Boolean> told = outcome;
         forget();
-        if (!proven) {
-            keySequence = MobilityManagement.NO_KEY;
-        }
+        keySequence = proven ? challengeSequence : MobilityManagement.NO_KEY;
+        keyUses = 0;
         told.accept(proven);
     }
 

@@ -69,8 +69,7 @@ final class Mobility {
         } else if (message instanceof MobilityManagement.CmServiceRequest request) {
             serve(link, request);
         } else if (message instanceof MobilityManagement.CmServiceAbort) {
-            link.authenticity.cancel();
-            link.radio.takeService();
+            abortService(link);
         } else if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
             detach(link, indication);
         } else if (message instanceof MobilityManagement.MmStatus) {
@@ -145,6 +144,9 @@ final class Mobility {
         if (!isSubscriberOf(link, request.identity())) {
             return Optional.of(RejectCause.IMSI_UNKNOWN_IN_VLR);
         }
+        if (link.authenticity.isAwaited()) {
+            return Optional.of(RejectCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+        }
         if (request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL
                 && !link.moderation.admitsCall()) {
             return Optional.of(RejectCause.CONGESTION);
@@ -155,8 +157,18 @@ final class Mobility {
         };
     }
 
+    private static void abortService(Link link) {
+        if (link.registration == null) {
+            link.authenticity.cancel();
+        }
+        link.radio.takeService();
+    }
+
     private void detach(Link link, MobilityManagement.ImsiDetachIndication indication) {
         if (isSubscriberOf(link, indication.identity())) {
+            if (link.registration != null) {
+                link.registration.cancel();
+            }
             link.authenticity.cancel();
             link.loseTransactions();
             depart(link);

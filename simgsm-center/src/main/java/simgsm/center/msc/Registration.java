@@ -113,8 +113,7 @@ final class Registration {
         if (home.numberOf(who).isEmpty()) {
             reject(RejectCause.IMSI_UNKNOWN_IN_HLR);
         } else if (home.cardOf(who).isPresent()) {
-            state = State.AWAITING_PROOF;
-            timers.cancel(guard);
+            await(State.AWAITING_PROOF);
             link.authenticity.demand(home.cardOf(who).get(), mobility.challenge(), this::proved);
         } else {
             identityHolds();

@@ -326,6 +326,34 @@ class ClosedNetworkTest {
     }
 
     @Test
+    void whileAProofIsAwaitedNothingElseIsServedAndTheProofStillCounts() {
+        TestMobile mobile = attach(ANA);
+        mobile.requestUpdate(ANA.imsi());
+        MobilityManagement.AuthenticationRequest request = mobile.next(MobilityManagement.AuthenticationRequest.class);
+        mobile.tell(new MobilityManagement.CmServiceRequest(
+                MobilityManagement.ServiceType.SHORT_MESSAGE, request.keySequence(), mobile.identity()));
+        assertEquals(
+                RejectCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE,
+                mobile.next(MobilityManagement.CmServiceReject.class).cause());
+        mobile.tell(new MobilityManagement.CmServiceAbort());
+        mobile.tell(mobile.responseOf(ANA));
+        mobile.next(MobilityManagement.IdentityRequest.class);
+        mobile.tell(new MobilityManagement.IdentityResponse(mobile.imei));
+        mobile.next(MobilityManagement.LocationUpdatingAccept.class);
+    }
+
+    @Test
+    void aMobileThatDetachesDuringItsProofLeavesNothingBehind() {
+        TestMobile mobile = attach(ANA);
+        mobile.requestUpdate(ANA.imsi());
+        mobile.next(MobilityManagement.AuthenticationRequest.class);
+        mobile.tell(new MobilityManagement.ImsiDetachIndication(mobile.identity()));
+        mobile.leaveReleasedChannel();
+        assertEquals(new ExchangeEvent.Detached(ANA.number()), network.events.get(1));
+        attach(mobile, ANA, ANA.imsi());
+    }
+
+    @Test
     void aRequestTakenBackDuringTheProofReleasesTheChannel() {
         TestMobile mobile = attach(ANA);
         requestService(mobile, MobilityManagement.NO_KEY);
