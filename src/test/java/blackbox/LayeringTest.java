@@ -147,6 +147,7 @@ class LayeringTest {
         "simgsm.center.subscriber",
         "simgsm.center.timer",
         "simgsm.phone.handset",
+        "simrobot.behaviour",
         "simrobot.robot",
         "simrobot.simulation"
     };

@@ -84,7 +84,9 @@ class ReplayTest {
             robot.expect("ready");
             ConsoleEvent pose = robot.ask("pose", "pose");
             // the file grows as the pose reaches it
-            while (!replay(file).output().contains("pose robot=robot x=" + pose.field("x"))) {
+            String line = "pose robot=robot x=" + pose.field("x");
+            for (int look = 0; !replay(file).output().contains(line); look++) {
+                assertTrue(look < 100, "the recording does not grow");
                 robot.ask("status", "status");
             }
             robot.kill();

@@ -73,6 +73,8 @@ final class BatchRun {
                 file.isPresent() ? Optional.of(Recorder.open(file.get(), simulation, act -> {})) : Optional.empty();
         for (SimulatedRobot robot : simulation.robots()) {
             recorder.ifPresent(events -> listen(robot, new ConsoleEvents(robot.name(), events::event)));
+            robot.setMotors(arguments.choice("motors", "on", "off").equals("on"));
+            robot.setPower(arguments.choice("power", "on", "off").equals("on"));
             robot.autonomy().begin(behaviour);
         }
         for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
