@@ -76,6 +76,11 @@ final class DigitTracker {
         }
     }
 
+    /** No key sounds and none stands out: nothing to do for a hop in which none stands out either. */
+    boolean isIdle() {
+        return current == null && run == 0;
+    }
+
     private void consider(long hop, int at, int end) {
         int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
         DtmfKey rival = current == null ? null : current.key();

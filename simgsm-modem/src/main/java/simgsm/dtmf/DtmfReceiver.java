@@ -46,8 +46,11 @@ public final class DtmfReceiver {
         bank.accept(recent, KEPT, hops);
         gate.accept(bank, hopsDone, hops);
         for (int b = 0; b < hops; b++) {
-            int end = KEPT + ToneBank.HOP * (b + 1);
-            tracker.accept(hopsDone + b, ToneBank.HISTORY + b, end, gate.key(b), gate.loudness(b));
+            int key = gate.key(b);
+            if (key >= 0 || !tracker.isIdle()) {
+                int end = KEPT + ToneBank.HOP * (b + 1);
+                tracker.accept(hopsDone + b, ToneBank.HISTORY + b, end, key, gate.loudness(b));
+            }
         }
         bank.shift(hops);
         hopsDone += hops;

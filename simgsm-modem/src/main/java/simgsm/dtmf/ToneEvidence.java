@@ -130,7 +130,7 @@ final class ToneEvidence {
         }
     }
 
-    /** Tones far off their frequency, up to 2.4 %, are taken only if all else is as it should be. */
+    /** Tones far off their frequency, up to 2.1 %, are taken only if all else is as it should be. */
     boolean isSteadyAndNew() {
         return fit.sinceOnset < 14 && ripple < 1.2;
     }

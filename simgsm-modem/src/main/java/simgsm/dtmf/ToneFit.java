@@ -33,8 +33,8 @@ final class ToneFit {
     /** What an interruption of 10 ms touches, in hops. */
     private static final int LONGEST_HOLE = 6;
 
-    /** Farther off than this it is no key's tone; half-way between what Q.24 accepts (1.8 %) and rejects (3 %). */
-    private static final double MOST_ERROR = 0.024;
+    /** Farther off than this it is no key's tone; between what Q.24 accepts (1.8 %) and rejects (3 %). */
+    private static final double MOST_ERROR = 0.021;
     /** Of the turn that 4 % make over a lag of one hop for the highest column, of two hops for the highest row. */
     private static final double[] FAR_OFF_TANGENTS = {
         0,

@@ -1,7 +1,7 @@
 package simgsm.dtmf;
 
 /**
- * The first, cheap test, every second hop: do one row's and one column's tone stand out in the last 20 ms? Its window is smooth:
+ * The first, cheap test, every fourth hop: do one row's and one column's tone stand out in the last 20 ms? Its window is smooth:
  * seven hops of the {@link ToneBank}, turned into step with one another, under a Hann window. What lies 100 Hz or more
  * beside a tone is some 40 dB down, so that mains, dial tone and direct current do not reach it.
  */

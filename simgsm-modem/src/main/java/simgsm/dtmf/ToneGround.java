@@ -80,7 +80,7 @@ enum ToneGround {
                     && e.lineShare < 0.16
                     && e.line < -3
                     && e.tonesBefore < 0.04 + 0.4 * e.restBefore
-                    && e.coherence > 0.5
+                    && e.coherence > 0.58
                     && e.isExplainedByNoise(0)
                     && e.isExplainedByNoise(1)
                     && e.error < (e.coherence > 0.9 ? 2.1 : 1)
@@ -129,6 +129,7 @@ enum ToneGround {
             int covered = 1 - clear;
             return e.share > 0.4
                     && Math.abs(e.twist) < 4.5
+                    && e.fit.sinceOnset < 30
                     && e.fit.coherence[clear] > 0.97
                     && Math.abs(e.fit.error[clear]) < 0.003
                     && e.before(clear) < 0.03

@@ -6,7 +6,7 @@ enum ToneVeto {
     INCOHERENT(false) {
         @Override
         boolean holds(ToneEvidence e) {
-            return e.coherence < 0.35;
+            return e.coherence < 0.45;
         }
     },
 
@@ -23,8 +23,8 @@ enum ToneVeto {
         @Override
         boolean holds(ToneEvidence e) {
             return e.coherence < 0.9 && e.fit.sinceOnset < 11
-                    || e.coherence < 0.75 && e.fit.sinceOnset < 12
-                    || e.coherence < 0.6 && e.fit.sinceOnset < 14;
+                    || e.coherence < 0.8 && e.fit.sinceOnset < 12
+                    || e.coherence < 0.7 && e.fit.sinceOnset < 14;
         }
     },
 
