@@ -1,13 +1,10 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
@@ -22,25 +19,19 @@ import simgsm.station.StationListener;
  * the station's owner thread. {@link #snapshot} may be asked by any thread.
  */
 public final class Handset {
-    private static final int FRAMES_PER_SECOND = 50;
-
     private final Msisdn own;
     private final HandsetListener listener;
-    private final InstantSource wallClock;
     private final Sounds sounds;
+    private final Conversation call;
     private final HandsetDeeds deeds = new HandsetDeeds(this);
     private final Mailbox mailbox = new Mailbox();
     private final Screens screens = new Screens(mailbox, deeds);
     private final HomeKeys home = new HomeKeys(screens, deeds);
-    /** References of messages that failed while they were being handed in. */
-    private final Map<Integer, RpCause> failedEarly = new HashMap<>();
-
+    private final MessageDesk messages;
     private final KeyMode keyMode;
     private final KeySender line;
     private final SignalledKeys signalledKeys;
     private StationSide station;
-    private CallSnapshot call = CallSnapshot.NONE;
-    private long callFrames;
     private Runnable whenSettled;
     private volatile HandsetSnapshot newest;
 
@@ -65,13 +56,14 @@ public final class Handset {
         this.own = own;
         this.keyMode = keyMode;
         this.listener = listener;
-        this.wallClock = wallClock;
         this.line = new KeySender(listener::sent);
         this.signalledKeys = new SignalledKeys(() -> station, line::toneLeft);
         if (keyMode == KeyMode.SIGNALLED) {
             line.goBy(signalledKeys);
         }
         this.sounds = new Sounds(output, line, tones, this::toneHeard);
+        this.call = new Conversation(sounds);
+        this.messages = new MessageDesk(mailbox, screens, () -> station, wallClock, this::changed);
     }
 
     /** Gives the handset its station, once, before anything else. */
@@ -123,41 +115,13 @@ public final class Handset {
 
     /** Queues keys of 100 ms; before the call is connected they wait for it. */
     public Optional<Refusal> press(List<DtmfKey> keys) {
-        if (call.phase() == CallPhase.NONE) {
-            return Optional.of(Refusal.NO_CALL);
-        }
-        if (call.phase() == CallPhase.RINGING) {
-            return Optional.of(Refusal.NOT_ANSWERED);
-        }
-        sounds.press(keys);
-        for (DtmfKey key : keys) {
-            call = call.withKeyed(key.symbol());
-        }
+        Optional<Refusal> refusal = call.press(keys);
         changed();
-        return Optional.empty();
+        return refusal;
     }
 
     public Optional<Refusal> sendMessage(Msisdn to, String text) {
-        if (text.isEmpty()) {
-            return Optional.of(Refusal.EMPTY_TEXT);
-        }
-        if (!isPowered()) {
-            return Optional.of(Refusal.SWITCHED_OFF);
-        }
-        int id;
-        try {
-            id = station.sendMessage(to, text);
-        } catch (IllegalArgumentException tooLong) {
-            return Optional.of(Refusal.TEXT_TOO_LONG);
-        }
-        mailbox.handedIn(id, to.digits(), text, wallClock.instant());
-        RpCause early = failedEarly.remove(id);
-        if (early != null) {
-            mailbox.failed(id, early);
-        }
-        screens.added(Box.OUTBOX);
-        changed();
-        return Optional.empty();
+        return messages.send(to, text);
     }
 
     public void powerOn() {
@@ -185,10 +149,7 @@ public final class Handset {
 
     /** The messages that have come, oldest first, as they are before this call marks them as read. */
     public List<StoredMessage> readInbox() {
-        List<StoredMessage> inbox = mailbox.in(Box.INBOX);
-        mailbox.markAllRead(Box.INBOX);
-        changed();
-        return inbox;
+        return messages.readInbox();
     }
 
     /** Runs the act once no key waits to leave and the network has acknowledged every message; perhaps at once. */
@@ -239,8 +200,7 @@ public final class Handset {
 
     private void pressAtHome(PhoneKey key) {
         if (call.phase() == CallPhase.NONE) {
-            call = call.withoutEnd();
-            sounds.quiet();
+            call.forgetEnd();
             if (sounds.hearsNetwork()) {
                 station.hangUp();
             }
@@ -311,10 +271,7 @@ public final class Handset {
     }
 
     void keySounds(DtmfKey tone) {
-        sounds.down(tone);
-        if (call.phase() == CallPhase.CONNECTED) {
-            call = call.withKeyed(tone.symbol());
-        }
+        call.down(tone);
     }
 
     void keyIsSilent() {
@@ -345,11 +302,7 @@ public final class Handset {
     // What the station brings.
 
     private void say(short[] frame) {
-        boolean soundChanged = sounds.say(frame);
-        if (call.phase() == CallPhase.CONNECTED) {
-            callFrames++;
-        }
-        if (soundChanged || callFrames % FRAMES_PER_SECOND == 0) {
+        if (call.say(frame)) {
             changed();
         }
         checkSettled();
@@ -365,53 +318,43 @@ public final class Handset {
     }
 
     private void toneHeard(DtmfKey key) {
-        call = call.withHeard(key.symbol());
+        call.toneHeard(key);
         changed();
         listener.toneHeard(key);
     }
 
     void callBegan(CallPhase phase, String number) {
-        call = CallSnapshot.begun(phase, number);
-        callFrames = 0;
         home.clear();
         if (!number.isEmpty()) {
             home.remember(number);
         }
         screens.home();
-        sounds.callBegan();
-        if (phase == CallPhase.RINGING) {
-            sounds.ringing();
-        }
+        call.began(phase, number);
         changed();
     }
 
     void callWaits(String number) {
-        call = call.withWaiting(Optional.of(number));
-        sounds.callWaits();
+        call.waits(number);
         changed();
     }
 
     void waitingCallIsOver() {
-        call = call.withWaiting(Optional.empty());
-        sounds.quiet();
+        call.waitsNoMore();
         changed();
     }
 
     void callAlerts() {
-        call = call.in(CallPhase.ALERTING, call.number());
-        sounds.ringBack();
+        call.alerts();
         changed();
     }
 
     void callConnected(Optional<String> number) {
-        call = call.in(CallPhase.CONNECTED, number.orElse(call.number()));
-        sounds.connected();
+        call.connected(number);
         changed();
     }
 
     void callEnded(Cause cause) {
-        call = call.over(cause);
-        sounds.callEnded(cause);
+        call.ended(cause);
         changed();
     }
 
@@ -423,38 +366,9 @@ public final class Handset {
         return rest;
     }
 
-    void messageSent(int id, int parts) {
-        mailbox.sent(id, parts);
-        changed();
-    }
-
-    void messageFailed(int id, RpCause cause) {
-        if (!mailbox.failed(id, cause)) {
-            failedEarly.put(id, cause);
-        }
-        changed();
-    }
-
-    void messageDelivered(int id) {
-        mailbox.delivered(id);
-        changed();
-    }
-
-    void messageUndelivered(int id) {
-        mailbox.undelivered(id);
-        changed();
-    }
-
-    void messageReceived(String from, String text) {
-        mailbox.received(from, text, wallClock.instant());
-        screens.added(Box.INBOX);
-        changed();
-    }
-
-    void broadcastReceived(int channel, int pages, String text) {
-        mailbox.broadcast(channel, pages, text, wallClock.instant());
-        screens.added(Box.BROADCASTS);
-        changed();
+    /** What the station's news of messages are for. */
+    MessageDesk messages() {
+        return messages;
     }
 
     private boolean isPowered() {
@@ -463,11 +377,10 @@ public final class Handset {
 
     /** Publishes what is now. */
     void changed() {
-        call = call.at((int) (callFrames / FRAMES_PER_SECOND));
         newest = new HandsetSnapshot(
                 own,
                 station.snapshot(),
-                call,
+                call.snapshot(),
                 home.typed(),
                 screens.current(),
                 mailbox.in(Box.INBOX),

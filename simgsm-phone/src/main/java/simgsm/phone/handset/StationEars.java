@@ -113,39 +113,39 @@ final class StationEars implements StationListener {
 
     @Override
     public void messageSent(int id, Msisdn to, int parts) {
-        handset.messageSent(id, parts);
+        handset.messages().sent(id, parts);
         listener.messageSent(to, parts, id);
         handset.checkSettled();
     }
 
     @Override
     public void messageFailed(int id, Msisdn to, RpCause cause) {
-        handset.messageFailed(id, cause);
+        handset.messages().failed(id, cause);
         listener.messageFailed(to, cause);
         handset.checkSettled();
     }
 
     @Override
     public void messageReceived(String from, String text) {
-        handset.messageReceived(from, text);
+        handset.messages().received(from, text);
         listener.messageReceived(from, text);
     }
 
     @Override
     public void messageDelivered(int id, Msisdn to) {
-        handset.messageDelivered(id);
+        handset.messages().delivered(id);
         listener.messageDelivered(to, id);
     }
 
     @Override
     public void messageUndelivered(int id, Msisdn to, int status) {
-        handset.messageUndelivered(id);
+        handset.messages().undelivered(id);
         listener.messageUndelivered(to, id, status);
     }
 
     @Override
     public void broadcastReceived(int channel, int pages, String text) {
-        handset.broadcastReceived(channel, pages, text);
+        handset.messages().broadcastReceived(channel, pages, text);
         listener.broadcastReceived(channel, pages, text);
     }
 
