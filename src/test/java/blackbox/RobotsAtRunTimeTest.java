@@ -43,6 +43,30 @@ class RobotsAtRunTimeTest {
     }
 
     @Test
+    void aNameANumberOrAPlaceThatIsTakenIsRefusedAndNothingIsAdded() throws Exception {
+        try (Scenario scenario = new Scenario("robots that cannot be added")) {
+            RunningProgram robot = scenario.start(
+                    "robot",
+                    "simrobot",
+                    "--headless",
+                    "--center=127.0.0.1:1",
+                    "--world=" + Scenario.world("empty.map"));
+            robot.expect("ready");
+            robot.say("add robot=" + NUMBER);
+            assertTrue(robot.expect("error").field("text").contains("is there already"));
+            robot.say("add anna=" + Scenario.ROBOT);
+            assertTrue(robot.expect("error").field("text").contains("another robot has the number"));
+            robot.say("add anna=" + NUMBER + " 500 0 0");
+            assertTrue(robot.expect("error").field("text").contains("outside the world"));
+            robot.say("export world.gif");
+            assertTrue(robot.expect("error").field("text").contains(".png, .svg or .csv"));
+            robot.say("robots");
+            robot.expect("end", "of", "robots", "count", "1");
+            assertEquals(0, robot.quit());
+        }
+    }
+
+    @Test
     void theWorldAndATrackAreExported() throws Exception {
         try (Scenario scenario = new Scenario("exports")) {
             scenario.center();
