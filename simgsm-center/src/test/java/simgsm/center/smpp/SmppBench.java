@@ -26,6 +26,9 @@ import java.util.List;
 public final class SmppBench {
     private static final String NUMBER = "5550300";
     private static final int WARM_UP_SECONDS = 5;
+    /** The user_message_reference behind the text of deliver_sm. */
+    private static final int REFERENCE_LENGTH = 6;
+
     private static final int SUBMIT_RESPONSE = 0x8000_0004;
     private static final int DELIVER = 5;
     private static final int MAX_SAMPLES = 4_000_000;
@@ -99,7 +102,7 @@ public final class SmppBench {
                 out.put((byte) 0);
                 delivered++;
                 if (samples < MAX_SAMPLES) {
-                    latencies[samples++] = System.nanoTime() - stamp(in, at + length - STAMP_LENGTH);
+                    latencies[samples++] = System.nanoTime() - stamp(in, at + length - REFERENCE_LENGTH - STAMP_LENGTH);
                 }
             }
         }
