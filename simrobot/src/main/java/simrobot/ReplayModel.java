@@ -59,7 +59,8 @@ final class ReplayModel implements Operator {
                 List.of(),
                 until(scene.timeNanos()),
                 Optional.of(timeline),
-                Optional.empty());
+                Optional.empty(),
+                false);
         if (!now.equals(newest)) {
             newest = now;
         }

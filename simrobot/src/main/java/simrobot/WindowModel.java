@@ -49,6 +49,7 @@ final class WindowModel implements Operator {
     private final Exports exports;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
+    private final WorldWatch watch;
     private volatile Path worldFile;
     private volatile String notice = "";
     private volatile long noticeNanos;
@@ -60,6 +61,7 @@ final class WindowModel implements Operator {
     /** To be made before the start, for it listens to the robots. */
     WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile) {
         this.worldFile = worldFile;
+        watch = new WorldWatch(slowActs, worldFile);
         this.fleet = fleet;
         this.ports = ports;
         exports = new Exports(simRobot, new WorldPictures());
@@ -103,7 +105,8 @@ final class WindowModel implements Operator {
                 openPorts(),
                 log.newest(),
                 Optional.empty(),
-                sessions.file());
+                sessions.file(),
+                watch.hasChanged());
         if (!now.equals(newest)) {
             newest = now;
         }
@@ -245,6 +248,7 @@ final class WindowModel implements Operator {
             try {
                 int moved = owned.change(world);
                 worldFile = file;
+                watch.isUpToDate(file);
                 tell("");
                 answer.accept(Optional.empty());
                 if (moved > 0) {
@@ -261,6 +265,9 @@ final class WindowModel implements Operator {
         slowActs.execute(() -> {
             try {
                 MapFile.save(world, file);
+                if (file.equals(worldFile)) {
+                    watch.isUpToDate(file);
+                }
                 answer.accept(Optional.empty());
             } catch (IOException unwritable) {
                 answer.accept(Optional.of(String.valueOf(unwritable.getMessage())));
@@ -296,6 +303,7 @@ final class WindowModel implements Operator {
                 try {
                     owned.load(world);
                     worldFile = file;
+                    watch.isUpToDate(file);
                     tell("");
                 } catch (IllegalArgumentException tooSmall) {
                     tell(tooSmall.getMessage());

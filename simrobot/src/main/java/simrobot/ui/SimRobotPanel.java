@@ -27,6 +27,7 @@ public final class SimRobotPanel extends JPanel {
     /** In units; in a lower window the floor needs the room more than the scope's faders do. */
     private static final int LEAST_ROOMY_HEIGHT = 540;
 
+    private final Texts texts;
     private final Operator operator;
     private final ToolRow tools;
     private final WorldView world;
@@ -50,7 +51,7 @@ public final class SimRobotPanel extends JPanel {
     public SimRobotPanel(Locale language, WindowSnapshot first, Operator operator) {
         super(new BorderLayout());
         this.operator = operator;
-        Texts texts = Messages.in(language);
+        texts = Messages.in(language);
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
         tools = new ToolRow(texts, language, operator, world, this::edit);
@@ -110,9 +111,12 @@ public final class SimRobotPanel extends JPanel {
         });
         line.ifPresent(modem::show);
         line.ifPresent(orders::show);
-        notice.show(newest.notice());
-        if (noticeRow.isVisible() == newest.notice().isEmpty()) {
-            noticeRow.setVisible(!newest.notice().isEmpty());
+        String told = newest.notice().isEmpty() && newest.worldChanged()
+                ? texts.of("world.changed", newest.worldFile().getFileName())
+                : newest.notice();
+        notice.show(told);
+        if (noticeRow.isVisible() == told.isEmpty()) {
+            noticeRow.setVisible(!told.isEmpty());
             revalidate();
         }
     }

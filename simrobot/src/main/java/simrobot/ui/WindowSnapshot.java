@@ -18,6 +18,7 @@ import simrobot.simulation.SimulationSnapshot;
  * @param events what happened, the oldest first
  * @param timeline when this is a recording that is played; then nothing can be done to its robots
  * @param recording the file in which the session is being recorded
+ * @param worldChanged whether the world's file has been changed on the disk since
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,
@@ -29,7 +30,8 @@ public record WindowSnapshot(
         List<OpenPort> ports,
         List<LoggedEvent> events,
         Optional<Timeline> timeline,
-        Optional<Path> recording) {
+        Optional<Path> recording,
+        boolean worldChanged) {
     public WindowSnapshot {
         Objects.requireNonNull(simulation);
         lines = List.copyOf(lines);

@@ -230,6 +230,19 @@ class SimRobotPanelTest {
         assertFalse(bench.component("notice").getParent().isVisible());
     }
 
+    @Test
+    void aWorldThatWasChangedOnTheDiskIsSaidUntilItIsLoadedAgain() throws Exception {
+        WindowBench bench = bench();
+        bench.worldChanged = true;
+        bench.show();
+        assertEquals(
+                "empty.map has been changed on the disk. Ctrl+O, \"Load it again\" takes it over.",
+                bench.spoken("notice"));
+        bench.worldChanged = false;
+        bench.show();
+        assertFalse(bench.component("notice").getParent().isVisible());
+    }
+
     // ---- modem and VeriCommand
     // -----------------------------------------------------------------------------------------
 

@@ -44,6 +44,7 @@ final class WindowBench implements Operator {
     List<OpenPort> ports = List.of();
     List<LoggedEvent> events = List.of();
     Optional<Timeline> timeline = Optional.empty();
+    boolean worldChanged;
     Optional<Path> recording = Optional.empty();
     Optional<String> refusal = Optional.empty();
 
@@ -71,7 +72,8 @@ final class WindowBench implements Operator {
                 ports,
                 events,
                 timeline,
-                recording);
+                recording,
+                worldChanged);
     }
 
     /** Shows the simulation as it is now. */
