@@ -118,12 +118,15 @@ final class Dispatcher {
         services.channelReleased();
     }
 
-    /** TS 44.018, 3.3.2: an own connection that crossed the paging serves the network as well. */
+    /**
+     * TS 44.018, 3.3.2: an own connection that crossed the paging serves the network as well. The answer names the
+     * identity that was paged: a network that pages by the permanent one may have missed which temporary one we took.
+     */
     private void paged(MobileIdentity identity) {
         if (registration.isRegistered()
                 && registration.isMine(identity)
                 && !parts.radio().isOpen()) {
-            parts.radio().send(new PagingResponse(registration.keySequence(), registration.identity()));
+            parts.radio().send(new PagingResponse(registration.keySequence(), identity));
         }
     }
 }

@@ -388,4 +388,13 @@ class RegistrationTest {
         assertEquals(next, registered.expectFirst(PagingResponse.class).identity());
         assertEquals(List.of(), registered.told.lines());
     }
+
+    @Test
+    void whoIsPagedByThePermanentIdentityAnswersByIt() {
+        Scene registered = Scene.registered();
+        registered.page(registered.identity.imsi());
+        assertEquals(
+                registered.identity.imsi(),
+                registered.expectFirst(PagingResponse.class).identity());
+    }
 }

@@ -39,6 +39,8 @@ final class Simulation {
 
     /** Longer than any of the network's short timers, in total. */
     private static final int MOST_ROUNDS_TO_REST = 600;
+    /** Shorter than T3113, so that whoever is paged can answer in time. */
+    private static final long LONGEST_STEP_MILLIS = 2_000;
 
     private final SplittableRandom random;
     private final Act.Choice acts;
@@ -304,7 +306,11 @@ final class Simulation {
             }
             pass(stepMillis);
             dropBroken();
-            stepMillis = Math.min(20_000, stepMillis * 21 / 20);
+            stepMillis = Math.min(LONGEST_STEP_MILLIS, stepMillis * 21 / 20);
+            if (i == MOST_ROUNDS_TO_REST / 2) {
+                // What waits by the schedule, for hours perhaps, is tried when its receiver comes anew.
+                phones.forEach(this::vanish);
+            }
         }
         checkRest();
     }
