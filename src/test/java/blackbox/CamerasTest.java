@@ -69,12 +69,12 @@ class CamerasTest {
             assertTrue(page.body().contains("/robots/Window/camera.jpg"), page.body());
 
             scenario.tell("status follows what happens");
-            robots.say("place 0 1.5 90").expect("pose");
+            robots.say("place -1 0.2 90").expect("pose");
             robots.say("motors off").expect("status", "value", "No motors");
             robots.say("wait nothing 0.2").expect("error");
             String status = text("GET", port, "/robots/Home").body();
             assertTrue(status.contains("\"status\":\"No motors\""), status);
-            assertTrue(status.contains("\"x\":0.0000,\"y\":1.5000,\"heading\":90.00"), status);
+            assertTrue(status.contains("\"x\":-1.0000,\"y\":0.2000,\"heading\":90.00"), status);
             String all = text("GET", port, "/robots").body();
             assertTrue(all.startsWith("[{\"name\":\"Home\"") && all.contains("{\"name\":\"Window\""), all);
 
