@@ -50,6 +50,27 @@ enum ToneGround {
         }
     },
 
+    /**
+     * After an interruption right at the beginning: as pure as a key alone, and before it nothing but the same two tones
+     * and the hole, which smears them a little.
+     */
+    RESUMED {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.share > 0.98
+                    && e.shareOfAll > 0.93
+                    && e.coherence > 0.98
+                    && e.ripple < 1.2
+                    && e.error < 2
+                    && e.line < -20
+                    && e.tonesBefore < 1
+                    && e.restBefore < 0.25 * e.tonesBefore
+                    && e.allBefore < 0.7
+                    && Math.abs(e.twist) < 10
+                    && e.fit.sinceOnset < 22;
+        }
+    },
+
     /** Behind a codec, out of silence: the tones waver and are not in balance yet. */
     SETTLING {
         @Override

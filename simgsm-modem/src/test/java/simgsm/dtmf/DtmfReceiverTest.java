@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -111,6 +112,24 @@ class DtmfReceiverTest {
             DtmfDigit digit = hear(tape.samples(), 20).decided.get(0);
             double millis = (digit.decidedAtSample() - start) / 8.0;
             assertTrue(millis > 23 && millis < 33, millis + " ms");
+        }
+    }
+
+    @Test
+    void anInterruptionOfTenOrFifteenMillisNeitherLosesNorDoublesAKeyWhereverItFalls() {
+        for (DtmfKey key : DtmfKey.values()) {
+            for (int hole = 80; hole <= 120; hole += 40) {
+                for (int at = 0; at < 720 - hole; at += 13) {
+                    Tape tape = new Tape(1000L * key.ordinal() + at);
+                    tape.silence(50 + at % 20 / 8.0);
+                    tape.toneMillis = 90;
+                    short[] samples = tape.digits(String.valueOf(key.symbol())).samples();
+                    int from = tape.starts.get(0) + at;
+                    Arrays.fill(samples, from, from + hole, (short) 0);
+                    String heard = Bench.text(hear(samples, samples.length).decided);
+                    assertEquals(String.valueOf(key.symbol()), heard, hole + " samples, from " + at);
+                }
+            }
         }
     }
 
