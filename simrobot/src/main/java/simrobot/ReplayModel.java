@@ -1,6 +1,7 @@
 package simrobot;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -115,16 +116,34 @@ final class ReplayModel implements Operator {
         notice = message;
     }
 
-    /** Pictures of the present moment; tracks belong to sessions that run. */
+    /** Pictures of the present moment, painted here; the track from the recording's beginning to its end, read elsewhere. */
     @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        if (Exports.ending(file).equals("csv")) {
+            Thread reader = new Thread(() -> answer.accept(write(() -> track(robot), file)), "track");
+            reader.setDaemon(true);
+            reader.start();
+        } else {
+            SimulationSnapshot scene = replay.snapshot();
+            answer.accept(write(() -> new WorldPictures().of(scene, robot, Exports.ending(file)), file));
+        }
+    }
+
+    private byte[] track(String robot) throws IOException {
+        return RecordedTrack.csv(replay.recording().path(), robot).getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** What a file is to hold. */
+    private interface Content {
+        byte[] octets() throws IOException;
+    }
+
+    private Optional<String> write(Content content, Path file) {
         try {
-            String name = file.getFileName().toString();
-            String ending = name.substring(name.lastIndexOf('.') + 1);
-            Exports.write(new WorldPictures().of(replay.snapshot(), robot, ending), file);
-            answer.accept(Optional.empty());
-        } catch (IOException unwritable) {
-            answer.accept(Optional.of(unwritable.getMessage()));
+            Exports.write(content.octets(), file);
+            return Optional.empty();
+        } catch (IOException impossible) {
+            return Optional.of(String.valueOf(impossible.getMessage()));
         }
     }
 

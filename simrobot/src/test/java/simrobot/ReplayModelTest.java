@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
@@ -40,6 +42,8 @@ class ReplayModelTest {
     @TempDir
     Path folder;
 
+    private String live = "";
+
     private static void until(BooleanSupplier condition) {
         while (!condition.getAsBoolean()) {
             LockSupport.parkNanos(1_000_000);
@@ -65,6 +69,7 @@ class ReplayModelTest {
             simRobot.onSimulation(() -> {
                 robot.start(new Instruction.Forward(100), ended -> {});
                 simulation.run(600);
+                live = simRobot.tracks().csv("anna");
                 return null;
             });
             assertEquals(Optional.of(file), button.file());
@@ -98,6 +103,38 @@ class ReplayModelTest {
             model.seek(0);
             until(() -> model.snapshot().simulation().timeNanos() == 0);
             assertTrue(model.snapshot().events().size() < there.events().size());
+        }
+    }
+
+    @Test
+    void theTrackOfARecordingIsWhatTheRunningSessionWouldHaveWritten() throws Exception {
+        Path csv = folder.resolve("anna.CSV");
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
+            ReplayModel model = new ReplayModel(replay);
+            replay.start();
+            model.export("anna", csv, answer::complete);
+            assertEquals(Optional.empty(), answer.get());
+            assertEquals(0, model.snapshot().simulation().timeNanos());
+        }
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals(live.lines().toList().get(0), lines.get(0));
+        assertEquals("0.00,0.0000,0.0000,0.00,Stopped", lines.get(1));
+        List<String> moving = lines.stream()
+                .filter(line -> line.matches("[0-9.]+0,.*,Moving"))
+                .toList();
+        assertTrue(live.lines().toList().containsAll(moving), () -> live + "\n" + lines);
+        assertTrue(moving.size() > 10, () -> lines.toString());
+        assertTrue(lines.get(lines.size() - 1).endsWith(",0.7500,0.0000,0.00,Collision"), () -> lines.toString());
+    }
+
+    @Test
+    void aTrackThatCannotBeWrittenIsRefusedByName() throws Exception {
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
+            ReplayModel model = new ReplayModel(replay);
+            model.export("anna", folder.resolve("nowhere").resolve("a.csv"), answer::complete);
+            assertTrue(answer.get().orElseThrow().contains("a.csv"), () -> answer.join().toString());
         }
     }
 

@@ -39,7 +39,8 @@ public final class Exports {
         };
     }
 
-    private static String ending(Path file) {
+    /** In small letters, without the dot. */
+    public static String ending(Path file) {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return name.substring(name.lastIndexOf('.') + 1);
     }
