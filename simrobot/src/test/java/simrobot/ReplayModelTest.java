@@ -134,7 +134,9 @@ class ReplayModelTest {
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
             ReplayModel model = new ReplayModel(replay);
             model.export("anna", folder.resolve("nowhere").resolve("a.csv"), answer::complete);
-            assertTrue(answer.get().orElseThrow().contains("a.csv"), () -> answer.join().toString());
+            assertTrue(
+                    answer.get().orElseThrow().contains("a.csv"),
+                    () -> answer.join().toString());
         }
     }
 

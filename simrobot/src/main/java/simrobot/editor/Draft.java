@@ -20,6 +20,9 @@ public final class Draft {
     private World saved;
     private World tried;
     private Item selected;
+    private World still;
+    private World stillOf;
+    private Item stillWithout;
 
     public Draft(World world) {
         this.world = Objects.requireNonNull(world);
@@ -34,6 +37,33 @@ public final class Draft {
     /** As it was before the present try. */
     public World settled() {
         return world;
+    }
+
+    /** The item that the present try makes or changes; none without a try. */
+    public Optional<Item> moving() {
+        if (tried == null || tried == world) {
+            return Optional.empty();
+        }
+        for (Item.Kind kind : Item.Kind.values()) {
+            if (Edits.count(tried, kind) > Edits.count(world, kind)) {
+                return Optional.of(Edits.last(tried, kind));
+            }
+        }
+        return selected();
+    }
+
+    /** All but what moves; the same object while the same item moves, so that it may be painted once. */
+    public World still() {
+        Item item = moving().filter(it -> Edits.has(world, it)).orElse(null);
+        if (item == null) {
+            return world;
+        }
+        if (stillOf != world || !item.equals(stillWithout)) {
+            still = Edits.without(world, item);
+            stillOf = world;
+            stillWithout = item;
+        }
+        return still;
     }
 
     // ---- steps -----------------------------------------------------------------------------------------------------

@@ -175,10 +175,12 @@ final class EditorFloor extends SpokenComponent {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Drawing.on(graphics);
         try {
-            cache.paint(g, draft.world(), viewport, Layers.ALL);
+            cache.paint(g, draft.still(), viewport, Layers.ALL);
+            FloorPainter moving = new FloorPainter(g, viewport);
+            draft.moving().ifPresent(item -> moving.item(draft.world(), item));
             EditorPainter painter = new EditorPainter(g, viewport);
             painter.raster(snap.stepMeters());
-            new FloorPainter(g, viewport).treadmills(draft.world(), 0);
+            moving.treadmills(draft.world(), 0);
             painter.robots(robots);
             draft.selected().ifPresent(item -> painter.selection(draft.world(), item));
             if (cursor != null) {

@@ -10,6 +10,7 @@ import java.util.List;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simrobot.editor.Item;
 import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Goal;
@@ -74,13 +75,32 @@ final class FloorPainter {
 
     void obstacles(World world) {
         world.boxes().forEach(this::box);
-        g.setColor(Ink.WALL.color());
-        double width = Math.max(Theme.exact(1.6), WALL_METERS * view.pixelsPerMeter());
-        g.setStroke(Theme.stroke(width / Theme.zoom()));
+        asWalls();
         for (Segment wall : world.segments()) {
             line(wall);
         }
         points(world);
+    }
+
+    private void asWalls() {
+        g.setColor(Ink.WALL.color());
+        double width = Math.max(Theme.exact(1.6), WALL_METERS * view.pixelsPerMeter());
+        g.setStroke(Theme.stroke(width / Theme.zoom()));
+    }
+
+    /** One thing by itself, as it looks among the others; treadmills run, and are not painted here. */
+    void item(World world, Item item) {
+        switch (item.kind()) {
+            case WALL -> {
+                asWalls();
+                line(world.segments().get(item.index()));
+            }
+            case BOX -> box(world.boxes().get(item.index()));
+            case HOME -> home(world.homes().get(item.index()));
+            case TREADMILL -> {
+                // among those that run
+            }
+        }
     }
 
     private void line(Segment s) {

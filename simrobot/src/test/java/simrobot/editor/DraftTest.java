@@ -45,6 +45,27 @@ class DraftTest {
     }
 
     @Test
+    void whatStandsStillWhileSomethingIsMadeOrMovedIsOneWorld() {
+        World bare = draft.world();
+        draft.attempt(with(draft.settled(), WALL));
+        assertEquals(Optional.of(new Item(Item.Kind.WALL, 0)), draft.moving());
+        assertSame(bare, draft.still());
+        draft.settle();
+        assertEquals(Optional.empty(), draft.moving());
+        assertSame(draft.world(), draft.still());
+        Item wall = new Item(Item.Kind.WALL, 0);
+        draft.select(wall);
+        draft.attempt(Edits.moved(draft.settled(), wall, 1, 0));
+        World still = draft.still();
+        assertEquals(List.of(), still.segments());
+        draft.attempt(Edits.moved(draft.settled(), wall, 2, 0));
+        assertSame(still, draft.still());
+        assertEquals(Optional.of(wall), draft.moving());
+        draft.forget();
+        assertSame(draft.world(), draft.still());
+    }
+
+    @Test
     void aDragIsOneStepHoweverManyTriesItTook() {
         for (int i = 1; i < 20; i++) {
             draft.attempt(with(draft.settled(), new Segment(0, 0, i, 0)));

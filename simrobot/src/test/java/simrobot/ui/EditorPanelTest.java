@@ -2,6 +2,7 @@ package simrobot.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -20,8 +21,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.ui.Appearance;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 import simrobot.editor.Item;
 import simrobot.world.Segment;
+import simrobot.world.World;
 import simrobot.world.WorldReader;
 
 /** A world is drawn, changed, saved and put under the robots, by mouse and by keyboard. */
@@ -211,6 +214,24 @@ class EditorPanelTest {
     private void type(String key, String text) {
         field(key).setText(text);
         field(key).postActionEvent();
+    }
+
+    @Test
+    void whileAWallIsDraggedTheRestOfTheFloorIsPaintedFromOnePicture() {
+        bench.click("editor.tool.wall");
+        drag(1, 2, 4, 2, 0);
+        bench.click("editor.tool.select");
+        mouse(MouseEvent.MOUSE_PRESSED, 2, 2, 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, 2, 3, 0);
+        WindowBench.painted(floor, 1);
+        World rest = floor.draft().still();
+        mouse(MouseEvent.MOUSE_DRAGGED, 2, 4, 0);
+        assertSame(rest, floor.draft().still());
+        int there = WindowBench.count(WindowBench.painted(floor, 1), Ink.ACCENT);
+        mouse(MouseEvent.MOUSE_RELEASED, 2, 4, 0);
+        assertEquals(new Segment(1, 4, 4, 4), walls().get(walls().size() - 1));
+        assertEquals(there, WindowBench.count(WindowBench.painted(floor, 1), Ink.ACCENT), 200);
+        assertSame(floor.draft().world(), floor.draft().still());
     }
 
     private void drag(double x1, double y1, double x2, double y2, int modifiers) {
