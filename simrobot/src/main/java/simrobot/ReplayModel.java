@@ -18,6 +18,7 @@ import simrobot.replay.ReplayThread;
 import simrobot.robot.Placement;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.ui.Operator;
+import simrobot.ui.Refusals;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.WorldPictures;
@@ -27,9 +28,9 @@ import vericommand.Pose;
 /** A recorded session as the window sees it: it can be looked at from any time, but nothing can be done to it. */
 final class ReplayModel implements Operator {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
-    private static final String ONLY_LOOKED_AT = "this is a recording";
 
     private final ReplayThread replay;
+    private final Refusals refusals;
     private final Timeline timeline;
     private final List<LoggedEvent> events = new ArrayList<>();
     private final String damage;
@@ -37,14 +38,15 @@ final class ReplayModel implements Operator {
     private volatile long noticeNanos;
     private WindowSnapshot newest;
 
-    ReplayModel(ReplayThread replay) {
+    ReplayModel(ReplayThread replay, Refusals refusals) {
         this.replay = replay;
+        this.refusals = refusals;
         Recording recording = replay.recording();
         timeline = new Timeline(recording.firstNanos(), recording.lastNanos(), recording.markers());
         for (RecordedEvent event : recording.events()) {
             ReplayedEvents.of(event).ifPresent(events::add);
         }
-        damage = recording.damage().orElse("");
+        damage = recording.damage().map(refusals::damaged).orElse("");
     }
 
     /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
@@ -143,7 +145,7 @@ final class ReplayModel implements Operator {
             Exports.write(content.octets(), file);
             return Optional.empty();
         } catch (IOException impossible) {
-            return Optional.of(String.valueOf(impossible.getMessage()));
+            return Optional.of(refusals.unwritable(file, impossible));
         }
     }
 
@@ -166,7 +168,7 @@ final class ReplayModel implements Operator {
 
     @Override
     public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
-        answer.accept(Optional.of(ONLY_LOOKED_AT));
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
     }
 
     @Override
@@ -186,12 +188,12 @@ final class ReplayModel implements Operator {
 
     @Override
     public void apply(World world, Path file, Consumer<Optional<String>> answer) {
-        answer.accept(Optional.of(ONLY_LOOKED_AT));
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
     }
 
     @Override
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
-        answer.accept(Optional.of(ONLY_LOOKED_AT));
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
     }
 
     @Override

@@ -1,11 +1,9 @@
 package simrobot;
 
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import simrobot.control.ConsoleEvents;
 import simrobot.control.ControlListener;
 import simrobot.replay.Recorder;
@@ -14,12 +12,12 @@ import simrobot.simulation.SimulationThread;
 /** Records the session while somebody at the window wishes so. */
 final class SessionButton {
     private final SimulationThread simulation;
-    private final Consumer<String> problem;
+    private final BiConsumer<Path, IOException> problem;
     private volatile Recorder recorder;
     private volatile Path file;
 
     /** @param problem told why nothing is recorded; any thread tells */
-    SessionButton(SimulationThread simulation, Consumer<String> problem) {
+    SessionButton(SimulationThread simulation, BiConsumer<Path, IOException> problem) {
         this.simulation = simulation;
         this.problem = problem;
     }
@@ -47,12 +45,8 @@ final class SessionButton {
                 try {
                     recorder = Recorder.open(wanted.get(), owned, simulation);
                     file = wanted.get();
-                } catch (NoSuchFileException e) {
-                    problem.accept(wanted.get() + ": the folder does not exist");
-                } catch (AccessDeniedException e) {
-                    problem.accept(wanted.get() + ": no permission to write there");
                 } catch (IOException e) {
-                    problem.accept(String.valueOf(e.getMessage()));
+                    problem.accept(wanted.get(), e);
                 }
             }
         });

@@ -41,6 +41,7 @@ import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
+import simrobot.ui.Refusals;
 import simrobot.ui.SimRobotWindow;
 import simrobot.ui.WorldPictures;
 import simrobot.world.World;
@@ -167,7 +168,7 @@ public final class SimRobotMain {
     private static int watched(ProgramWindow window, Locale language, Path file, double speed)
             throws IOException, InterruptedException {
         try (ReplayThread replay = opened(file)) {
-            ReplayModel model = new ReplayModel(replay);
+            ReplayModel model = new ReplayModel(replay, new Refusals(language));
             replay.setSpeed(speed);
             replay.setPaused(false);
             replay.start();
@@ -187,7 +188,7 @@ public final class SimRobotMain {
                 Ports ports = opened) {
             endInOrder(simRobot, record);
             record.listenTo(simRobot);
-            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile);
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new Refusals(language));
             simRobot.start();
             ports.start();
             window.show(

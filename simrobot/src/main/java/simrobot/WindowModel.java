@@ -28,6 +28,7 @@ import simrobot.simulation.SimulationThread;
 import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.Operator;
+import simrobot.ui.Refusals;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.WorldPictures;
 import simrobot.world.MapFile;
@@ -47,6 +48,7 @@ final class WindowModel implements Operator {
     private final EventLog log;
     private final SessionButton sessions;
     private final Exports exports;
+    private final Refusals refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private final WorldWatch watch;
@@ -59,7 +61,8 @@ final class WindowModel implements Operator {
     private record Line(TelephoneRobot robot, SentTones sent) {}
 
     /** To be made before the start, for it listens to the robots. */
-    WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile) {
+    WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile, Refusals refusals) {
+        this.refusals = refusals;
         this.worldFile = worldFile;
         watch = new WorldWatch(slowActs, worldFile);
         this.fleet = fleet;
@@ -67,7 +70,7 @@ final class WindowModel implements Operator {
         exports = new Exports(simRobot, new WorldPictures());
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
-        sessions = new SessionButton(simulation, this::tell);
+        sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
         log = new EventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
         simRobot.onAdded(this::come);
         simRobot.onRemoved(this::gone);
@@ -176,16 +179,33 @@ final class WindowModel implements Operator {
     }
 
     private Optional<String> add(String name, String number, Optional<Pose> place) {
+        Msisdn called;
+        RobotName wanted;
         try {
-            fleet.add(new RobotName(name, Msisdn.parse(number)), place);
+            called = Msisdn.parse(number);
+        } catch (IllegalArgumentException noNumber) {
+            return Optional.of(refusals.noNumber(number));
+        }
+        try {
+            wanted = new RobotName(name, called);
+        } catch (IllegalArgumentException noName) {
+            return Optional.of(refusals.noName(name));
+        }
+        return add(wanted, place);
+    }
+
+    private Optional<String> add(RobotName wanted, Optional<Pose> place) {
+        try {
+            fleet.add(wanted, place);
             return Optional.empty();
-        } catch (Fleet.Refusal | IllegalArgumentException refusal) {
-            return Optional.of(refusal.getMessage());
+        } catch (Fleet.Refusal refusal) {
+            LOG.log(Level.DEBUG, "not added: {0}", refusal.getMessage());
+            return Optional.of(refusals.notAdded(wanted.name(), wanted.number().digits(), refusal));
         } catch (IOException unwritable) {
             return Optional.of(String.valueOf(unwritable.getMessage()));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return Optional.of("interrupted");
+            return Optional.of(refusals.late());
         }
     }
 
@@ -195,7 +215,8 @@ final class WindowModel implements Operator {
             try {
                 fleet.remove(robot);
             } catch (IllegalStateException e) {
-                tell(e.getMessage());
+                LOG.log(Level.WARNING, "{0} stays: {1}", robot, e.getMessage());
+                tell(refusals.late());
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
@@ -211,7 +232,7 @@ final class WindowModel implements Operator {
     public void setBehaviour(String robot, BehaviourKind kind) {
         simulation.withSimulation(here -> here.robot(robot).ifPresent(owned -> {
             if (!owned.autonomy().begin(kind)) {
-                tell(robot + ": " + kind.text() + " - " + owned.status().text());
+                tell(refusals.process(robot, kind, owned.status()));
             }
         }));
     }
@@ -255,7 +276,7 @@ final class WindowModel implements Operator {
                     LOG.log(Level.INFO, moved + " robots stood in the way of the changed world and went to homes");
                 }
             } catch (IllegalArgumentException tooSmall) {
-                answer.accept(Optional.of(tooSmall.getMessage()));
+                answer.accept(Optional.of(refusals.tooSmall(world.name())));
             }
         });
     }
@@ -270,7 +291,7 @@ final class WindowModel implements Operator {
                 }
                 answer.accept(Optional.empty());
             } catch (IOException unwritable) {
-                answer.accept(Optional.of(String.valueOf(unwritable.getMessage())));
+                answer.accept(Optional.of(refusals.unwritable(file, unwritable)));
             }
         });
     }
@@ -282,16 +303,16 @@ final class WindowModel implements Operator {
             byte[] octets = exports.octets(simulation.snapshot(), robot, file);
             slowActs.execute(() -> answer.accept(write(octets, file)));
         } catch (IOException impossible) {
-            answer.accept(Optional.of(String.valueOf(impossible.getMessage())));
+            answer.accept(Optional.of(refusals.unwritable(file, impossible)));
         }
     }
 
-    private static Optional<String> write(byte[] octets, Path file) {
+    private Optional<String> write(byte[] octets, Path file) {
         try {
             Exports.write(octets, file);
             return Optional.empty();
         } catch (IOException unwritable) {
-            return Optional.of(unwritable.getMessage());
+            return Optional.of(refusals.unwritable(file, unwritable));
         }
     }
 
@@ -306,13 +327,11 @@ final class WindowModel implements Operator {
                     watch.isUpToDate(file);
                     tell("");
                 } catch (IllegalArgumentException tooSmall) {
-                    tell(tooSmall.getMessage());
+                    tell(refusals.tooSmall(world.name()));
                 }
             });
-        } catch (java.nio.file.NoSuchFileException missing) {
-            tell(file + ": no such file");
         } catch (IOException unreadable) {
-            tell(unreadable.getMessage());
+            tell(refusals.unreadable(file, unreadable));
         }
     }
 

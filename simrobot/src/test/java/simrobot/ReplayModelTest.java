@@ -29,6 +29,7 @@ import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
+import simrobot.ui.Refusals;
 import simrobot.ui.WindowSnapshot;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -58,7 +59,7 @@ class ReplayModelTest {
         Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
-            SessionButton button = new SessionButton(simRobot.simulation(), problem -> {
+            SessionButton button = new SessionButton(simRobot.simulation(), (to, problem) -> {
                 throw new AssertionError(problem);
             });
             simRobot.onAdded(added -> added.listen(button.of(added.name())));
@@ -83,7 +84,7 @@ class ReplayModelTest {
     @Test
     void aRecordedCollisionIsSoughtAndSeenWithItsEventsSoFar() throws Exception {
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay);
+            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
             replay.start();
             WindowSnapshot first = model.snapshot();
             assertTrue(first.paused());
@@ -111,7 +112,7 @@ class ReplayModelTest {
         Path csv = folder.resolve("anna.CSV");
         CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay);
+            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
             replay.start();
             model.export("anna", csv, answer::complete);
             assertEquals(Optional.empty(), answer.get());
@@ -132,7 +133,7 @@ class ReplayModelTest {
     void aTrackThatCannotBeWrittenIsRefusedByName() throws Exception {
         CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay);
+            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
             model.export("anna", folder.resolve("nowhere").resolve("a.csv"), answer::complete);
             assertTrue(
                     answer.get().orElseThrow().contains("a.csv"),
@@ -147,7 +148,9 @@ class ReplayModelTest {
         List<String> problems = new java.util.concurrent.CopyOnWriteArrayList<>();
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
-            SessionButton button = new SessionButton(simRobot.simulation(), problems::add);
+            SessionButton button = new SessionButton(
+                    simRobot.simulation(),
+                    (file, why) -> problems.add(new Refusals(Locale.ENGLISH).unwritable(file, why)));
             simRobot.simulation().start();
             button.record(Optional.of(folder.resolve("nowhere").resolve("a.session")));
             simRobot.onSimulation(() -> null);

@@ -36,6 +36,7 @@ import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.LineSnapshot;
+import simrobot.ui.Refusals;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
@@ -54,6 +55,7 @@ class WindowModelTest {
     private SimRobot simRobot;
     private SimulatedRobot robot;
     private WindowModel model;
+    private Fleet fleet;
     private final List<Placement> placements = new CopyOnWriteArrayList<>();
 
     @BeforeEach
@@ -66,7 +68,7 @@ class WindowModelTest {
         simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
         simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         simRobot.simulation().setPaused(true);
-        Fleet fleet = new Fleet(
+        fleet = new Fleet(
                 simRobot,
                 new Fleet.Kit(
                         1,
@@ -76,9 +78,14 @@ class WindowModelTest {
                         SpeechCodec.Kind.A_LAW,
                         robot -> CallTap.NONE,
                         number -> Optional.empty()));
-        Arguments plain = SimRobotMain.options().parse(List.of());
-        model = new WindowModel(simRobot, fleet, Ports.open(plain, simRobot), WORLDS.resolve("empty.map"));
+        model = modelIn(Locale.ENGLISH);
         simRobot.start();
+    }
+
+    private WindowModel modelIn(Locale language) throws Exception {
+        Arguments plain = SimRobotMain.options().parse(List.of());
+        return new WindowModel(
+                simRobot, fleet, Ports.open(plain, simRobot), WORLDS.resolve("empty.map"), new Refusals(language));
     }
 
     @AfterEach
@@ -140,6 +147,31 @@ class WindowModelTest {
         Pose taken = simRobot.onSimulation(robot::pose);
         assertTrue(add("anna", "5550201", Optional.of(taken)).contains("in the way"));
         assertEquals(1, simRobot.robots().size());
+    }
+
+    @Test
+    void aSpanishWindowRefusesInSpanish() throws Exception {
+        model = modelIn(Locale.forLanguageTag("es"));
+        assertEquals("otro robot tiene ya el número 5550200", add("anna", "5550200", Optional.empty()));
+        assertEquals("\"none\" no es un número de teléfono de 1 a 15 cifras", add("anna", "none", Optional.empty()));
+        assertTrue(add("a b", "5550201", Optional.empty()).endsWith("hay \"a b\""));
+        assertEquals("ya hay un robot robot", add("robot", "5550201", Optional.empty()));
+        Pose taken = simRobot.onSimulation(robot::pose);
+        assertEquals("hay algo en ese lugar", add("anna", "5550201", Optional.of(taken)));
+        assertEquals("fuera del mundo", add("anna", "5550201", Optional.of(new Pose(1e5, 0, 0))));
+        model.read(Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n"));
+        assertEquals(
+                "broken.map:3: hay el final de la línea, se esperaba y2 in mm",
+                model.snapshot().notice());
+        model.read(folder.resolve("nowhere.map"));
+        assertTrue(model.snapshot().notice().endsWith("nowhere.map: no existe el archivo"));
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        Path nowhere = folder.resolve("nowhere").resolve("a.map");
+        model.save(World.bare(), nowhere, answer::complete);
+        assertEquals(Optional.of(nowhere + ": la carpeta no existe"), answer.get(20, TimeUnit.SECONDS));
+        CompletableFuture<Optional<String>> picture = new CompletableFuture<>();
+        model.export("robot", folder.resolve("nowhere").resolve("a.csv"), picture::complete);
+        assertTrue(picture.get(20, TimeUnit.SECONDS).orElse("").endsWith("a.csv: la carpeta no existe"));
     }
 
     @Test

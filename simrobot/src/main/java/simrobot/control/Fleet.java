@@ -51,10 +51,31 @@ public final class Fleet {
             Recording recording,
             Cards cards) {}
 
-    /** A robot cannot be made as it was asked for; the message is for the person who asked. */
+    /** Why a robot cannot be made as it was asked for. */
+    public enum Reason {
+        NAME_TAKEN,
+        NUMBER_TAKEN,
+        /** No SIM in the list, or none can have that number. */
+        NO_CARD,
+        PLACE_OUTSIDE,
+        PLACE_TAKEN,
+        /** No place was named, and none is free. */
+        NO_PLACE,
+        /** The simulation has failed, or is too slow. */
+        NOT_DONE
+    }
+
+    /** A robot cannot be made as it was asked for; the message is for the person who asked at a console. */
     public static final class Refusal extends Exception {
-        Refusal(String message) {
+        private final Reason reason;
+
+        Refusal(Reason reason, String message) {
             super(message);
+            this.reason = reason;
+        }
+
+        public Reason reason() {
+            return reason;
         }
     }
 
@@ -113,11 +134,11 @@ public final class Fleet {
         try {
             made = simRobot.onSimulation(() -> attempt(name, card, place, recorder));
         } catch (IllegalStateException late) {
-            made = new Made(null, late.getMessage());
+            made = new Made(null, new Refusal(Reason.NOT_DONE, late.getMessage()));
         }
         if (made.robot() == null) {
             recorder.close();
-            throw new Refusal(made.refusal());
+            throw made.refusal();
         }
         return made.robot();
     }
@@ -127,11 +148,11 @@ public final class Fleet {
             Imsi.ofOpenNumber(name.number());
             return kit.cards().of(name.number());
         } catch (UsageException | IllegalArgumentException noCard) {
-            throw new Refusal(noCard.getMessage());
+            throw new Refusal(Reason.NO_CARD, noCard.getMessage());
         }
     }
 
-    private record Made(TelephoneRobot robot, String refusal) {}
+    private record Made(TelephoneRobot robot, Refusal refusal) {}
 
     private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallTap recorder) {
         Simulation simulation = simRobot.simulation().owned();
@@ -139,10 +160,26 @@ public final class Fleet {
             if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
                 throw new IllegalArgumentException("another robot has the number " + name.number());
             }
-            return new Made(make(name, card, simulation, place, recorder), "");
+            return new Made(make(name, card, simulation, place, recorder), null);
         } catch (IllegalArgumentException | IllegalStateException refusal) {
-            return new Made(null, refusal.getMessage());
+            return new Made(null, new Refusal(reason(simulation, name, place), refusal.getMessage()));
         }
+    }
+
+    /** What stands against it; asked on the simulation's thread, where nothing has changed since. */
+    private Reason reason(Simulation simulation, RobotName name, Optional<Pose> place) {
+        if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
+            return Reason.NUMBER_TAKEN;
+        }
+        if (simulation.robot(name.name()).isPresent()) {
+            return Reason.NAME_TAKEN;
+        }
+        if (place.isEmpty()) {
+            return Reason.NO_PLACE;
+        }
+        Pose there = place.get();
+        boolean inside = simulation.world().ground().contains(there.xMeters(), there.yMeters());
+        return inside ? Reason.PLACE_TAKEN : Reason.PLACE_OUTSIDE;
     }
 
     private TelephoneRobot make(

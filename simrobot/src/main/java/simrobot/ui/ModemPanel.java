@@ -100,7 +100,7 @@ final class ModemPanel extends JPanel {
             case IMSI_UNKNOWN_IN_HLR -> texts.of("modem.refused.unknown");
             case ILLEGAL_ME -> texts.of("modem.refused.equipment");
             case PLMN_NOT_ALLOWED -> texts.of("modem.refused.barred");
-            default -> cause.title();
+            default -> texts.of("modem.refused.other", String.valueOf(cause.code()));
         };
     }
 

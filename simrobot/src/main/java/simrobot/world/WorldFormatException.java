@@ -4,11 +4,32 @@ import java.io.IOException;
 
 /** A world file says something that cannot be read; the message names file, line, what was found and what was expected. */
 public final class WorldFormatException extends IOException {
+    private final String source;
     private final int line;
+    private final String found;
+    private final String expected;
 
     WorldFormatException(String source, int line, String found, String expected) {
         super(source + ":" + line + ": found " + found + ", expected " + expected);
+        this.source = source;
         this.line = line;
+        this.found = found;
+        this.expected = expected;
+    }
+
+    /** The file's name. */
+    public String source() {
+        return source;
+    }
+
+    /** What stands there: in quotes when it is the file's own word. */
+    public String found() {
+        return found;
+    }
+
+    /** What should, in the words of the format. */
+    public String expected() {
+        return expected;
     }
 
     /** Counted from 1. */
