@@ -97,13 +97,17 @@ class ReplayTest {
     }
 
     private Path run(String name, String seed) throws Exception {
+        return run(name, seed, "wall-follow");
+    }
+
+    private Path run(String name, String seed, String behaviour) throws Exception {
         Path file = folder.resolve(name);
         FinishedProgram run = FinishedProgram.run(
                 "simrobot",
                 "--run",
                 "30",
                 "--behaviour",
-                "wall-follow",
+                behaviour,
                 "--noise",
                 "1",
                 "--seed",
@@ -123,6 +127,16 @@ class ReplayTest {
         Path first = run("first.rec", "5");
         assertEquals(-1, Files.mismatch(first, run("again.rec", "5")));
         assertTrue(Files.mismatch(first, run("other.rec", "6")) >= 0);
+    }
+
+    @Test
+    void aRunOfWanderersIsRecordedToo() throws Exception {
+        Path first = run("first.rec", "5", "wander");
+        assertEquals(-1, Files.mismatch(first, run("again.rec", "5", "wander")));
+        FinishedProgram told = replay(first);
+        assertEquals(0, told.status(), told.error());
+        assertTrue(told.output().contains("behaviour robot=Corridor value=wander\n"), told.output());
+        assertTrue(told.output().contains("status robot=Library value=Moving\n"), told.output());
     }
 
     @Test

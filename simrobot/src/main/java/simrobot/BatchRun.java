@@ -37,10 +37,7 @@ final class BatchRun {
         double seconds = arguments.number("run", 0, 0.001, MOST_SECONDS);
         long began = System.nanoTime();
         if (behaviour == BehaviourKind.WANDER) {
-            if (arguments.has("record")) {
-                throw new UsageException("--record: wanderers are not recorded with --run, expected one of the two");
-            }
-            wander(world, robots.size(), seconds);
+            wander(arguments, world, robots, seconds);
         } else {
             simulate(arguments, world, robots, behaviour, seconds);
         }
@@ -54,10 +51,23 @@ final class BatchRun {
         return ExitStatus.OK;
     }
 
-    private static void wander(World world, int robots, double seconds) {
-        WanderRun run = new WanderRun(world, robots);
-        for (long left = Math.round(seconds * 1e9 / WanderRun.STEP_NANOS); left > 0; left--) {
-            run.step();
+    private static void wander(Arguments arguments, World world, List<RobotName> robots, double seconds)
+            throws UsageException, IOException {
+        WanderRun run = new WanderRun(world, robots.size());
+        long steps = Math.round(seconds * 1e9 / WanderRun.STEP_NANOS);
+        Optional<Path> file = arguments.path("record");
+        if (file.isEmpty()) {
+            for (long left = steps; left > 0; left--) {
+                run.step();
+            }
+            return;
+        }
+        List<String> names = robots.stream().map(RobotName::name).toList();
+        try (WanderRecording recording = WanderRecording.open(file.get(), world, run, names)) {
+            for (long left = steps; left > 0; left--) {
+                run.step();
+                recording.step();
+            }
         }
     }
 

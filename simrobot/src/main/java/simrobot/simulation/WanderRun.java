@@ -112,6 +112,16 @@ public final class WanderRun {
         return stalled[robot];
     }
 
+    /** Metres per second ahead in the last step. */
+    public double speedMetersPerSecond(int robot) {
+        return steps == 0 || stalled[robot] ? 0 : steerings[robot].metersPerSecond();
+    }
+
+    /** Anticlockwise, in the last step. */
+    public double turnRadiansPerSecond(int robot) {
+        return steps == 0 ? 0 : steerings[robot].radiansPerSecond();
+    }
+
     /** What a sonar heard at the beginning of the last step; from the robot's mouth, at most 5 m. */
     public double rangeMeters(int robot, int sonar) {
         return ranges[robot * SonarRing.COUNT + sonar];
