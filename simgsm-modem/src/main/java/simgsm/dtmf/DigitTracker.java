@@ -50,35 +50,54 @@ final class DigitTracker {
     }
 
     /**
-     * @param hop counted from the stream's start
-     * @param at the hop's index in the bank
-     * @param end index just behind the hop's last sample
-     * @param key that stands out, as its ordinal, or -1
-     * @param loudness product of the powers of its tones
+     * The newest hops of the bank, which the gate has seen.
+     *
+     * @param firstHop the first of them, counted from the stream's start
+     * @param start index of its first sample
      */
-    void accept(long hop, int at, int end, int key, float loudness) {
-        if (current != null) {
-            follow(hop, at);
-        }
-        if (key < 0) {
-            missed++;
-            run = missed > MOST_MISSED ? 0 : run;
-        } else {
-            run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
-            quietest = run == 1 ? loudness : Math.min(quietest, loudness);
-            nextLook = run == 1 ? 0 : nextLook;
-            runKey = key;
-            missed = 0;
-        }
-        boolean due = run >= LEAST_RUN && hop >= nextLook && (run <= OFTEN || hop % 4 == 0) && run <= ToneFit.SPAN;
-        if (due && (current == null || current.key().ordinal() != runKey)) {
-            consider(hop, at, end);
+    void accept(ToneGate gate, long firstHop, int hops, int start) {
+        int b = advance(gate, firstHop, 0, hops);
+        while (b < hops) {
+            consider(firstHop + b, ToneBank.HISTORY + b, start + ToneBank.HOP * (b + 1));
+            b = advance(gate, firstHop, b + 1, hops);
         }
     }
 
-    /** No key sounds and none stands out: nothing to do for a hop in which none stands out either. */
-    boolean isIdle() {
-        return current == null && run == 0;
+    /** Goes on to the next hop that is worth a closer look, apart from that look, so that most hops run in a small loop. */
+    private int advance(ToneGate gate, long firstHop, int from, int hops) {
+        for (int b = from; b < hops; b++) {
+            int key = gate.key(b);
+            if (current != null) {
+                follow(firstHop + b, ToneBank.HISTORY + b);
+            } else if (key < 0 && run == 0) {
+                continue;
+            }
+            if (key < 0) {
+                missed++;
+                run = missed > MOST_MISSED ? 0 : run;
+            } else {
+                standsOut(key, gate.loudness(b));
+            }
+            if (run >= LEAST_RUN && isDue(firstHop + b)) {
+                return b;
+            }
+        }
+        return hops;
+    }
+
+    private void standsOut(int key, float loudness) {
+        run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
+        quietest = run == 1 ? loudness : Math.min(quietest, loudness);
+        nextLook = run == 1 ? 0 : nextLook;
+        runKey = key;
+        missed = 0;
+    }
+
+    private boolean isDue(long hop) {
+        return hop >= nextLook
+                && (run <= OFTEN || hop % 4 == 0)
+                && run <= ToneFit.SPAN
+                && (current == null || current.key().ordinal() != runKey);
     }
 
     private void consider(long hop, int at, int end) {

@@ -45,13 +45,7 @@ public final class DtmfReceiver {
     private void hear(int hops) {
         bank.accept(recent, KEPT, hops);
         gate.accept(bank, hopsDone, hops);
-        for (int b = 0; b < hops; b++) {
-            int key = gate.key(b);
-            if (key >= 0 || !tracker.isIdle()) {
-                int end = KEPT + ToneBank.HOP * (b + 1);
-                tracker.accept(hopsDone + b, ToneBank.HISTORY + b, end, key, gate.loudness(b));
-            }
-        }
+        tracker.accept(gate, hopsDone, hops, KEPT);
         bank.shift(hops);
         hopsDone += hops;
         int used = hops * ToneBank.HOP;

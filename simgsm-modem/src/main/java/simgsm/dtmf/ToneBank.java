@@ -22,7 +22,7 @@ import java.util.Arrays;
 final class ToneBank {
     static final int HOP = 20;
     static final int HOPS_PER_SECOND = 400;
-    static final int MOST_HOPS = 64;
+    static final int MOST_HOPS = 256;
     static final int HISTORY = 64;
     static final int TONES = 8;
     /** Of white noise between 560 and 3500 Hz so much falls into one tone's window, which lets 267 Hz of it through. */
