@@ -104,4 +104,13 @@ class BehaviourTest {
                 FinishedProgram.run("simrobot", "--behaviour", "dance", "--run", "1")
                         .status());
     }
+
+    @Test
+    void whatNeedsSomebodyAtTheOtherEndIsRefusedBesideARun() throws Exception {
+        for (String option : new String[] {"--p2os=0", "--http=0", "--pioneer=127.0.0.1:8101"}) {
+            FinishedProgram refused = FinishedProgram.run("simrobot", "--run", "1", option);
+            assertEquals(2, refused.status(), refused.error());
+            assertTrue(refused.error().contains(option.substring(0, option.indexOf('='))), refused.error());
+        }
+    }
 }

@@ -28,10 +28,18 @@ import simrobot.world.World;
  */
 final class BatchRun {
     private static final double MOST_SECONDS = 1e9;
+    /** What needs real time or somebody at the other end. */
+    private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os");
 
     private BatchRun() {}
 
     static int run(Arguments arguments, World world) throws UsageException, IOException {
+        for (String live : LIVE_OPTIONS) {
+            if (arguments.has(live)) {
+                throw new UsageException(
+                        "--" + live + ": there is nobody to serve with --run, expected one of the two");
+            }
+        }
         List<RobotName> robots = Lineup.of(arguments, SimSlot.of(arguments), world);
         BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
         double seconds = arguments.number("run", 0, 0.001, MOST_SECONDS);
