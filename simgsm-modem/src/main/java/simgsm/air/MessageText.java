@@ -34,6 +34,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         try {
             Layer3Message message = Layer3Codec.decode(octets.toArray(), direction);
             FieldTexts.add(fields, message);
+            CapabilityTexts.add(fields, message, octets, direction);
             return new MessageText(nameOf(message, direction), fields, octets);
         } catch (ProtocolViolation violation) {
             fields.add(new Field("cause", FieldTexts.text(violation.statusCause())));

@@ -39,15 +39,33 @@ class MessageTextTest {
                 List.of(
                         new Field("transaction", "1, opened by the sender"),
                         new Field("calling", "491700000001"),
-                        new Field("called", "491700000002")),
+                        new Field("called", "491700000002"),
+                        new Field("bearer capability", "speech")),
                 text.fields());
+    }
+
+    @Test
+    void whatAMobileCanDoIsToldInWords() {
+        List<Field> fields = MessageText.ofLayer3(
+                        OctetString.ofHex("03050406600402000581" + "5e0791947100000020"), Direction.UPLINK)
+                .fields();
+
+        assertEquals(
+                new Field("bearer capability", "speech, full rate preferred, versions FR3 FR2 FR1 HR3 HR1"),
+                fields.get(fields.size() - 1));
+        for (String withClassmark : List.of(
+                "0524710333198105f41234abcd", "06270703331981082926240000000071", "05013305f41234abcd")) {
+            List<Field> said = MessageText.ofLayer3(OctetString.ofHex(withClassmark), Direction.UPLINK)
+                    .fields();
+            assertEquals(new Field("classmark", "phase 2, power class 4"), said.get(said.size() - 1));
+        }
     }
 
     @Test
     void causesIdentitiesAndAreasAreToldInWords() {
         assertEquals(
                 "[send sequence number: 0, updating type: imsi attach, key sequence: 7, old area: 262/42 area 1,"
-                        + " identity: IMSI 262420000000017]",
+                        + " identity: IMSI 262420000000017, classmark: phase 2, power class 4]",
                 MessageText.ofLayer3(OctetString.ofHex("05087262f224000133082926240000000071"), Direction.UPLINK)
                         .fields()
                         .toString());

@@ -1,0 +1,88 @@
+package simgsm.air;
+
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.air.MessageText.Field;
+import simgsm.air.OptionalElements.FixedElements;
+
+/**
+ * What a terminal says that it can do, for people who watch. Nothing here depends on it, so the messages' records pass
+ * over it, and it is read off the octets once more.
+ */
+final class CapabilityTexts {
+    private static final int BEARER_CAPABILITY = 0x04;
+    private static final int BACKUP_BEARER = 0x3b;
+    private static final int EXTENSION = 0x80;
+    /** Information transfer capabilities (TS 24.008, 10.5.4.5) by code. */
+    private static final List<String> TRANSFERS =
+            List.of("speech", "unrestricted digital", "3.1 kHz audio", "fax", "reserved", "other", "reserved", "other");
+    /** Radio channel requirements of a mobile, by code. */
+    private static final List<String> RATES =
+            List.of("reserved", "full rate only", "half rate preferred", "full rate preferred");
+    /** Revision levels (10.5.1.5) by code. */
+    private static final List<String> REVISIONS = List.of("phase 1", "phase 2", "release 99 or later", "reserved");
+    /** Where the classmark stands when the message type is the second octet. */
+    private static final int AFTER_TYPE = 2;
+
+    private static final int AFTER_AREA = 8;
+    private static final int AFTER_SERVICE = 4;
+
+    private CapabilityTexts() {}
+
+    /** @param octets a message that has been decoded as the given one */
+    static void add(List<Field> fields, Layer3Message message, OctetString octets, Direction direction)
+            throws ProtocolViolation {
+        if (message instanceof CallControl.Setup) {
+            addBearer(fields, octets.reader(), direction);
+        } else if (message instanceof MobilityManagement.LocationUpdatingRequest) {
+            addClassmark(fields, octets, AFTER_AREA);
+        } else if (message instanceof MobilityManagement.ImsiDetachIndication) {
+            addClassmark(fields, octets, AFTER_TYPE);
+        } else if (message instanceof MobilityManagement.CmServiceRequest
+                || message instanceof RadioResource.PagingResponse) {
+            addClassmark(fields, octets, AFTER_SERVICE);
+        }
+    }
+
+    private static void addBearer(List<Field> fields, OctetReader in, Direction direction) throws ProtocolViolation {
+        in.part(2, "header");
+        OptionalElements elements =
+                new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
+        int identifier = elements.next();
+        while (identifier >= 0) {
+            if (identifier == BEARER_CAPABILITY && elements.value().hasMore()) {
+                fields.add(new Field("bearer capability", bearer(elements.value(), direction)));
+            }
+            identifier = elements.next();
+        }
+    }
+
+    private static String bearer(OctetReader in, Direction direction) throws ProtocolViolation {
+        int octet = in.octet("bearer capability");
+        List<String> words = new ArrayList<>();
+        words.add(TRANSFERS.get(octet & 0x07));
+        if (direction == Direction.UPLINK) {
+            words.add(RATES.get(octet >> 5 & 0x03));
+        }
+        StringBuilder versions = new StringBuilder();
+        while ((octet & EXTENSION) == 0 && in.hasMore()) {
+            octet = in.octet("speech version");
+            versions.append(' ').append(speechVersion(octet & 0x0f));
+        }
+        if (versions.length() > 0) {
+            words.add("versions" + versions);
+        }
+        return String.join(", ", words);
+    }
+
+    /** FR3 is full rate speech version 3, and so on: odd codes are half rate ones, versions count from 1. */
+    private static String speechVersion(int code) {
+        return (code % 2 == 0 ? "FR" : "HR") + (code / 2 + 1);
+    }
+
+    private static void addClassmark(List<Field> fields, OctetString octets, int place) {
+        int classmark = octets.toArray()[place] & 0xff;
+        fields.add(new Field(
+                "classmark", REVISIONS.get(classmark >> 5 & 0x03) + ", power class " + ((classmark & 0x07) + 1)));
+    }
+}
