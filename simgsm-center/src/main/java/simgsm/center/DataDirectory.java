@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Map;
@@ -36,7 +39,7 @@ final class DataDirectory implements AutoCloseable {
         try {
             Files.createDirectories(path);
         } catch (IOException e) {
-            throw new IOException("cannot make the data directory " + path + ": " + e.getMessage(), e);
+            throw new IOException("cannot make the data directory " + path + ": " + reason(e), e);
         }
         FileChannel channel = open(path);
         FileLock lock = tryLock(channel);
@@ -51,8 +54,19 @@ final class DataDirectory implements AutoCloseable {
         try {
             return FileChannel.open(path.resolve(LOCK_FILE), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         } catch (IOException e) {
-            throw new IOException("cannot write in the data directory " + path + ": " + e.getMessage(), e);
+            throw new IOException("cannot write in the data directory " + path + ": " + reason(e), e);
         }
+    }
+
+    /** The file system names only the path where it refuses. */
+    private static String reason(IOException e) {
+        if (e instanceof FileAlreadyExistsException) {
+            return "there is a file of that name";
+        }
+        if (e instanceof AccessDeniedException) {
+            return "access denied";
+        }
+        return e instanceof NoSuchFileException ? "no such folder" : e.getMessage();
     }
 
     private static FileLock tryLock(FileChannel channel) throws IOException {

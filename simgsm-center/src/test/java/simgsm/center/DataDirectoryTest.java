@@ -40,10 +40,11 @@ class DataDirectoryTest {
     }
 
     @Test
-    void aPathThatIsAFileIsNamed() throws IOException {
+    void aPathThatIsAFileIsNamedAndTheReasonTold() throws IOException {
         Path file = Files.createFile(temporary.resolve("file"));
         IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(file));
-        assertTrue(failure.getMessage().contains(file.toString()), failure.getMessage());
+        assertEquals(
+                "cannot make the data directory " + file + ": there is a file of that name", failure.getMessage());
     }
 
     @Test
