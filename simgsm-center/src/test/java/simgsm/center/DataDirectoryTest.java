@@ -43,8 +43,7 @@ class DataDirectoryTest {
     void aPathThatIsAFileIsNamedAndTheReasonTold() throws IOException {
         Path file = Files.createFile(temporary.resolve("file"));
         IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(file));
-        assertEquals(
-                "cannot make the data directory " + file + ": there is a file of that name", failure.getMessage());
+        assertEquals("cannot make the data directory " + file + ": there is a file of that name", failure.getMessage());
     }
 
     @Test

@@ -53,8 +53,8 @@ class MessageTextTest {
         assertEquals(
                 new Field("bearer capability", "speech, full rate preferred, versions FR3 FR2 FR1 HR3 HR1"),
                 fields.get(fields.size() - 1));
-        for (String withClassmark : List.of(
-                "0524710333198105f41234abcd", "06270703331981082926240000000071", "05013305f41234abcd")) {
+        for (String withClassmark :
+                List.of("0524710333198105f41234abcd", "06270703331981082926240000000071", "05013305f41234abcd")) {
             List<Field> said = MessageText.ofLayer3(OctetString.ofHex(withClassmark), Direction.UPLINK)
                     .fields();
             assertEquals(new Field("classmark", "phase 2, power class 4"), said.get(said.size() - 1));
