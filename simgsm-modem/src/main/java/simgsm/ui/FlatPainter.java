@@ -18,6 +18,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     enum Kind {
         BUTTON,
         FIELD_FILL,
+        LINED_FIELD,
         FIELD,
         AREA,
         CHECK,
@@ -59,8 +60,8 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             case "Spinner:\"Spinner.nextButton\"" -> background ? Kind.NOTHING : Kind.ARROW_UP;
             case "Spinner:\"Spinner.previousButton\"" -> background ? Kind.NOTHING : Kind.ARROW_DOWN;
             case "ComboBox:\"ComboBox.textField\"", "InternalFrame" -> Kind.NOTHING;
-            case "TextField", "FormattedTextField", "PasswordField", "Spinner:Panel:\"Spinner.formattedTextField\"" ->
-                background ? Kind.FIELD_FILL : Kind.FIELD;
+            case "TextField", "FormattedTextField", "PasswordField" -> background ? Kind.FIELD_FILL : Kind.FIELD;
+            case "Spinner:Panel:\"Spinner.formattedTextField\"" -> background ? Kind.LINED_FIELD : null;
             case "TextArea", "TextPane", "EditorPane" -> Kind.AREA;
             case "ScrollPane" -> Kind.FRAME;
             case "CheckBox" -> Kind.CHECK;
@@ -106,6 +107,10 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         switch (kind) {
             case BUTTON -> box(g, 2, w, h, buttonFill(), buttonLine(), Theme.CONTROL_RADIUS);
             case FIELD_FILL -> box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
+            case LINED_FIELD -> {
+                box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
+                outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
+            }
             case FIELD -> outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
             case AREA -> fill(g, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD);
             case FRAME -> frame(g, w, h);

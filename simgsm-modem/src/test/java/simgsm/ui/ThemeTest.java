@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JSpinner;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -116,6 +119,18 @@ class ThemeTest {
         button.paint(image.getGraphics());
         assertEquals(Ink.CARD.color().getRGB(), image.getRGB(40, 8));
         assertEquals(Ink.CARD.color().getRGB(), image.getRGB(40, 24));
+    }
+
+    @Test
+    void aSpinnersFieldHasALineAroundItOnACard() {
+        Theme.install(Appearance.LIGHT);
+        JSpinner spinner = new JSpinner();
+        SwingUtilities.updateComponentTreeUI(spinner);
+        JComponent field = ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField();
+
+        BufferedImage image = Painted.at(field, 60, 30, 1);
+
+        assertTrue(Painted.count(image, Ink.CONTROL_LINE) > 100, "the line");
     }
 
     @Test

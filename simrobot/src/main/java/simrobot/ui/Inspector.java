@@ -3,7 +3,6 @@ package simrobot.ui;
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.Dimension;
-import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -14,11 +13,11 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import javax.swing.Scrollable;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Named;
+import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simrobot.simulation.RobotSnapshot;
@@ -71,7 +70,7 @@ final class Inspector extends JPanel {
     }
 
     private static JScrollPane scrolled(JPanel content) {
-        JScrollPane all = new RoomForItsBar(new Column(content));
+        JScrollPane all = new RoomForItsBar(new ScrolledColumn(content));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);
@@ -119,7 +118,7 @@ final class Inspector extends JPanel {
 
     /** As wide as its view and its scroll bar, so that nothing narrows when the bar appears. */
     private static final class RoomForItsBar extends JScrollPane {
-        RoomForItsBar(Column column) {
+        RoomForItsBar(ScrolledColumn column) {
             super(column);
         }
 
@@ -128,40 +127,6 @@ final class Inspector extends JPanel {
             Dimension view = super.getPreferredSize();
             Dimension bar = getVerticalScrollBar().getPreferredSize();
             return getVerticalScrollBar().isVisible() ? new Dimension(view.width + bar.width, view.height) : view;
-        }
-    }
-
-    /** As high as its view, or as its cards need at least: then it scrolls. */
-    private static final class Column extends JPanel implements Scrollable {
-        Column(JPanel content) {
-            super(new BorderLayout());
-            setOpaque(false);
-            add(content, BorderLayout.CENTER);
-        }
-
-        @Override
-        public Dimension getPreferredScrollableViewportSize() {
-            return getPreferredSize();
-        }
-
-        @Override
-        public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-            return Theme.px(20);
-        }
-
-        @Override
-        public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-            return visible.height;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-
-        @Override
-        public boolean getScrollableTracksViewportHeight() {
-            return getParent() != null && getParent().getHeight() >= getMinimumSize().height;
         }
     }
 

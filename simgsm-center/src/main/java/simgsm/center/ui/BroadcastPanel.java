@@ -25,6 +25,7 @@ import simgsm.sms.CellBroadcast;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
 import simgsm.ui.Named;
+import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
@@ -40,6 +41,9 @@ final class BroadcastPanel extends JPanel {
 
     private static final int MAX_CHANNEL = 0xffff;
     private static final int RUNNING_UNITS = 110;
+    /** Room for two lines of text at least, in however low a window. */
+    private static final int LEAST_TEXT_UNITS = 42;
+
     /** The first one names none. */
     private static final String[] LANGUAGES = {
         "-", "en", "es", "de", "fr", "it", "pt", "nl", "sv", "da", "fi", "no", "el", "tr", "hu", "pl", "cs", "he", "ar",
@@ -51,11 +55,11 @@ final class BroadcastPanel extends JPanel {
     private final Texts texts;
     private final Operator operator;
     private final JSpinner channel = new JSpinner(new SpinnerNumberModel(FIRST_CHANNEL, 0, MAX_CHANNEL, 1));
-    private final JTextArea text = new JTextArea();
+    private final JTextArea text;
+    private final JScrollPane field;
     private final JLabel pages = new JLabel();
     private final JLabel result = new JLabel(" ");
     private final JLabel channelLabel;
-    private final JLabel textLabel;
     private final JComboBox<String> language = new JComboBox<>(LANGUAGES);
     private final JSpinner times = new JSpinner(new SpinnerNumberModel(1, 0, BroadcastOrder.MOST_TIMES, 1));
     private final JSpinner period = new JSpinner(new SpinnerNumberModel(
@@ -63,6 +67,7 @@ final class BroadcastPanel extends JPanel {
     private final RowsPanel<BroadcastView> running;
     private final Act send;
     private final Act stop;
+    private final JButton stopButton;
 
     BroadcastPanel(Texts texts, Operator operator) {
         super(new BorderLayout());
@@ -72,10 +77,9 @@ final class BroadcastPanel extends JPanel {
         send = new Act("broadcast.send", texts.of("window.broadcast.send"), this::send)
                 .described(texts.of("window.broadcast.send.why"))
                 .with(Symbol.BROADCAST.icon());
+        text = new HintedTextArea(texts.of("window.broadcast.text"));
         channelLabel = new JLabel(texts.of("window.broadcast.channel"));
-        textLabel = new JLabel(texts.of("window.broadcast.text"));
         channelLabel.setLabelFor(channel);
-        textLabel.setLabelFor(text);
         channel.setEditor(new JSpinner.NumberEditor(channel, "0"));
         Named.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
         Named.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
@@ -91,15 +95,16 @@ final class BroadcastPanel extends JPanel {
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.getDocument().addDocumentListener(new Counter());
         language.addActionListener(event -> count());
-        JScrollPane scroll = new JScrollPane(text);
-        scroll.setPreferredSize(new Dimension(0, 0));
+        field = new JScrollPane(text);
         running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
-        running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
+        running.setVisible(false);
         stop = new Act("broadcast.stop", texts.of("window.broadcast.stop"), this::stop)
                 .described(texts.of("window.broadcast.stop.why"));
         stop.setEnabled(false);
+        stopButton = Named.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
+        stopButton.setVisible(false);
         add(
-                Arrange.column(
+                scrolled(Arrange.column(
                         8,
                         Arrange.row(
                                 8,
@@ -116,17 +121,26 @@ final class BroadcastPanel extends JPanel {
                                 labelled(texts.of("window.broadcast.period"), period),
                                 period,
                                 Arrange.spring()),
-                        textLabel,
-                        Arrange.growing(scroll),
+                        Arrange.growing(field),
                         Arrange.row(
                                 8,
                                 Arrange.growing(result),
-                                Named.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop")),
+                                stopButton,
                                 Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"))),
-                        running),
+                        running)),
                 BorderLayout.CENTER);
         dress();
         count();
+    }
+
+    private static JScrollPane scrolled(JPanel content) {
+        JScrollPane all = new JScrollPane(new ScrolledColumn(content));
+        all.setBorder(null);
+        all.setViewportBorder(null);
+        all.setOpaque(false);
+        all.getViewport().setOpaque(false);
+        all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        return all;
     }
 
     private static JLabel labelled(String title, JComponent field) {
@@ -135,8 +149,13 @@ final class BroadcastPanel extends JPanel {
         return label;
     }
 
-    /** The broadcasts that are repeated. */
+    /** The broadcasts that are repeated; without any the text has their room. */
     void show(List<BroadcastView> broadcasts) {
+        if (running.isVisible() == broadcasts.isEmpty()) {
+            running.setVisible(!broadcasts.isEmpty());
+            stopButton.setVisible(!broadcasts.isEmpty());
+            revalidate();
+        }
         running.show(broadcasts);
         lookAtChoice();
     }
@@ -195,7 +214,7 @@ final class BroadcastPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        if (text != null) {
+        if (field != null) {
             dress();
             count();
         }
@@ -204,6 +223,10 @@ final class BroadcastPanel extends JPanel {
     private void dress() {
         setBorder(Theme.padding(8, 4, 0, 4));
         pages.setFont(Theme.small());
+        Dimension least = new Dimension(0, Theme.px(LEAST_TEXT_UNITS));
+        field.setMinimumSize(least);
+        field.setPreferredSize(least);
+        running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
         result.setFont(Theme.base());
         result.setForeground(Ink.QUIET.color());
     }

@@ -247,6 +247,23 @@ class MonitorPanelTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"0, 1", "1, 1", "1, 1.5"})
+    void aLowWindowStillHasRoomForABroadcastsText(int repeated, double zoom) {
+        Theme.zoomTo(zoom);
+        panel = build("es");
+        panel.show(Scene.broadcasting(repeated));
+        find("tabs", JTabbedPane.class).setSelectedIndex(3);
+        panel.setSize((int) (1262 * zoom), (int) (395 * zoom));
+        layOut(panel);
+        layOut(panel);
+
+        JTextArea text = find("broadcast.text", JTextArea.class);
+        int twoLines = 2 * text.getFontMetrics(text.getFont()).getHeight();
+        assertTrue(text.getParent().getHeight() >= twoLines, "height " + text.getParent().getHeight());
+        assertEquals(repeated > 0, find("broadcast.stop", JComponent.class).isVisible());
+    }
+
+    @ParameterizedTest
     @CsvSource({"0, false", "1, true", "1395, true", "1396, false"})
     void onlyATextThatFitsCanBeSent(int length, boolean canBeSent) {
         find("broadcast.text", JTextArea.class).setText("a".repeat(length));

@@ -1,9 +1,11 @@
 package simgsm.center.ui;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -18,6 +20,7 @@ import simgsm.air.RslCodec;
 import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.CallState;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -103,6 +106,17 @@ final class Scene {
     static ExchangeSnapshot empty() {
         return new ExchangeSnapshot(
                 NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), List.of());
+    }
+
+    /** Nothing but so many broadcasts that are repeated. */
+    static ExchangeSnapshot broadcasting(int count) {
+        List<BroadcastView> broadcasts = new ArrayList<>();
+        for (int id = 1; id <= count; id++) {
+            Duration minute = Duration.ofMinutes(1);
+            broadcasts.add(new BroadcastView(id, 50, Optional.empty(), 0, 1, minute, 1, OptionalInt.empty(), "Hello"));
+        }
+        return new ExchangeSnapshot(
+                NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), broadcasts);
     }
 
     /** A call that is active, a message that waits. */

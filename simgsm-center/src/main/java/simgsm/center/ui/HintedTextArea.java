@@ -1,0 +1,35 @@
+package simgsm.center.ui;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import javax.swing.JTextArea;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+/** A text area that says, while it is empty, what belongs there: in a low window there is no line for a label. */
+final class HintedTextArea extends JTextArea {
+    private final String hint;
+
+    HintedTextArea(String hint) {
+        this.hint = hint;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        if (getDocument().getLength() > 0) {
+            return;
+        }
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            Insets in = getInsets();
+            g.setFont(Theme.base());
+            g.setColor(Ink.QUIET.color());
+            g.drawString(hint, in.left + Theme.px(2), in.top + g.getFontMetrics().getAscent());
+        } finally {
+            g.dispose();
+        }
+    }
+}

@@ -1,0 +1,43 @@
+package simgsm.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.Scrollable;
+
+/** What stands in a scroll pane as high as its view, or as its parts need at least: only then it scrolls. */
+public final class ScrolledColumn extends JPanel implements Scrollable {
+    /** @param content whose minimum size is what it needs, as that of {@link Arrange#column} */
+    public ScrolledColumn(JComponent content) {
+        super(new BorderLayout());
+        setOpaque(false);
+        add(content, BorderLayout.CENTER);
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return Theme.px(20);
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return visible.height;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return getParent() != null && getParent().getHeight() >= getMinimumSize().height;
+    }
+}
