@@ -8,16 +8,23 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
 
-/** One line of text that takes what room there is and ends in an ellipsis when that is too little. */
+/** A line of text that takes what room there is, or two, and ends in an ellipsis when that is too little. */
 final class Line extends Painted {
     private final Supplier<Font> font;
     private String text = "";
     private Ink ink;
+    private int rows = 1;
 
     Line(String name, Supplier<Font> font, Ink ink) {
         super(name);
         this.font = font;
         this.ink = ink;
+    }
+
+    /** Keeps room for a second row, into which it breaks at a blank. */
+    Line overTwoRows() {
+        rows = 2;
+        return this;
     }
 
     void show(String newText) {
@@ -43,7 +50,7 @@ final class Line extends Painted {
     @Override
     Dimension preferred() {
         Font face = font.get();
-        return new Dimension(Drawing.width(face, text) + 1, getFontMetrics(face).getHeight());
+        return new Dimension(Drawing.width(face, text) + 1, rows * getFontMetrics(face).getHeight());
     }
 
     @Override
@@ -56,6 +63,28 @@ final class Line extends Painted {
         Font face = font.get();
         g.setFont(face);
         g.setColor(ink.color());
-        g.drawString(Drawing.fitted(face, text, width), 0, (float) (height / 2 + Drawing.capHeight(g, face) / 2));
+        int end = rows == 1 ? text.length() : firstRow(face, text, width);
+        String rest = text.substring(end).strip();
+        double row = height / rows;
+        double base = row / 2 + Drawing.capHeight(g, face) / 2;
+        if (rest.isEmpty()) {
+            g.drawString(Drawing.fitted(face, text, width), 0, (float) (height - row + base));
+        } else {
+            g.drawString(Drawing.fitted(face, text.substring(0, end), width), 0, (float) base);
+            g.drawString(Drawing.fitted(face, rest, width), 0, (float) (row + base));
+        }
+    }
+
+    /** How much of a text stands in the first row: all, or as many whole words as fit, one at least. */
+    static int firstRow(Font face, String text, double width) {
+        int end = text.length();
+        while (Drawing.width(face, text.substring(0, end)) > width) {
+            int blank = text.lastIndexOf(' ', end - 1);
+            if (blank <= 0) {
+                return end;
+            }
+            end = blank;
+        }
+        return end;
     }
 }

@@ -25,7 +25,7 @@ final class VeriCommandPanel extends JPanel {
     private final Line words = new Line("order.words", Theme::strong, Ink.TEXT);
     private final Lamp verdict;
     private final ReplyChips replies;
-    private final Line reply = new Line("order.reply", Theme::small, Ink.QUIET);
+    private final Line reply = new Line("order.reply", Theme::small, Ink.QUIET).overTwoRows();
 
     VeriCommandPanel(Texts texts, Locale language) {
         super(new BorderLayout());

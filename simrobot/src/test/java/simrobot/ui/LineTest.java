@@ -1,0 +1,40 @@
+package simrobot.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Font;
+import org.junit.jupiter.api.Test;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
+
+class LineTest {
+    private static final String REPLY = "3 Done: #**20. Stopped at 0.200 -1.450 m, heading 90.0.";
+    private final Font face = Theme.small();
+
+    @Test
+    void aTextThatFitsStaysInOneRow() {
+        assertEquals(REPLY.length(), Line.firstRow(face, REPLY, Drawing.width(face, REPLY)));
+    }
+
+    @Test
+    void aLongerTextBreaksBehindTheLastWordThatFits() {
+        int end = Line.firstRow(face, REPLY, Drawing.width(face, REPLY) - 1.0);
+
+        assertEquals("3 Done: #**20. Stopped at 0.200 -1.450 m, heading", REPLY.substring(0, end));
+    }
+
+    @Test
+    void aWordThatIsTooLongIsNotBroken() {
+        assertEquals("Disconnected".length(), Line.firstRow(face, "Disconnected now", 5));
+    }
+
+    @Test
+    void twoRowsAreTwiceAsHigh() {
+        int one = new Line("one", Theme::small, Ink.TEXT).getPreferredSize().height;
+
+        assertEquals(2 * one, new Line("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
+        assertTrue(one > 0);
+    }
+}
