@@ -50,7 +50,8 @@ final class Line extends Painted {
     @Override
     Dimension preferred() {
         Font face = font.get();
-        return new Dimension(Drawing.width(face, text) + 1, rows * getFontMetrics(face).getHeight());
+        return new Dimension(
+                Drawing.width(face, text) + 1, rows * getFontMetrics(face).getHeight());
     }
 
     @Override

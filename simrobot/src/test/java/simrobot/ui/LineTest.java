@@ -34,7 +34,8 @@ class LineTest {
     void twoRowsAreTwiceAsHigh() {
         int one = new Line("one", Theme::small, Ink.TEXT).getPreferredSize().height;
 
-        assertEquals(2 * one, new Line("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
+        assertEquals(
+                2 * one, new Line("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
         assertTrue(one > 0);
     }
 }

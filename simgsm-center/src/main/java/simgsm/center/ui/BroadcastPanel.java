@@ -68,6 +68,8 @@ final class BroadcastPanel extends JPanel {
     private final Act send;
     private final Act stop;
     private final JButton stopButton;
+    /** What became of the latest broadcast, and how to stop one: only when there is something to say. */
+    private final JPanel outcome;
 
     BroadcastPanel(Texts texts, Operator operator) {
         super(new BorderLayout());
@@ -103,6 +105,9 @@ final class BroadcastPanel extends JPanel {
         stop.setEnabled(false);
         stopButton = Named.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
         stopButton.setVisible(false);
+        JButton sendButton = Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
+        outcome = Arrange.row(8, Arrange.growing(result), stopButton);
+        outcome.setVisible(false);
         add(
                 scrolled(Arrange.column(
                         8,
@@ -121,12 +126,8 @@ final class BroadcastPanel extends JPanel {
                                 labelled(texts.of("window.broadcast.period"), period),
                                 period,
                                 Arrange.spring()),
-                        Arrange.growing(field),
-                        Arrange.row(
-                                8,
-                                Arrange.growing(result),
-                                stopButton,
-                                Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"))),
+                        Arrange.growing(Arrange.row(8, Arrange.growing(field), below(sendButton))),
+                        outcome,
                         running)),
                 BorderLayout.CENTER);
         dress();
@@ -143,6 +144,10 @@ final class BroadcastPanel extends JPanel {
         return all;
     }
 
+    private static JPanel below(JButton button) {
+        return Arrange.column(0, Arrange.spring(), button);
+    }
+
     private static JLabel labelled(String title, JComponent field) {
         JLabel label = new JLabel(title);
         label.setLabelFor(field);
@@ -154,10 +159,15 @@ final class BroadcastPanel extends JPanel {
         if (running.isVisible() == broadcasts.isEmpty()) {
             running.setVisible(!broadcasts.isEmpty());
             stopButton.setVisible(!broadcasts.isEmpty());
-            revalidate();
+            showOutcome();
         }
         running.show(broadcasts);
         lookAtChoice();
+    }
+
+    private void showOutcome() {
+        outcome.setVisible(stopButton.isVisible() || !result.getText().isBlank());
+        revalidate();
     }
 
     private void lookAtChoice() {
@@ -193,6 +203,7 @@ final class BroadcastPanel extends JPanel {
             result.setText(wrong.getMessage());
             result.setForeground(Ink.DANGER.color());
         }
+        showOutcome();
     }
 
     /** Pages as the text grows; a text that is too long or empty cannot be sent. */
@@ -221,7 +232,7 @@ final class BroadcastPanel extends JPanel {
     }
 
     private void dress() {
-        setBorder(Theme.padding(8, 4, 0, 4));
+        setBorder(Theme.padding(6, 4, 0, 4));
         pages.setFont(Theme.small());
         Dimension least = new Dimension(0, Theme.px(LEAST_TEXT_UNITS));
         field.setMinimumSize(least);

@@ -27,7 +27,8 @@ final class HintedTextArea extends JTextArea {
             Insets in = getInsets();
             g.setFont(Theme.base());
             g.setColor(Ink.QUIET.color());
-            g.drawString(hint, in.left + Theme.px(2), in.top + g.getFontMetrics().getAscent());
+            g.drawString(
+                    hint, in.left + Theme.px(2), in.top + g.getFontMetrics().getAscent());
         } finally {
             g.dispose();
         }

@@ -259,7 +259,9 @@ class MonitorPanelTest {
 
         JTextArea text = find("broadcast.text", JTextArea.class);
         int twoLines = 2 * text.getFontMetrics(text.getFont()).getHeight();
-        assertTrue(text.getParent().getHeight() >= twoLines, "height " + text.getParent().getHeight());
+        assertTrue(
+                text.getParent().getHeight() >= twoLines,
+                "height " + text.getParent().getHeight());
         assertEquals(repeated > 0, find("broadcast.stop", JComponent.class).isVisible());
     }
 
