@@ -27,6 +27,8 @@ final class ToneEvidence {
     double ripple;
     /** In decibels, high group over low. */
     double twist;
+    /** Level of the weaker tone. */
+    double weakerDbm0;
 
     /** Shares are of power: the tones' in all that sounds, over all frequencies. */
     double shareOfAll;
@@ -91,6 +93,7 @@ final class ToneEvidence {
         line = decibels(residue.line / weaker);
         newLine = decibels(residue.newLine / weaker);
         lineShare = residue.line / residue.rest;
+        weakerDbm0 = ToneLevel.dbm0(Math.min(fit.amplitude[0], fit.amplitude[1]));
     }
 
     /** The tones did not sound before, or a key did just then, whose tones explain it. */

@@ -66,6 +66,17 @@ enum ToneVeto {
         }
     },
 
+    /**
+     * One is fainter than -38 dBm0, below all that Q.24 asks for, much in their band sounds as well, and most of what sounds
+     * lies outside it: that is how parts of a voice's consonants come.
+     */
+    FAINT_IN_DIN(true) {
+        @Override
+        boolean holds(ToneEvidence e) {
+            return e.weakerDbm0 < -38 && e.share < 0.8 && e.shareOfAll < 0.25;
+        }
+    },
+
     /** They keep their strength but not their frequencies: sirens, whistles, chirps. */
     GLIDING(false) {
         @Override

@@ -7,6 +7,8 @@ import javax.sound.sampled.AudioFormat;
 /** Samples of any form, their channels mixed to one and resampled to 8 kHz, in constant memory. */
 final class MixedSamples implements Samples {
     private static final int BLOCK_FRAMES = 2048;
+    /** At lower rates a gentle slope would reach the keys' highest tone. */
+    private static final int LEAST_GENTLE = 5000;
 
     private final InputStream stream;
     private final PcmFormat format;
@@ -21,14 +23,17 @@ final class MixedSamples implements Samples {
      * @param stream its next octet is the first sample's first
      * @param dataOctets how many octets of sound there are at most
      */
-    MixedSamples(InputStream stream, AudioFormat form, long dataOctets) throws NotAudioException {
+    MixedSamples(InputStream stream, AudioFormat form, long dataOctets, Resampler.Slope slope)
+            throws NotAudioException {
         this.stream = stream;
         this.format = PcmFormat.of(form);
         this.octets = new byte[BLOCK_FRAMES * format.octetsPerFrame()];
         this.left = dataOctets;
         int rate = Math.round(form.getSampleRate());
-        this.resampler =
-                rate == SpeechCodec.SAMPLES_PER_SECOND ? null : new Resampler(rate, SpeechCodec.SAMPLES_PER_SECOND);
+        this.resampler = rate == SpeechCodec.SAMPLES_PER_SECOND
+                ? null
+                : new Resampler(
+                        rate, SpeechCodec.SAMPLES_PER_SECOND, rate < LEAST_GENTLE ? Resampler.Slope.STEEP : slope);
     }
 
     @Override

@@ -75,7 +75,7 @@ final class SoundCard implements AudioOutput {
     }
 
     private void playOn(SourceDataLine line, int rate) throws InterruptedException {
-        Resampler resampler = new Resampler(SpeechCodec.SAMPLES_PER_SECOND, rate);
+        Resampler resampler = new Resampler(SpeechCodec.SAMPLES_PER_SECOND, rate, Resampler.Slope.STEEP);
         short[] out = new short[rate / 50];
         while (!closed) {
             short[] samples = queue.take();

@@ -37,33 +37,47 @@ public final class SpeechFile implements Closeable {
 
     /** @throws NotAudioException when the file is there but is no audio */
     public static SpeechFile open(Path path) throws IOException {
+        return open(path, Resampler.Slope.STEEP);
+    }
+
+    /**
+     * To listen for keys, as {@link #open(Path)} but sooner: where it resamples it looks ahead by well under a millisecond,
+     * and what lies above the keys' tones comes through less well.
+     *
+     * @throws NotAudioException when the file is there but is no audio
+     */
+    public static SpeechFile openForKeys(Path path) throws IOException {
+        return open(path, Resampler.Slope.GENTLE);
+    }
+
+    private static SpeechFile open(Path path, Resampler.Slope slope) throws IOException {
         FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
         if (Files.isDirectory(path)) {
             file.close();
             throw new NotAudioException(path + ": a folder, no audio", null);
         }
         try {
-            return new SpeechFile(file, samples(file, path));
+            return new SpeechFile(file, samples(file, path, slope));
         } catch (IOException e) {
             file.close();
             throw e;
         }
     }
 
-    private static Samples samples(FileChannel file, Path path) throws IOException {
+    private static Samples samples(FileChannel file, Path path, Resampler.Slope slope) throws IOException {
         ByteBuffer head = ByteBuffer.allocateDirect(BUFFER_OCTETS);
         while (head.hasRemaining() && file.read(head) >= 0) {}
         head.flip();
         Optional<WavHeader> wav = WavHeader.in(head);
         try {
             if (wav.isEmpty()) {
-                return foreign(rest(head, file));
+                return foreign(rest(head, file), slope);
             }
             AudioFormat format = wav.get().format();
             head.position(wav.get().dataAt());
             return isSpeech(format)
                     ? new PlainSamples(file, head, wav.get().dataOctets())
-                    : new MixedSamples(rest(head, file), format, wav.get().dataOctets());
+                    : new MixedSamples(rest(head, file), format, wav.get().dataOctets(), slope);
         } catch (NotAudioException e) {
             throw new NotAudioException(path + ": " + e.getMessage(), e);
         } catch (UnsupportedAudioFileException | RuntimeException e) {
@@ -82,9 +96,10 @@ public final class SpeechFile implements Closeable {
     }
 
     /** Audio of a kind that only the JDK knows. */
-    private static Samples foreign(InputStream octets) throws IOException, UnsupportedAudioFileException {
+    private static Samples foreign(InputStream octets, Resampler.Slope slope)
+            throws IOException, UnsupportedAudioFileException {
         AudioInputStream stream = AudioSystem.getAudioInputStream(new BufferedInputStream(octets, BUFFER_OCTETS));
-        return new MixedSamples(stream, stream.getFormat(), Long.MAX_VALUE);
+        return new MixedSamples(stream, stream.getFormat(), Long.MAX_VALUE, slope);
     }
 
     private static InputStream rest(ByteBuffer head, FileChannel file) {

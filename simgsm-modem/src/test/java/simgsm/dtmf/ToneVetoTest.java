@@ -83,6 +83,15 @@ class ToneVetoTest {
     }
 
     @Test
+    void faintTonesInADinThatLiesMostlyBesideTheirBandAreNoKeys() {
+        only(ToneVeto.FAINT_IN_DIN, evidence -> {
+            evidence.weakerDbm0 = -41;
+            evidence.share = 0.6;
+            evidence.shareOfAll = 0.1;
+        });
+    }
+
+    @Test
     void tonesThatGlideAreNoKeys() {
         only(ToneVeto.GLIDING, evidence -> evidence.coherence = 0.94);
     }

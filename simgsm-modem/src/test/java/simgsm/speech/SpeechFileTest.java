@@ -76,6 +76,26 @@ class SpeechFileTest {
     }
 
     @ParameterizedTest
+    @ValueSource(ints = {4_000, 6_000, 11_025, 16_000, 44_100, 48_000})
+    void forKeysTheirTonesComeSoonerAndAsWell(int rate) throws IOException {
+        float[] sound = new float[rate];
+        for (int i = 0; i < rate; i++) {
+            sound[i] = (float) (0.25 * Math.sin(2 * Math.PI * 1633 * i / rate));
+        }
+        Path path = write("r.wav", sound, new AudioFormat(Encoding.PCM_FLOAT, rate, 32, 1, 4, rate, false));
+        try (SpeechFile steep = SpeechFile.open(path);
+                SpeechFile file = SpeechFile.openForKeys(path)) {
+            short[] speech = new short[8000];
+            assertEquals(8000, file.read(speech));
+            for (int i = 200; i < 7800; i++) {
+                assertEquals(8192 * Math.sin(2 * Math.PI * 1633 * i / 8000), speech[i], 250, "sample " + i);
+            }
+            assertTrue(rate < 5000 || file.lookAheadMillis() < 1, file.lookAheadMillis() + " ms");
+            assertTrue(file.lookAheadMillis() <= steep.lookAheadMillis());
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {16_000, 44_100, 48_000})
     void whatLiesBeyondSpeechDoesNotFoldBack(int rate) throws IOException {
         float[] sound = new float[rate];

@@ -52,7 +52,7 @@ final class HeardFile {
     }
 
     private void listen(Path path) throws IOException {
-        try (SpeechFile file = SpeechFile.open(path)) {
+        try (SpeechFile file = SpeechFile.openForKeys(path)) {
             DtmfReceiver receiver = new DtmfReceiver(listener(file.lookAheadMillis()));
             short[] block = new short[BLOCK_SAMPLES];
             for (int n; (n = file.read(block)) >= 0; ) {
