@@ -68,14 +68,14 @@ final class Tables {
                                         texts.of("window.to"),
                                         66,
                                         row -> row.history().message().to()),
-                                new Column<>(texts.of("window.state"), 124, row -> HistoryWords.state(row, texts)),
+                                new Column<>(texts.of("window.state"), 116, row -> HistoryWords.state(row, texts)),
                                 new Column<>(
                                         texts.of("window.tries"),
                                         40,
                                         row -> new Digits(
                                                 String.valueOf(row.history().attemptCount()))),
                                 new Column<>(texts.of("window.next"), 60, row -> new Digits(HistoryWords.next(row))),
-                                new Column<>(texts.of("window.text"), 84, MessageRow::text)))
+                                new Column<>(texts.of("window.text"), 92, MessageRow::text)))
                 .identifiedBy(row -> row.history().message().id());
     }
 
