@@ -43,6 +43,30 @@ class RobotsAtRunTimeTest {
     }
 
     @Test
+    void anotherWorldIsLoadedWhileRunningAndAFileThatIsNoneChangesNothing() throws Exception {
+        try (Scenario scenario = new Scenario("another world while running")) {
+            RunningProgram robot = scenario.start(
+                    "robot",
+                    "simrobot",
+                    "--headless",
+                    "--center=127.0.0.1:1",
+                    "--world=" + Scenario.world("empty.map"));
+            robot.expect("ready");
+            robot.say("world");
+            robot.expect("world", "name", "empty.map");
+            robot.say("world " + Scenario.world("office.map"));
+            robot.expect("world", "name", "office.map", "lines", "19", "points", "72", "homes", "8");
+            robot.say("pose");
+            robot.expect("pose", "x", "9.0000", "y", "6.0000", "heading", "0.00");
+            robot.say("world nowhere.map");
+            assertTrue(robot.expect("error").field("text").contains("nowhere.map: no such file"));
+            robot.say("world");
+            robot.expect("world", "name", "office.map");
+            assertEquals(0, robot.quit());
+        }
+    }
+
+    @Test
     void aNameANumberOrAPlaceThatIsTakenIsRefusedAndNothingIsAdded() throws Exception {
         try (Scenario scenario = new Scenario("robots that cannot be added")) {
             RunningProgram robot = scenario.start(

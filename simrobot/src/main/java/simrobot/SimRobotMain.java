@@ -281,7 +281,12 @@ public final class SimRobotMain {
             Program.runConsole(
                     console,
                     arguments,
-                    new RobotConsole(simRobot, built.fleet(), new Exports(simRobot, new WorldPictures()), out));
+                    new RobotConsole(
+                            simRobot,
+                            built.fleet(),
+                            new Exports(simRobot, new WorldPictures()),
+                            file -> WorldFile.read(Optional.of(file)),
+                            out));
             return console.exitStatus();
         }
     }

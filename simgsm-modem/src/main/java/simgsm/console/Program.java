@@ -94,7 +94,8 @@ public final class Program {
         return Optional.ofNullable(main.getPackage().getImplementationVersion()).orElse("(not packaged)");
     }
 
-    private static String describe(Exception e) {
+    /** What went wrong with a file or a line, in words for a user. */
+    public static String describe(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
         String text = cause.getMessage();
         if (cause instanceof java.nio.file.NoSuchFileException) {

@@ -30,18 +30,21 @@ public final class RobotConsole implements Console.Commands {
     private final SimRobot simRobot;
     private final FleetConsole fleet;
     private final Exports exports;
+    private final WorldConsole world;
     private final Consumer<Event> out;
     private final Camera camera = new Camera();
 
     /**
      * @param fleet makes the robots that {@code add} asks for
      * @param exports writes the files that {@code export} asks for
+     * @param worlds reads the files that {@code world} names
      * @param out any thread may call it
      */
-    public RobotConsole(SimRobot simRobot, Fleet fleet, Exports exports, Consumer<Event> out) {
+    public RobotConsole(SimRobot simRobot, Fleet fleet, Exports exports, Worlds worlds, Consumer<Event> out) {
         this.simRobot = simRobot;
         this.exports = exports;
         this.fleet = new FleetConsole(simRobot, fleet, out);
+        world = new WorldConsole(simRobot, worlds, out);
         this.out = out;
     }
 
@@ -54,6 +57,8 @@ public final class RobotConsole implements Console.Commands {
     public void perform(Command command) throws CommandException {
         if (command.isAddressed()) {
             perform(robot(command.name().substring(1)), command.tail());
+        } else if (command.name().equals("world")) {
+            world.perform(command);
         } else if (!fleet.performs(command)) {
             perform(first(), command);
         }
@@ -102,7 +107,7 @@ public final class RobotConsole implements Console.Commands {
                 throw new CommandException("unknown command "
                         + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
                         + ", expected status, pose, sonar, camera, power, motors, place, behaviour, export, add, remove, robots,"
-                        + " wait or quit");
+                        + " world, wait or quit");
         }
     }
 

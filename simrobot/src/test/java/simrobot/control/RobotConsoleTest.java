@@ -38,6 +38,7 @@ import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
+import simrobot.world.WorldReader;
 import vericommand.Settings;
 
 /** The console's commands on two robots whose modems have no centre and whose simulation stands. */
@@ -86,6 +87,7 @@ class RobotConsoleTest {
                 simRobot,
                 fleet,
                 new Exports(simRobot, (scene, robot, ending) -> (robot + ending).getBytes()),
+                WorldReader::read,
                 console::emit);
         console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
@@ -126,6 +128,36 @@ class RobotConsoleTest {
     @Test
     void placePutsTheRobotThereAndTellsItsPose() throws Exception {
         assertEquals(List.of("pose robot=r0 x=-1.5000 y=0.2500 heading=270.00"), answers("place -1.5 .25 -90"));
+    }
+
+    @Test
+    void aWorldIsLoadedWhileRunningAndAgainWhenItsFileHasChanged(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("a hall.map");
+        Files.writeString(
+                file, "2D-Map\nCairn: RobotHome 1000 2000 90 \"\" ICON \"a\"\nLINES\n0 0 9000 0\nDATA\n4 4\n");
+        assertEquals(
+                List.of(
+                        "world name=\"a hall.map\" lines=1 points=1 homes=1",
+                        "pose robot=r0 x=1.0000 y=2.0000 heading=90.00"),
+                answers("world " + file, "pose"));
+        Files.writeString(
+                file, "2D-Map\nCairn: RobotHome 3000 2000 0 \"\" ICON \"a\"\nLINES\n0 0 9000 0\n0 0 0 9000\n");
+        assertEquals(
+                List.of(
+                        "world name=\"a hall.map\" lines=2 points=0 homes=1",
+                        "pose robot=r0 x=3.0000 y=2.0000 heading=0.00",
+                        "world name=\"a hall.map\" lines=2 points=0 homes=1"),
+                answers("world \"" + file + "\"", "pose", "world"));
+    }
+
+    @Test
+    void aFileThatIsNoWorldChangesNothing(@TempDir Path folder) throws Exception {
+        Path text = Files.writeString(folder.resolve("text.map"), "hello\n");
+        String before = answers("world").get(0);
+        List<String> answers = answers("world " + text, "world " + folder.resolve("gone.map"), "world");
+        assertTrue(answers.get(0).matches("error text=\"world: .*text.map:1: found .*expected .*"), answers.get(0));
+        assertTrue(answers.get(1).matches("error text=\"world: .*gone.map: no such file\""), answers.get(1));
+        assertEquals(before, answers.get(2));
     }
 
     @Test
