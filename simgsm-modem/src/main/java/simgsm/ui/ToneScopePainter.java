@@ -31,6 +31,9 @@ public final class ToneScopePainter {
     /** Tones of -10 dBm0 fill most of the height. */
     private static final double WAVE_GAIN = 1.6;
 
+    /** The bars' frequencies; where there is no room side by side every other one stands a line lower. */
+    private static final double LABEL_POINTS = 10;
+
     private final Texts texts;
 
     public ToneScopePainter(Locale language) {
@@ -45,7 +48,7 @@ public final class ToneScopePainter {
         double bottom = height - lineHeight;
         double barsTop = waveHeight + gap;
         double matrix = Math.min(bottom - barsTop, width * 0.3);
-        double scale = Theme.exact(20);
+        double scale = Theme.exact(23);
         paintWave(g, trace, width, waveHeight);
         paintBars(g, trace, scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
         paintMatrix(g, trace, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
@@ -117,10 +120,12 @@ public final class ToneScopePainter {
     }
 
     private static void paintBars(Graphics2D g, ToneTrace trace, double x, double y, double width, double height) {
-        double labels = Theme.exact(14);
-        double tall = height - labels;
         double groupGap = Theme.exact(10);
         double step = (width - groupGap) / 8;
+        double line = Theme.exact(LABEL_POINTS + 3);
+        boolean inTurn = Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
+        double points = Math.min(LABEL_POINTS, step / Theme.zoom() * 0.75);
+        double tall = height - (inTurn ? 2 : 1) * line;
         paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
@@ -131,8 +136,8 @@ public final class ToneScopePainter {
             g.setColor((counts ? Ink.ACCENT : Ink.QUIET).color());
             Drawing.fillCrisp(g, left + step * 0.16, y + tall * (1 - share), step * 0.68, tall * share);
             g.setColor((counts ? Ink.TEXT : Ink.QUIET).color());
-            var font = Theme.mono(Math.min(12, step / Theme.zoom() * 0.36), counts);
-            Drawing.centred(g, hertz(i), font, left + step / 2, y + tall + labels * 0.62);
+            double below = inTurn && i % 2 == 1 ? 1.55 : 0.58;
+            Drawing.centred(g, hertz(i), Theme.mono(points, counts), left + step / 2, y + tall + line * below);
         }
         paintThreshold(g, trace.leastRowDbm0(), x, y, 4 * step, tall);
         paintThreshold(g, trace.leastColumnDbm0(), x + 4 * step + groupGap, y, 4 * step, tall);
@@ -140,7 +145,7 @@ public final class ToneScopePainter {
 
     /** The levels of the scale in dBm0, as lines behind the bars. */
     private static void paintScale(Graphics2D g, double x, double y, double width, double tall) {
-        var font = Theme.mono(8.5, false);
+        var font = Theme.mono(9.5, false);
         for (int dbm0 = (int) TOP_DBM0; dbm0 >= BOTTOM_DBM0; dbm0 -= 20) {
             double at = y + tall * (1 - share(dbm0));
             g.setColor(Ink.LINE.color());

@@ -10,7 +10,7 @@ import simgsm.dtmf.ToneTrace;
 /** The tone scope of phone and modem with the experiment below it: what it shows, and what may be done to what it hears. */
 public final class ToneScopePanel extends JPanel {
     /** In units: where two faders have no room side by side. */
-    private static final int NARROW = 320;
+    private static final int NARROW = 440;
 
     private final ToneScope scope;
     private final ToneExperimentBar experiment;

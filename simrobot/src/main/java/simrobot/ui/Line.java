@@ -14,6 +14,7 @@ final class Line extends Painted {
     private String text = "";
     private Ink ink;
     private int rows = 1;
+    private boolean modest;
 
     Line(String name, Supplier<Font> font, Ink ink) {
         super(name);
@@ -24,6 +25,12 @@ final class Line extends Painted {
     /** Keeps room for a second row, into which it breaks at a blank. */
     Line overTwoRows() {
         rows = 2;
+        return this;
+    }
+
+    /** It takes what room there is, and asks for none; what does not fit is in its tool tip. */
+    Line modest() {
+        modest = true;
         return this;
     }
 
@@ -50,8 +57,8 @@ final class Line extends Painted {
     @Override
     Dimension preferred() {
         Font face = font.get();
-        return new Dimension(
-                Drawing.width(face, text) + 1, rows * getFontMetrics(face).getHeight());
+        int width = modest ? Theme.px(24) : Drawing.width(face, text) + 1;
+        return new Dimension(width, rows * getFontMetrics(face).getHeight());
     }
 
     @Override

@@ -100,6 +100,8 @@ final class ModemPanel extends JPanel {
             case IMSI_UNKNOWN_IN_HLR -> texts.of("modem.refused.unknown");
             case ILLEGAL_ME -> texts.of("modem.refused.equipment");
             case PLMN_NOT_ALLOWED -> texts.of("modem.refused.barred");
+            case CONGESTION -> texts.of("modem.refused.congestion");
+            case NETWORK_FAILURE -> texts.of("modem.refused.failure");
             default -> texts.of("modem.refused.other", String.valueOf(cause.code()));
         };
     }

@@ -29,10 +29,10 @@ final class NewRobotForm extends JPanel {
     private final WorldView view;
     private final JTextField name = new JTextField(8);
     private final JTextField number = new JTextField(8);
-    private final JTextField x = new JTextField(4);
-    private final JTextField y = new JTextField(4);
-    private final JTextField heading = new JTextField(4);
-    private final Line problem = new Line("newcomer.problem", Theme::small, Ink.DANGER);
+    private final JTextField x = new JTextField(2);
+    private final JTextField y = new JTextField(2);
+    private final JTextField heading = new JTextField(2);
+    private final Line problem = new Line("newcomer.problem", Theme::small, Ink.DANGER).modest();
     private String awaited = "";
 
     NewRobotForm(Texts texts, Operator operator, WorldView view) {
@@ -69,7 +69,7 @@ final class NewRobotForm extends JPanel {
 
     /** It takes what room there is; the column does not grow for it. */
     private Line hint() {
-        Line hint = new Line("newcomer.hint", Theme::small, Ink.QUIET);
+        Line hint = new Line("newcomer.hint", Theme::small, Ink.QUIET).modest();
         hint.show(texts.of("newcomer.hint"));
         return hint;
     }
