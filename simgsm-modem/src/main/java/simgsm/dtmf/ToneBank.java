@@ -49,8 +49,11 @@ final class ToneBank {
 
     private final float[][] cosines = new float[TONES][HOP];
     private final float[][] sines = new float[TONES][HOP];
-    /** Column b + 1 holds the hop's samples [20 b, 20 b + 20), column 0 the 20 before. */
-    private final float[] columns = new float[HOP * STRIDE];
+    /** Row i, column b: the sample i + 1/2 behind the middle of hop b's window. */
+    private final float[] after = new float[HOP * STRIDE];
+
+    /** The one as far before it. */
+    private final float[] before = new float[HOP * STRIDE];
 
     private final float[] even = new float[HOP * STRIDE];
     private final float[] odd = new float[HOP * STRIDE];
@@ -69,9 +72,9 @@ final class ToneBank {
 
     /** Adds {@code hops} hops of {@code samples[at..at + 20 hops)}; the 20 samples before them must be there, too. */
     void accept(short[] samples, int at, int hops) {
-        load(samples, at - HOP, hops + 1);
+        load(samples, at, hops);
         for (int i = 0; i < HOP; i++) {
-            fold(columns, i * STRIDE + 1, (HOP - 1 - i) * STRIDE, even, odd, i * STRIDE, hops);
+            fold(after, before, even, odd, i * STRIDE, hops);
         }
         for (int k = 0; k < TONES; k++) {
             mix(even, cosines[k], real[k], hops);
@@ -114,29 +117,35 @@ final class ToneBank {
         }
     }
 
-    private void load(short[] samples, int at, int count) {
+    private void load(short[] samples, int at, int hops) {
         for (int i = 0; i < HOP; i += 5) {
-            spread(samples, at + i, columns, i * STRIDE, count);
+            spread(samples, at + i, after, i * STRIDE, hops);
+        }
+        for (int i = 0; i < HOP; i++) {
+            int mirrored = (HOP - 1 - i) * STRIDE;
+            before[mirrored] = samples[at - HOP + i];
+            System.arraycopy(after, i * STRIDE, before, mirrored + 1, hops - 1);
         }
     }
 
-    private static void spread(short[] samples, int at, float[] columns, int to, int count) {
-        for (int b = 0; b < count; b++) {
-            int from = at + HOP * b;
-            columns[to + b] = samples[from];
-            columns[to + STRIDE + b] = samples[from + 1];
-            columns[to + 2 * STRIDE + b] = samples[from + 2];
-            columns[to + 3 * STRIDE + b] = samples[from + 3];
-            columns[to + 4 * STRIDE + b] = samples[from + 4];
-        }
-    }
-
-    private static void fold(float[] x, int after, int before, float[] even, float[] odd, int to, int hops) {
+    private static void spread(short[] samples, int at, float[] rows, int to, int hops) {
         for (int b = 0; b < hops; b++) {
-            float u = x[after + b];
-            float v = x[before + b];
-            even[to + b] = u + v;
-            odd[to + b] = u - v;
+            int from = at + HOP * b;
+            rows[to + b] = samples[from];
+            rows[to + STRIDE + b] = samples[from + 1];
+            rows[to + 2 * STRIDE + b] = samples[from + 2];
+            rows[to + 3 * STRIDE + b] = samples[from + 3];
+            rows[to + 4 * STRIDE + b] = samples[from + 4];
+        }
+    }
+
+    /** All at the same place of their arrays: only so it becomes vector instructions. */
+    private static void fold(float[] after, float[] before, float[] even, float[] odd, int at, int hops) {
+        for (int b = 0; b < hops; b++) {
+            float u = after[at + b];
+            float v = before[at + b];
+            even[at + b] = u + v;
+            odd[at + b] = u - v;
         }
     }
 
