@@ -109,11 +109,13 @@ final class ToneFit {
         if (most < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
             return 1;
         }
-        double reference = reference(bank, newest);
+        for (int i = 0; i < REFERENCE; i++) {
+            separate(bank, newest - i, i);
+        }
         if (isFarOff(ROW, 2, (int) ToneBank.HERTZ[row]) || isFarOff(COLUMN, 1, (int) ToneBank.HERTZ[4 + column])) {
             return 1;
         }
-        findOnset(bank, newest, most, rival, reference);
+        findOnset(bank, newest, most, rival, reference());
         if (sinceOnset < leastHops) {
             return (int) Math.max(1, leastHops - sinceOnset);
         }
@@ -136,9 +138,8 @@ final class ToneFit {
     }
 
     /** Median of the product of both tones' powers, by sorting as they come. */
-    private double reference(ToneBank bank, int newest) {
+    private double reference() {
         for (int i = 0; i < REFERENCE; i++) {
-            separate(bank, newest - i, i);
             double value = power[ROW][i] * power[COLUMN][i];
             int at = i;
             for (; at > 0 && sorted[at - 1] > value; at--) {
