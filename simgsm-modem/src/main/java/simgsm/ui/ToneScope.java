@@ -9,7 +9,14 @@ import simgsm.dtmf.ToneTrace;
 
 /** The tone scope of phone and modem: shows the newest {@link ToneTrace} that it was given. */
 public final class ToneScope extends SpokenComponent {
+    /** In units. */
+    private static final int WIDTH = 288;
+
+    private static final int HEIGHT = 168;
+    private static final int COMPACT_HEIGHT = 132;
+
     private final ToneScopePainter painter;
+    private boolean compact;
     private ToneTrace trace = ToneTrace.EMPTY;
 
     public ToneScope(Locale language) {
@@ -27,9 +34,19 @@ public final class ToneScope extends SpokenComponent {
         }
     }
 
+    /** Makes do with less height, where something else needs it more. */
+    void beCompact(boolean wanted) {
+        if (compact != wanted) {
+            compact = wanted;
+            revalidate();
+        }
+    }
+
     @Override
     public Dimension getPreferredSize() {
-        return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(288), Theme.px(168));
+        return isPreferredSizeSet()
+                ? super.getPreferredSize()
+                : new Dimension(Theme.px(WIDTH), Theme.px(compact ? COMPACT_HEIGHT : HEIGHT));
     }
 
     @Override

@@ -30,9 +30,10 @@ public final class ToneScopePanel extends JPanel {
         add(experiment, BorderLayout.SOUTH);
     }
 
-    /** A place with little room may do without the faders; what they are set to holds all the same. */
-    public void showExperiment(boolean wanted) {
-        experiment.setVisible(wanted);
+    /** A place with little room has a lower picture and no faders; what they are set to holds all the same. */
+    public void beCompact(boolean compact) {
+        scope.beCompact(compact);
+        experiment.setVisible(!compact);
     }
 
     @Override

@@ -108,7 +108,7 @@ final class ModemPanel extends JPanel {
 
     /** With little room the floor goes before the scope's faders. */
     void beCompact(boolean compact) {
-        scope.showExperiment(!compact);
+        scope.beCompact(compact);
     }
 
     private void tryOut(ToneExperiment chosen) {

@@ -25,7 +25,7 @@ public final class SimRobotPanel extends JPanel {
     private static final String NEW_WORLD = "new.map";
 
     /** In units; in a lower window the floor needs the room more than the scope's faders do. */
-    private static final int LEAST_ROOMY_HEIGHT = 540;
+    private static final int LEAST_ROOMY_HEIGHT = 640;
 
     private final Texts texts;
     private final Operator operator;
