@@ -28,6 +28,8 @@ public final class LoadRun implements LoadPhone.Host {
     private static final int LAST_SPEECH_MILLIS = 5_000;
 
     private static final int POLL_MILLIS = 20;
+    /** Speech is counted from so long after the last call stands: what setting them all up at once held up has passed. */
+    private static final int SETTLING_MILLIS = 2_000;
 
     private final LoadPlan plan;
     private final InetSocketAddress center;
@@ -88,6 +90,7 @@ public final class LoadRun implements LoadPhone.Host {
     private void talk() throws InterruptedException {
         if (plan.calls() > 0 && attaching.done() == plan.phones()) {
             perform(calling);
+            dead.await(SETTLING_MILLIS, TimeUnit.MILLISECONDS);
         }
         isCounting = true;
         dead.await(plan.seconds(), TimeUnit.SECONDS);
