@@ -306,6 +306,7 @@ public final class EsmeSession {
         server.unbound(this, range);
         List<Recipient> lost = window.lose();
         lost.forEach(server::tryAgain);
+        server.routes().roomOn(this, range, server);
         systemId = "";
     }
 

@@ -86,6 +86,8 @@ public final class SmppServer {
             return;
         }
         routes.add(session, range);
+        // whoever waits for room with a session that is full, or dead unnoticed, has it here
+        routes.roomOn(session, range, this);
         center.available(new Recipient.Esme(session.systemId()));
         range.ifPresent(numbers -> {
             if (numbers.exact().isPresent()) {

@@ -73,6 +73,27 @@ class SmppDeliveryTest extends SmppStage {
     }
 
     @Test
+    void aNewSessionTakesWhatWaitsForRoomBesideOneThatIsDeadUnnoticed() {
+        TestCenter.Application dead = receiver("5550301");
+        TestCenter.Application sender = sender();
+        int count = DeliveryWindow.SIZE + 60;
+        for (int i = 0; i < count; i++) {
+            sender.submit(i + 1, text("1", "5550301", "m" + i));
+        }
+        network.commit();
+        assertEquals(DeliveryWindow.SIZE, dead.heard.size());
+        TestCenter.Application alive = receiver("5550301");
+        assertEquals(60, alive.heard.size());
+        dead.leave();
+        for (int i = 0; i < alive.heard.size(); i++) {
+            alive.answer((SmppPdu.Message) alive.heard.get(i), SmppStatus.OK);
+        }
+        assertEquals(count, alive.heard.size());
+        network.commit();
+        assertEquals(0, network.center.waitingCount());
+    }
+
+    @Test
     void whoWaitsForRoomGetsATurnBesideAFullQueue() {
         TestCenter.Application receiver = receiver("555*");
         TestCenter.Application sender = sender();
