@@ -63,9 +63,11 @@ public final class SmppBench {
             if (in.getInt(8) != 0) {
                 throw new IOException("bind answered with status " + in.getInt(8));
             }
-            in.clear();
             channel.configureBlocking(false);
-            channel.register(selector, SelectionKey.OP_READ, this);
+            // What an earlier run left waiting may have come with the answer to bind: it is to be answered, too.
+            in.flip().position(in.getInt(0));
+            takeAll();
+            channel.register(selector, SelectionKey.OP_READ | SelectionKey.OP_WRITE, this);
         }
 
         void fill() {
@@ -83,6 +85,10 @@ public final class SmppBench {
                 throw new IOException("the centre has closed the connection");
             }
             in.flip();
+            takeAll();
+        }
+
+        private void takeAll() {
             while (in.remaining() >= 4 && in.remaining() >= in.getInt(in.position())) {
                 int at = in.position();
                 int length = in.getInt(at);
