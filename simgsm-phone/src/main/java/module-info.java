@@ -1,4 +1,6 @@
 /** M1, the handset and its window. */
 module simgsm.phone {
-    requires simgsm.modem;
+    requires simgsm.station;
+    requires simgsm.console;
+    requires simgsm.desktop;
 }

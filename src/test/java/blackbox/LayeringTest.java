@@ -22,7 +22,10 @@ import org.junit.jupiter.api.Test;
 /** The house's arrows point down only, and Swing stays in the windows. */
 class LayeringTest {
     private static final JavaClasses CLASSES = new ClassFileImporter()
-            .importPaths(Stream.of("vericommand", "simgsm-modem", "simgsm-center", "simgsm-phone", "simrobot")
+            .importPaths(Stream.concat(
+                            Stream.of("vericommand", "simgsm-center", "simgsm-phone", "simrobot"),
+                            Stream.of("base", "air", "sound", "console", "station", "desktop", "tools")
+                                    .map("simgsm-modem/"::concat))
                     .map(module -> Dist.root().resolve(module).resolve("target").resolve("classes"))
                     .toList());
 

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.Queue;
 import java.util.function.LongSupplier;
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;

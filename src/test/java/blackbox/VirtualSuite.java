@@ -17,8 +17,8 @@ import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
-import simrobot.control.ConsoleEvents;
 import simrobot.control.Drivers;
+import simrobot.control.RobotEventPrinter;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -62,7 +62,7 @@ final class VirtualSuite {
                 StationOptions.STANDARD,
                 new Settings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new Drivers(underWay::add, underWay::add, () -> nowNanos));
-        telephone.listen(new ConsoleEvents("robot", event -> robotLines.add(event.toString())));
+        telephone.listen(new RobotEventPrinter("robot", event -> robotLines.add(event.toString())));
         connect(telephone.station());
     }
 

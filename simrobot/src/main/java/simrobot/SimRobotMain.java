@@ -23,15 +23,25 @@ import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
+import simgsm.audio.SoundCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.ProgramWindow;
+import simrobot.app.BatchRun;
+import simrobot.app.HeadlessReplay;
+import simrobot.app.Ports;
+import simrobot.app.Recordings;
+import simrobot.app.ReplayModel;
+import simrobot.app.RequestedRobots;
+import simrobot.app.SessionRecord;
+import simrobot.app.WindowModel;
+import simrobot.app.WorldFile;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.control.ConsoleEvents;
 import simrobot.control.Exports;
 import simrobot.control.Fleet;
 import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
+import simrobot.control.RobotEventPrinter;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
@@ -41,9 +51,9 @@ import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
-import simrobot.ui.Refusals;
-import simrobot.ui.SimRobotWindow;
-import simrobot.ui.WorldPictures;
+import simrobot.ui.floor.WorldPictures;
+import simrobot.ui.panel.Refusals;
+import simrobot.ui.panel.SimRobotWindow;
 import simrobot.world.World;
 import vericommand.Settings;
 
@@ -60,7 +70,7 @@ public final class SimRobotMain {
         new Program(NAME, options()).runAndExit(args, SimRobotMain::run);
     }
 
-    static Options options() {
+    public static Options options() {
         return Program.commonOptions(
                         "java -jar simrobot.jar --number 5550200 --world worlds/office.map [options]",
                         "SimRobot: a simulated Pioneer with a GSM modem (M2); who dials it drives it by keys or SMS.")
@@ -200,8 +210,8 @@ public final class SimRobotMain {
     private static Built build(Arguments arguments, Settings settings, World world) throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
-        SimSlot slot = SimSlot.of(arguments);
-        List<RobotName> names = Lineup.of(arguments, slot, world);
+        SimSlot slot = SimSlot.of(arguments.path("sim"));
+        List<RobotName> names = RequestedRobots.of(arguments, slot, world);
         Fleet.Kit kit = kit(arguments, slot, names.size() == 1);
         Simulation simulation = new Simulation(world, kit.seed());
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
@@ -210,7 +220,7 @@ public final class SimRobotMain {
         simRobot.simulation().setSpeed(speed);
         simRobot.simulation().onFailure(SimRobotMain::endFailed);
         Fleet fleet = new Fleet(simRobot, kit);
-        Optional<PioneerAddress> real = Lineup.real(arguments, names);
+        Optional<PioneerAddress> real = RequestedRobots.real(arguments, names);
         if (real.isPresent()) {
             fleet.addReal(names.get(0), real.get(), simulation);
         } else {
@@ -233,7 +243,7 @@ public final class SimRobotMain {
                 behaviour(arguments),
                 codec(arguments),
                 recordings,
-                number -> slot.card(Optional.of(number)));
+                number -> Arguments.checked(() -> slot.card(Optional.of(number))));
     }
 
     /** From a thread of its own: the program's end waits for the simulation's. */
@@ -247,7 +257,7 @@ public final class SimRobotMain {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
         }
-        return arguments.has("headless") ? AudioOutput.openWhenPlayed() : AudioOutput.open();
+        return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
     private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
@@ -256,11 +266,11 @@ public final class SimRobotMain {
                 : SpeechCodec.Kind.A_LAW;
     }
 
-    static BehaviourKind behaviour(Arguments arguments) throws UsageException {
+    public static BehaviourKind behaviour(Arguments arguments) throws UsageException {
         return arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
     }
 
-    static long seed(Arguments arguments) throws UsageException {
+    public static long seed(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE)
                 : new Random().nextLong();
@@ -273,7 +283,7 @@ public final class SimRobotMain {
                 SimRobot simRobot = built.simRobot();
                 Ports ports = opened) {
             Consumer<Event> out = record.with(console::emit);
-            simRobot.onAdded(robot -> robot.listen(new ConsoleEvents(robot.name(), out)));
+            simRobot.onAdded(robot -> robot.listen(new RobotEventPrinter(robot.name(), out)));
             endInOrder(simRobot, record);
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
@@ -306,7 +316,7 @@ public final class SimRobotMain {
         return simRobot.robots().stream().map(TelephoneRobot::name).collect(Collectors.joining(","));
     }
 
-    static Settings settings(Arguments arguments) throws UsageException {
+    public static Settings settings(Arguments arguments) throws UsageException {
         Set<String> operators =
                 arguments.value("operators", SimRobotMain::operators).orElse(Set.of());
         Settings.OnHangup onHangup =

@@ -49,11 +49,11 @@ public record Order(String keys, List<Instruction> instructions) {
 
     private static String words(Locale locale, Instruction instruction) {
         if (instruction instanceof Instruction.Forward forward) {
-            return Messages.text(locale, "order.forward", "" + forward.centimeters());
+            return VeriCommandTexts.text(locale, "order.forward", "" + forward.centimeters());
         }
         if (instruction instanceof Instruction.Turn turn) {
-            return Messages.text(locale, "order.turn", "" + turn.clockwiseDegrees());
+            return VeriCommandTexts.text(locale, "order.turn", "" + turn.clockwiseDegrees());
         }
-        return Messages.text(locale, instruction instanceof Instruction.Stop ? "order.stop" : "order.report");
+        return VeriCommandTexts.text(locale, instruction instanceof Instruction.Stop ? "order.stop" : "order.report");
     }
 }

@@ -104,6 +104,6 @@ final class ReplyTexts {
     }
 
     String text(String key, String... arguments) {
-        return Messages.text(locale, key, arguments);
+        return VeriCommandTexts.text(locale, key, arguments);
     }
 }

@@ -36,6 +36,6 @@ public enum ReplyTone {
 
     /** The meaning, as the operator's phone shows it. */
     public String words(Locale locale) {
-        return Messages.text(locale, "tone." + number());
+        return VeriCommandTexts.text(locale, "tone." + number());
     }
 }

@@ -16,7 +16,7 @@ public final class VeriCommand {
     private final VeriCommandListener listener;
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
-    private final Display display;
+    private final OrderDisplay display;
     /** Stop orders that wait for the robot to stand. */
     private final List<Execution> stops = new ArrayList<>();
 
@@ -32,7 +32,7 @@ public final class VeriCommand {
         this.settings = settings;
         this.listener = listener;
         texts = new ReplyTexts(settings.language());
-        display = new Display(settings.language(), texts);
+        display = new OrderDisplay(settings.language(), texts);
     }
 
     /** An accepted call is up. @param caller empty when the network does not say */

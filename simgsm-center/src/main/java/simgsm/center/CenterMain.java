@@ -2,7 +2,16 @@ package simgsm.center;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import simgsm.center.app.Center;
+import simgsm.center.app.CenterCommands;
+import simgsm.center.app.CenterEventPrinter;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.CenterWindow;
+import simgsm.center.app.DataDirectory;
+import simgsm.center.app.NewSims;
 import simgsm.center.capture.CapturePlan;
+import simgsm.center.demo.HeadlessDemo;
+import simgsm.center.demo.WindowedDemo;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
@@ -13,7 +22,7 @@ import simgsm.ui.ProgramWindow;
 
 /** Starts M3 from the command line. */
 public final class CenterMain {
-    static final String NAME = "simgsm-center";
+    public static final String NAME = "simgsm-center";
 
     private CenterMain() {}
 
@@ -96,7 +105,7 @@ public final class CenterMain {
 
     private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
         try (Console console = Console.onStandardOutput()) {
-            center.start(event -> console.emit(ConsoleEvents.of(event)));
+            center.start(event -> console.emit(CenterEventPrinter.of(event)));
             Event ready = Event.of("ready").with("port", center.port());
             console.ready(
                     center.smppPort().isPresent()

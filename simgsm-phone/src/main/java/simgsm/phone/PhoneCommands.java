@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import simgsm.air.Msisdn;
-import simgsm.console.Command;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
+import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
@@ -32,7 +32,7 @@ final class PhoneCommands implements Console.Commands {
     }
 
     @Override
-    public void perform(Command command) throws CommandException {
+    public void perform(ConsoleCommand command) throws CommandException {
         switch (command.name()) {
             case "dial" -> dial(command);
             case "answer" -> plain(command, Handset::answer);
@@ -54,17 +54,17 @@ final class PhoneCommands implements Console.Commands {
         phone.settle(TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS) + keysPressed * KEY_NANOS);
     }
 
-    private void dial(Command command) throws CommandException {
+    private void dial(ConsoleCommand command) throws CommandException {
         Msisdn number = number("dial", command.words(1, "dial NUMBER").get(0));
         act("dial", handset -> handset.dial(number));
     }
 
-    private void plain(Command command, Function<Handset, Optional<Refusal>> act) throws CommandException {
+    private void plain(ConsoleCommand command, Function<Handset, Optional<Refusal>> act) throws CommandException {
         command.words(0, command.name() + " and nothing after it");
         act(command.name(), act);
     }
 
-    private void press(Command command) throws CommandException {
+    private void press(ConsoleCommand command) throws CommandException {
         List<DtmfKey> keys;
         try {
             keys = DtmfKey.sequence(command.rest());
@@ -78,8 +78,8 @@ final class PhoneCommands implements Console.Commands {
         keysPressed += keys.size();
     }
 
-    private void sms(Command command) throws CommandException {
-        Command tail = command.tail();
+    private void sms(ConsoleCommand command) throws CommandException {
+        ConsoleCommand tail = command.tail();
         if (tail.name().isEmpty()) {
             throw new CommandException("sms: expected sms NUMBER TEXT, found nothing after it");
         }
@@ -96,7 +96,7 @@ final class PhoneCommands implements Console.Commands {
         act("sms", handset -> handset.sendMessage(to, text));
     }
 
-    private void inbox(Command command) throws CommandException {
+    private void inbox(ConsoleCommand command) throws CommandException {
         command.words(0, "inbox and nothing after it");
         // Printed by the owner thread, so that a message that comes meanwhile does not stand in the list's middle.
         ask(handset -> {
@@ -112,7 +112,7 @@ final class PhoneCommands implements Console.Commands {
         });
     }
 
-    private void power(Command command) throws CommandException {
+    private void power(ConsoleCommand command) throws CommandException {
         String state = command.words(1, "power on or power off").get(0);
         switch (state) {
             case "on" -> run(Handset::powerOn);
@@ -121,7 +121,7 @@ final class PhoneCommands implements Console.Commands {
         }
     }
 
-    private void channels(Command command) throws CommandException {
+    private void channels(ConsoleCommand command) throws CommandException {
         ChannelList channels;
         try {
             channels = ChannelList.parse(command.rest());
@@ -132,7 +132,7 @@ final class PhoneCommands implements Console.Commands {
     }
 
     /** For who wants to see what the network does with a phone that has no room. */
-    private void memory(Command command) throws CommandException {
+    private void memory(ConsoleCommand command) throws CommandException {
         String state = command.words(1, "memory full or memory free").get(0);
         if (!state.equals("full") && !state.equals("free")) {
             throw new CommandException("memory: expected full or free, found " + state);

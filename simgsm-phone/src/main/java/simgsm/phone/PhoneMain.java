@@ -15,6 +15,7 @@ import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.ui.HandsetWindow;
+import simgsm.audio.SoundCard;
 import simgsm.speech.AudioOutput;
 import simgsm.ui.ProgramWindow;
 import simgsm.ui.Texts;
@@ -63,7 +64,7 @@ public final class PhoneMain {
     static int run(Arguments arguments) throws Exception {
         PhoneSettings settings = PhoneSettings.of(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
-        Texts texts = Messages.in(arguments.language());
+        Texts texts = PhoneTexts.in(arguments.language());
         return arguments.has("headless")
                 ? headless(arguments, settings, center, texts)
                 : windowed(arguments, settings, center, texts);
@@ -78,7 +79,7 @@ public final class PhoneMain {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
         }
-        return arguments.has("headless") ? AudioOutput.openWhenPlayed() : AudioOutput.open();
+        return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
@@ -101,7 +102,7 @@ public final class PhoneMain {
     private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
             throws IOException, InterruptedException, UsageException {
         try (Console console = Console.onStandardOutput();
-                Phone phone = new Phone(settings, new EventPrinter(console, texts), sound(arguments))) {
+                Phone phone = new Phone(settings, new PhoneEventPrinter(console, texts), sound(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
             console.ready(Event.of("ready"));

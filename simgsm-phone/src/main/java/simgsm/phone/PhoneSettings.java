@@ -38,9 +38,9 @@ record PhoneSettings(
 
     /** @throws IOException naming the file of SIMs that cannot be read */
     static PhoneSettings of(Arguments arguments) throws UsageException, IOException {
-        SimSlot slot = SimSlot.of(arguments);
+        SimSlot slot = SimSlot.of(arguments.path("sim"));
         Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneSettings::ownNumber : Msisdn::parse);
-        Optional<SimCard> card = slot.card(given);
+        Optional<SimCard> card = Arguments.checked(() -> slot.card(given));
         Msisdn number = card.map(SimCard::number).or(() -> given).orElse(new Msisdn(DEFAULT_NUMBER));
         Imei imei = imei(arguments, number);
         return new PhoneSettings(

@@ -72,9 +72,9 @@ class BundleTest {
         Locale before = Locale.getDefault();
         try {
             Locale.setDefault(Locale.forLanguageTag("es"));
-            assertEquals("executed", Messages.in(Locale.ENGLISH).of("tone.3"));
+            assertEquals("executed", PhoneTexts.in(Locale.ENGLISH).of("tone.3"));
             assertEquals(
-                    "ejecutada", Messages.in(Locale.forLanguageTag("es-MX")).of("tone.3"));
+                    "ejecutada", PhoneTexts.in(Locale.forLanguageTag("es-MX")).of("tone.3"));
         } finally {
             Locale.setDefault(before);
         }
@@ -82,12 +82,12 @@ class BundleTest {
 
     @Test
     void aMissingKeyShowsAsItself() {
-        assertEquals("no.such.key", Messages.in(Locale.ENGLISH).of("no.such.key"));
+        assertEquals("no.such.key", PhoneTexts.in(Locale.ENGLISH).of("no.such.key"));
     }
 
     @Test
     void pluralsAreChosen() {
-        Texts texts = Messages.in(Locale.ENGLISH);
+        Texts texts = PhoneTexts.in(Locale.ENGLISH);
         assertEquals("1 new message", texts.of("lcd.unread", 1));
         assertEquals("12 new messages", texts.of("lcd.unread", 12));
     }

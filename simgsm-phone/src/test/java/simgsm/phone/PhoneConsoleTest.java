@@ -39,7 +39,7 @@ class PhoneConsoleTest {
     private final FakeStation station = new FakeStation();
     private final Handset handset;
     private final StationListener ears;
-    private final EventPrinter printer = new EventPrinter(console, Messages.in(Locale.ENGLISH));
+    private final PhoneEventPrinter printer = new PhoneEventPrinter(console, PhoneTexts.in(Locale.ENGLISH));
 
     PhoneConsoleTest() {
         handset = new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, printer, AudioOutput.SILENT, () -> Bench.NOON);
@@ -152,7 +152,7 @@ class PhoneConsoleTest {
 
     @Test
     void meaningsSpeakTheConsolesLanguage() {
-        new EventPrinter(console, Messages.in(Locale.forLanguageTag("es"))).toneHeard(DtmfKey.FOUR);
+        new PhoneEventPrinter(console, PhoneTexts.in(Locale.forLanguageTag("es"))).toneHeard(DtmfKey.FOUR);
         assertEquals(List.of("tone key=4 meaning=\"colisi\u00f3n\""), lines());
     }
 

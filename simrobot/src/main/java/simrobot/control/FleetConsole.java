@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import simgsm.console.Command;
 import simgsm.console.CommandException;
+import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import vericommand.Pose;
 
@@ -22,7 +22,7 @@ final class FleetConsole {
     }
 
     /** @return false when the command is none of these */
-    boolean performs(Command command) throws CommandException {
+    boolean performs(ConsoleCommand command) throws CommandException {
         switch (command.name()) {
             case "robots" -> list(command);
             case "add" -> add(command);
@@ -33,7 +33,7 @@ final class FleetConsole {
         return true;
     }
 
-    private void list(Command command) throws CommandException {
+    private void list(ConsoleCommand command) throws CommandException {
         command.words(0, "nothing after it");
         List<TelephoneRobot> robots = simRobot.robots();
         robots.forEach(robot -> out.accept(about("robot", robot)));
@@ -46,7 +46,7 @@ final class FleetConsole {
                 .with("number", robot.number().digits());
     }
 
-    private void add(Command command) throws CommandException {
+    private void add(ConsoleCommand command) throws CommandException {
         List<String> words = command.words();
         if (words.size() != 1 && words.size() != 4) {
             throw new CommandException("add: expected NAME=NUMBER [X Y HEADING], found "
@@ -58,7 +58,7 @@ final class FleetConsole {
         try {
             TelephoneRobot added = fleet.add(RobotName.parse(words.get(0)), place);
             out.accept(about("added", added));
-            new ConsoleEvents(added.name(), out)
+            new RobotEventPrinter(added.name(), out)
                     .pose(simRobot.onSimulation(() -> added.robot().pose()));
         } catch (IllegalArgumentException | IllegalStateException | Fleet.Refusal | IOException refusal) {
             throw new CommandException("add: " + refusal.getMessage());
@@ -68,7 +68,7 @@ final class FleetConsole {
         }
     }
 
-    void remove(TelephoneRobot robot, Command command) throws CommandException {
+    void remove(TelephoneRobot robot, ConsoleCommand command) throws CommandException {
         command.words(0, "nothing after it");
         try {
             if (fleet.remove(robot.name())) {

@@ -7,9 +7,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
-import simgsm.console.Command;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
+import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.camera.Camera;
@@ -54,7 +54,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     @Override
-    public void perform(Command command) throws CommandException {
+    public void perform(ConsoleCommand command) throws CommandException {
         if (command.isAddressed()) {
             perform(robot(command.name().substring(1)), command.tail());
         } else if (command.name().equals("world")) {
@@ -80,9 +80,9 @@ public final class RobotConsole implements Console.Commands {
                                 ", ", robots.stream().map(TelephoneRobot::name).toList())));
     }
 
-    private void perform(TelephoneRobot meant, Command command) throws CommandException {
+    private void perform(TelephoneRobot meant, ConsoleCommand command) throws CommandException {
         Pioneer robot = meant.robot();
-        ConsoleEvents events = new ConsoleEvents(meant.name(), out);
+        RobotEventPrinter events = new RobotEventPrinter(meant.name(), out);
         switch (command.name()) {
             case "status" -> {
                 command.words(0, "nothing after it");
@@ -111,7 +111,7 @@ public final class RobotConsole implements Console.Commands {
         }
     }
 
-    private static boolean isOn(Command command) throws CommandException {
+    private static boolean isOn(ConsoleCommand command) throws CommandException {
         String word = command.words(1, "on or off").get(0);
         if (!word.equals("on") && !word.equals("off")) {
             throw new CommandException(command.name() + ": expected on or off, found " + word);
@@ -119,11 +119,11 @@ public final class RobotConsole implements Console.Commands {
         return word.equals("on");
     }
 
-    private void power(Pioneer robot, boolean on, ConsoleEvents events) throws CommandException {
+    private void power(Pioneer robot, boolean on, RobotEventPrinter events) throws CommandException {
         onSimulation(() -> answerUnlessToldBy(robot, events, () -> robot.setPower(on)));
     }
 
-    private void motors(Pioneer robot, boolean on, ConsoleEvents events) throws CommandException {
+    private void motors(Pioneer robot, boolean on, RobotEventPrinter events) throws CommandException {
         onSimulation(() -> {
             if (on && !robot.isPowered()) {
                 throw new CommandException("motors on: the robot is off, expected power on first");
@@ -133,7 +133,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** A change tells the status by itself; without one the answer has still to come. */
-    private static void answerUnlessToldBy(Pioneer robot, ConsoleEvents events, Runnable act) {
+    private static void answerUnlessToldBy(Pioneer robot, RobotEventPrinter events, Runnable act) {
         RobotStatus before = robot.status();
         act.run();
         if (robot.status() == before) {
@@ -142,7 +142,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** A change tells itself; without a name, or without a change, the answer has still to come. */
-    private void behaviour(TelephoneRobot meant, Command command, ConsoleEvents events) throws CommandException {
+    private void behaviour(TelephoneRobot meant, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
         SimulatedRobot robot = meant.simulated()
                 .orElseThrow(
                         () -> new CommandException("behaviour: " + meant.name() + " is a real robot and runs none"));
@@ -171,7 +171,7 @@ public final class RobotConsole implements Console.Commands {
         }
     }
 
-    private void place(Pioneer robot, Command command, ConsoleEvents events) throws CommandException {
+    private void place(Pioneer robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
         List<String> words = command.words(3, "X Y HEADING");
         Pose pose = pose(command.name(), words);
         onSimulation(() -> {
@@ -184,7 +184,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** The picture is drawn and written here, not on the simulation's thread. */
-    private void camera(TelephoneRobot robot, Command command, ConsoleEvents events) throws CommandException {
+    private void camera(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
         Path file = pictureFile(command);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
         onSimulation(() -> scene.set(simRobot.scene()));
@@ -202,7 +202,7 @@ public final class RobotConsole implements Console.Commands {
         events.camera(file.toString());
     }
 
-    private static Path pictureFile(Command command) throws CommandException {
+    private static Path pictureFile(ConsoleCommand command) throws CommandException {
         String text = command.text();
         try {
             Path file = Path.of(text);
@@ -217,7 +217,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** What the file is to hold is made and written here, not on the simulation's thread. */
-    private void export(TelephoneRobot robot, Command command, ConsoleEvents events) throws CommandException {
+    private void export(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
         String text = command.text();
         Path file = exportFile(text);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();

@@ -5,8 +5,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
-import simgsm.console.Command;
 import simgsm.console.CommandException;
+import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.console.Program;
 import simrobot.simulation.Simulation;
@@ -24,7 +24,7 @@ final class WorldConsole {
         this.out = out;
     }
 
-    void perform(Command command) throws CommandException {
+    void perform(ConsoleCommand command) throws CommandException {
         String file = command.text();
         Optional<World> next = file.isEmpty() ? Optional.empty() : Optional.of(read(file));
         try {

@@ -26,7 +26,7 @@ final class Page {
     private final String template;
 
     Page(Locale language) {
-        texts = Messages.in(language);
+        texts = WebTexts.in(language);
         template = Template.read("page.html");
     }
 

@@ -1,8 +1,8 @@
 package simrobot.p2os;
 
 import java.io.IOException;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.System.Logger;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.CancelledKeyException;
@@ -27,7 +27,7 @@ final class Client implements Wire {
     private static final int MOST_QUEUED_PACKETS = 100;
 
     private final P2osServer server;
-    private final Door door;
+    private final P2osAcceptor door;
     private final SocketChannel channel;
     private final SelectionKey key;
     private final ByteBuffer input = ByteBuffer.allocate(CHUNK);
@@ -36,7 +36,7 @@ final class Client implements Wire {
     private boolean reading = true;
     private boolean gone;
 
-    Client(P2osServer server, Door door, SocketChannel channel) throws IOException {
+    Client(P2osServer server, P2osAcceptor door, SocketChannel channel) throws IOException {
         this.server = server;
         this.door = door;
         this.channel = channel;

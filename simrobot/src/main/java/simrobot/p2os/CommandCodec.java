@@ -47,43 +47,43 @@ public final class CommandCodec {
     // ---- what a robot hears -------------------------------------------------------------------------------------
 
     /** @param data of a packet, at least one byte */
-    public static Command decode(byte[] data) {
+    public static P2osCommand decode(byte[] data) {
         int number = data[0] & 0xFF;
         return switch (number) {
-            case CommandNumber.PULSE -> new Command.Pulse();
-            case CommandNumber.OPEN -> new Command.Open();
-            case CommandNumber.CLOSE -> new Command.Close();
-            case CommandNumber.SETO -> new Command.SetOrigin();
-            case CommandNumber.STOP -> new Command.Stop();
-            case CommandNumber.E_STOP, CommandNumber.E_STOP_OLD -> new Command.EmergencyStop();
-            case CommandNumber.CONFIG -> new Command.Configuration();
-            case CommandNumber.SIM_RESET -> new Command.SimReset();
+            case CommandNumber.PULSE -> new P2osCommand.Pulse();
+            case CommandNumber.OPEN -> new P2osCommand.Open();
+            case CommandNumber.CLOSE -> new P2osCommand.Close();
+            case CommandNumber.SETO -> new P2osCommand.SetOrigin();
+            case CommandNumber.STOP -> new P2osCommand.Stop();
+            case CommandNumber.E_STOP, CommandNumber.E_STOP_OLD -> new P2osCommand.EmergencyStop();
+            case CommandNumber.CONFIG -> new P2osCommand.Configuration();
+            case CommandNumber.SIM_RESET -> new P2osCommand.SimReset();
             case CommandNumber.POLLING -> polling(data);
             case CommandNumber.SIM_SET_POSE -> simPose(data);
-            case CommandNumber.SIM_STAT -> new Command.SimStatus(hasNumber(data) ? argument(data) : 1);
-            default -> hasNumber(data) ? withNumber(number, argument(data)) : new Command.Unheeded(number);
+            case CommandNumber.SIM_STAT -> new P2osCommand.SimStatus(hasNumber(data) ? argument(data) : 1);
+            default -> hasNumber(data) ? withNumber(number, argument(data)) : new P2osCommand.Unheeded(number);
         };
     }
 
-    private static Command withNumber(int number, int argument) {
+    private static P2osCommand withNumber(int number, int argument) {
         return switch (number) {
-            case CommandNumber.ENABLE -> new Command.Enable(argument != 0);
-            case CommandNumber.SETA -> new Command.Acceleration(argument);
-            case CommandNumber.SETRA -> new Command.TurnAcceleration(argument);
-            case CommandNumber.SETV -> new Command.TopSpeed(argument);
-            case CommandNumber.SETRV -> new Command.TopTurnSpeed(argument);
-            case CommandNumber.MOVE -> new Command.Move(argument);
-            case CommandNumber.ROTATE, CommandNumber.RVEL -> new Command.Rotate(argument);
-            case CommandNumber.VEL -> new Command.Velocity(argument);
-            case CommandNumber.VEL2 -> new Command.WheelVelocities((byte) (argument >> 8), (byte) argument);
-            case CommandNumber.HEAD -> new Command.Heading(argument);
-            case CommandNumber.DHEAD -> new Command.TurnBy(argument);
-            case CommandNumber.DCHEAD -> new Command.TurnByFromTarget(argument);
-            case CommandNumber.ENCODER -> new Command.Encoders(argument);
-            case CommandNumber.SONAR -> new Command.Sonar(argument != 0);
-            case CommandNumber.BUMPSTALL -> new Command.BumpStall((argument & 1) != 0, (argument & 2) != 0);
-            case CommandNumber.BATTEST -> new Command.Battery(argument);
-            default -> new Command.Unheeded(number);
+            case CommandNumber.ENABLE -> new P2osCommand.Enable(argument != 0);
+            case CommandNumber.SETA -> new P2osCommand.Acceleration(argument);
+            case CommandNumber.SETRA -> new P2osCommand.TurnAcceleration(argument);
+            case CommandNumber.SETV -> new P2osCommand.TopSpeed(argument);
+            case CommandNumber.SETRV -> new P2osCommand.TopTurnSpeed(argument);
+            case CommandNumber.MOVE -> new P2osCommand.Move(argument);
+            case CommandNumber.ROTATE, CommandNumber.RVEL -> new P2osCommand.Rotate(argument);
+            case CommandNumber.VEL -> new P2osCommand.Velocity(argument);
+            case CommandNumber.VEL2 -> new P2osCommand.WheelVelocities((byte) (argument >> 8), (byte) argument);
+            case CommandNumber.HEAD -> new P2osCommand.Heading(argument);
+            case CommandNumber.DHEAD -> new P2osCommand.TurnBy(argument);
+            case CommandNumber.DCHEAD -> new P2osCommand.TurnByFromTarget(argument);
+            case CommandNumber.ENCODER -> new P2osCommand.Encoders(argument);
+            case CommandNumber.SONAR -> new P2osCommand.Sonar(argument != 0);
+            case CommandNumber.BUMPSTALL -> new P2osCommand.BumpStall((argument & 1) != 0, (argument & 2) != 0);
+            case CommandNumber.BATTEST -> new P2osCommand.Battery(argument);
+            default -> new P2osCommand.Unheeded(number);
         };
     }
 
@@ -97,9 +97,9 @@ public final class CommandCodec {
     }
 
     /** The wire counts sonars from 1; 0 is a pause in the firing order. */
-    private static Command polling(byte[] data) {
+    private static P2osCommand polling(byte[] data) {
         if (data.length < 3 || data[1] != TEXT || (data[2] & 0xFF) > data.length - 3) {
-            return new Command.Unheeded(CommandNumber.POLLING);
+            return new P2osCommand.Unheeded(CommandNumber.POLLING);
         }
         List<Integer> sonars = new ArrayList<>();
         for (byte octet : Arrays.copyOfRange(data, 3, 3 + (data[2] & 0xFF))) {
@@ -107,13 +107,13 @@ public final class CommandCodec {
                 sonars.add(octet - 1);
             }
         }
-        return new Command.Polling(List.copyOf(sonars));
+        return new P2osCommand.Polling(List.copyOf(sonars));
     }
 
-    private static Command simPose(byte[] data) {
+    private static P2osCommand simPose(byte[] data) {
         return data.length < 14
-                ? new Command.Unheeded(CommandNumber.SIM_SET_POSE)
-                : new Command.SimPose(int4(data, 2), int4(data, 6), int4(data, 10));
+                ? new P2osCommand.Unheeded(CommandNumber.SIM_SET_POSE)
+                : new P2osCommand.SimPose(int4(data, 2), int4(data, 6), int4(data, 10));
     }
 
     private static int int4(byte[] data, int at) {

@@ -35,10 +35,10 @@ final class Motion {
     }
 
     /** Does what the command says, if it is one of motion. */
-    void perform(Command command) {
-        if (command instanceof Command.Stop) {
+    void perform(P2osCommand command) {
+        if (command instanceof P2osCommand.Stop) {
             robot.brake();
-        } else if (command instanceof Command.EmergencyStop) {
+        } else if (command instanceof P2osCommand.EmergencyStop) {
             robot.brakeAtOnce();
         } else if (!limit(command) && robot.hasMotors() && !robot.isUnderOrder()) {
             robot.autonomy().end();
@@ -46,43 +46,43 @@ final class Motion {
         }
     }
 
-    private void steer(Command command) {
-        if (command instanceof Command.Velocity velocity) {
+    private void steer(P2osCommand command) {
+        if (command instanceof P2osCommand.Velocity velocity) {
             drive.setSpeed(velocity.millimetersPerSecond() / 1000.0);
-        } else if (command instanceof Command.Rotate rotate) {
+        } else if (command instanceof P2osCommand.Rotate rotate) {
             drive.setTurnSpeed(Math.toRadians(rotate.degreesPerSecond()));
-        } else if (command instanceof Command.WheelVelocities wheels) {
+        } else if (command instanceof P2osCommand.WheelVelocities wheels) {
             steerWheels(wheels);
-        } else if (command instanceof Command.Move move) {
+        } else if (command instanceof P2osCommand.Move move) {
             drive.move(move.millimeters() / 1000.0);
-        } else if (command instanceof Command.Heading heading) {
+        } else if (command instanceof P2osCommand.Heading heading) {
             double way = Math.toRadians(heading.degrees()) - robot.odometry().headingRadians();
             drive.turn(Math.IEEEremainder(way, 2 * Math.PI));
-        } else if (command instanceof Command.TurnBy turn) {
+        } else if (command instanceof P2osCommand.TurnBy turn) {
             drive.turn(Math.toRadians(turn.degrees()));
-        } else if (command instanceof Command.TurnByFromTarget turn) {
+        } else if (command instanceof P2osCommand.TurnByFromTarget turn) {
             drive.turn(drive.remainingTurn() + Math.toRadians(turn.degrees()));
         }
     }
 
-    private void steerWheels(Command.WheelVelocities wheels) {
+    private void steerWheels(P2osCommand.WheelVelocities wheels) {
         double unit = Scale.WHEEL_UNIT_MILLIMETERS_PER_SECOND / 1000;
         drive.setSpeed((wheels.left() + wheels.right()) * unit / 2);
         drive.setTurnSpeed((wheels.right() - wheels.left()) * unit / Pioneer2Dx.EFFECTIVE_TRACK_METERS);
     }
 
     /** True when the command sets a limit; limits of 0 are none. */
-    private boolean limit(Command command) {
+    private boolean limit(P2osCommand command) {
         Trapezoid ahead = drive.aheadLimits();
         Trapezoid turn = drive.turnLimits();
-        if (command instanceof Command.Acceleration limit) {
+        if (command instanceof P2osCommand.Acceleration limit) {
             ahead = withAcceleration(ahead, limit.millimetersPerSecond2(), 0.001);
-        } else if (command instanceof Command.TurnAcceleration limit) {
+        } else if (command instanceof P2osCommand.TurnAcceleration limit) {
             turn = withAcceleration(turn, limit.degreesPerSecond2(), Math.toRadians(1));
-        } else if (command instanceof Command.TopSpeed limit) {
+        } else if (command instanceof P2osCommand.TopSpeed limit) {
             int top = Math.min(limit.millimetersPerSecond(), Scale.MOST_MILLIMETERS_PER_SECOND);
             ahead = withTop(ahead, top / 1000.0);
-        } else if (command instanceof Command.TopTurnSpeed limit) {
+        } else if (command instanceof P2osCommand.TopTurnSpeed limit) {
             turn = withTop(turn, Math.toRadians(Math.min(limit.degreesPerSecond(), Scale.MOST_DEGREES_PER_SECOND)));
         } else {
             return false;

@@ -1,8 +1,8 @@
 package simrobot.p2os;
 
 import java.io.IOException;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.System.Logger;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.channels.SelectionKey;
@@ -30,7 +30,7 @@ public final class P2osServer implements AutoCloseable {
     private final InetAddress address;
     private final Selector selector = Selector.open();
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final List<Door> doors = new CopyOnWriteArrayList<>();
+    private final List<P2osAcceptor> doors = new CopyOnWriteArrayList<>();
     private final List<P2osSession> sessions = new CopyOnWriteArrayList<>();
     private final AtomicBoolean tickPosted = new AtomicBoolean();
     private final Thread thread = new Thread(this::loop, "p2os");
@@ -59,7 +59,7 @@ public final class P2osServer implements AutoCloseable {
         if (nextPort > LAST_PORT) {
             throw new IOException("no P2OS port left for " + robot.name() + " above " + LAST_PORT);
         }
-        Door door = new Door(this, robot, new InetSocketAddress(address, nextPort));
+        P2osAcceptor door = new P2osAcceptor(this, robot, new InetSocketAddress(address, nextPort));
         nextPort += nextPort == 0 ? 0 : 1;
         doors.add(door);
         return door.port();
@@ -155,7 +155,7 @@ public final class P2osServer implements AutoCloseable {
                 }
                 if (System.nanoTime() - ticked >= TICK_MILLIS * 1_000_000) {
                     ticked = System.nanoTime();
-                    doors.forEach(Door::lookRound);
+                    doors.forEach(P2osAcceptor::lookRound);
                     postTick();
                 }
             } catch (IOException | RuntimeException fault) {
@@ -166,7 +166,7 @@ public final class P2osServer implements AutoCloseable {
     }
 
     private void serve(SelectionKey key) {
-        if (key.attachment() instanceof Door door) {
+        if (key.attachment() instanceof P2osAcceptor door) {
             door.accept();
         } else if (key.attachment() instanceof Client client) {
             client.serve();
@@ -183,7 +183,7 @@ public final class P2osServer implements AutoCloseable {
     }
 
     private void shut() {
-        doors.forEach(Door::close);
+        doors.forEach(P2osAcceptor::close);
         try {
             selector.close();
         } catch (IOException e) {

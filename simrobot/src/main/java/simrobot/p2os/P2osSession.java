@@ -122,12 +122,12 @@ public final class P2osSession {
             silent = false;
             motion.setSuspended(false);
         }
-        Command command = CommandCodec.decode(data);
-        if (command instanceof Command.Pulse) {
+        P2osCommand command = CommandCodec.decode(data);
+        if (command instanceof P2osCommand.Pulse) {
             pulse();
-        } else if (command instanceof Command.Open) {
+        } else if (command instanceof P2osCommand.Open) {
             open();
-        } else if (command instanceof Command.Close) {
+        } else if (command instanceof P2osCommand.Close) {
             close();
         } else if (stage == Stage.OPEN) {
             perform(command);
@@ -170,28 +170,28 @@ public final class P2osSession {
 
     // ---- commands ------------------------------------------------------------------------------------------------
 
-    private void perform(Command command) {
-        if (command instanceof Command.Enable enable) {
+    private void perform(P2osCommand command) {
+        if (command instanceof P2osCommand.Enable enable) {
             robot.setMotors(enable.motors());
-        } else if (command instanceof Command.SetOrigin) {
+        } else if (command instanceof P2osCommand.SetOrigin) {
             robot.resetOdometry();
-        } else if (command instanceof Command.Configuration) {
+        } else if (command instanceof P2osCommand.Configuration) {
             wire.send(ConfigurationPacket.of(report.name()));
-        } else if (command instanceof Command.Encoders wanted) {
+        } else if (command instanceof P2osCommand.Encoders wanted) {
             encoders = Told.ofMode(wanted.mode());
-        } else if (command instanceof Command.SimStatus wanted) {
+        } else if (command instanceof P2osCommand.SimStatus wanted) {
             simulator = Told.ofMode(wanted.mode());
-        } else if (command instanceof Command.Sonar sonar) {
+        } else if (command instanceof P2osCommand.Sonar sonar) {
             report.setSonar(sonar.on());
-        } else if (command instanceof Command.Polling polling) {
+        } else if (command instanceof P2osCommand.Polling polling) {
             report.setPolled(polling.sonars());
-        } else if (command instanceof Command.BumpStall sides) {
+        } else if (command instanceof P2osCommand.BumpStall sides) {
             stall.setBumpers(sides);
-        } else if (command instanceof Command.Battery battery) {
+        } else if (command instanceof P2osCommand.Battery battery) {
             robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
-        } else if (command instanceof Command.SimPose pose) {
+        } else if (command instanceof P2osCommand.SimPose pose) {
             place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
-        } else if (command instanceof Command.SimReset) {
+        } else if (command instanceof P2osCommand.SimReset) {
             place(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
             robot.resetOdometry();
         } else {

@@ -19,7 +19,7 @@ final class Stall {
         this.robot = robot;
     }
 
-    void setBumpers(Command.BumpStall sides) {
+    void setBumpers(P2osCommand.BumpStall sides) {
         frontStalls = sides.front();
         rearStalls = sides.rear();
     }

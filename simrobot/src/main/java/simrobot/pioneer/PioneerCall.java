@@ -1,8 +1,8 @@
 package simrobot.pioneer;
 
 import java.io.IOException;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.System.Logger;
 import java.nio.ByteBuffer;
 import java.nio.channels.AsynchronousCloseException;
 import java.nio.channels.ByteChannel;
@@ -17,7 +17,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * Gives a {@link RealPioneer} its line and its time: one thread connects and reads, one writes, one keeps time; what comes
  * is done on the simulation's thread. A connection that is lost, or never was, is tried again after growing pauses.
  */
-public final class PioneerCall implements Line, AutoCloseable {
+public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final Logger LOG = System.getLogger(PioneerCall.class.getName());
     private static final long FIRST_PAUSE_MILLIS = 500;
     private static final long LONGEST_PAUSE_MILLIS = 15_000;

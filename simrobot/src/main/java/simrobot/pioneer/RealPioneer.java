@@ -12,8 +12,8 @@ import simrobot.p2os.PacketReader;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Condition;
-import simrobot.robot.Pioneer;
 import simrobot.robot.Pioneer2Dx;
+import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.robot.SonarRing;
 import simrobot.robot.Trail;
@@ -37,12 +37,12 @@ public final class RealPioneer implements Pioneer {
     private static final int BOTH_BUMPERS_STALL = 3;
 
     private final String name;
-    private final Line line;
+    private final PioneerLine line;
     private final StatusMachine machine = new StatusMachine(RobotStatus.DISCONNECTED);
     private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
     private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
     private PacketReader reader = new PacketReader(this::heard);
-    private final Conversation conversation;
+    private final PioneerDialogue conversation;
     private final DeadReckoning place;
     private final Trail trail = new Trail();
     private final int[] sonars = new int[SonarRing.COUNT];
@@ -61,12 +61,12 @@ public final class RealPioneer implements Pioneer {
      *
      * @param motors whether its motors are to be switched on once it is
      */
-    public RealPioneer(String name, Line line, Pose start, boolean motors) {
+    public RealPioneer(String name, PioneerLine line, Pose start, boolean motors) {
         this.name = Objects.requireNonNull(name);
         this.line = Objects.requireNonNull(line);
         place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
         motorsWanted = motors;
-        conversation = new Conversation(name, line, this::opened, this::said);
+        conversation = new PioneerDialogue(name, line, this::opened, this::said);
         forgetSonars();
     }
 

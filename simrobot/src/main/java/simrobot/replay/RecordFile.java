@@ -40,7 +40,7 @@ final class RecordFile {
     private RecordFile() {}
 
     static byte[] header() {
-        OctetWriter out = new OctetWriter();
+        RecordingWriter out = new RecordingWriter();
         Layout.MAGIC.chars().forEach(out::octet);
         return out.fixed(Layout.VERSION, 2)
                 .fixed(simrobot.simulation.Simulation.STEP_NANOS, 8)
@@ -49,7 +49,7 @@ final class RecordFile {
 
     static byte[] encode(Layout.Kind kind, byte[] content) {
         Stored stored = deflated(new Stored(kind.ordinal(), content));
-        return new OctetWriter()
+        return new RecordingWriter()
                 .fixed(stored.content.length, 4)
                 .octet(stored.kind)
                 .octets(stored.content)

@@ -33,11 +33,11 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
         };
     }
 
-    void write(OctetWriter out, long previousNanos) {
+    void write(RecordingWriter out, long previousNanos) {
         out.signed(timeNanos - previousNanos).text(robot).text(name).text(line);
     }
 
-    static RecordedEvent read(OctetReader in, long previousNanos) {
+    static RecordedEvent read(RecordingReader in, long previousNanos) {
         return new RecordedEvent(previousNanos + in.signed(), in.text(), in.text(), in.text());
     }
 }

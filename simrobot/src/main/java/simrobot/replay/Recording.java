@@ -70,7 +70,7 @@ public final class Recording implements AutoCloseable {
         if (header.length < ours.length || !Arrays.equals(header, 0, magic, ours, 0, magic)) {
             throw new IOException(path + ": no SimRobot recording, expected a file made by --record");
         }
-        OctetReader rest = new OctetReader(Arrays.copyOfRange(header, magic, header.length));
+        RecordingReader rest = new RecordingReader(Arrays.copyOfRange(header, magic, header.length));
         long version = rest.fixed(2);
         long stepNanos = rest.fixed(8);
         if (version != Layout.VERSION || stepNanos != Simulation.STEP_NANOS) {
@@ -87,9 +87,9 @@ public final class Recording implements AutoCloseable {
             RecordFile.Stored record = RecordFile.read(in);
             while (record != null) {
                 switch (record.meaning()) {
-                    case WORLD -> world = WorldCodec.read(new OctetReader(record.inflated()));
-                    case CAST -> scene = new Scene(world, names(new OctetReader(record.inflated())));
-                    case EVENTS -> addEvents(new OctetReader(record.inflated()));
+                    case WORLD -> world = WorldCodec.read(new RecordingReader(record.inflated()));
+                    case CAST -> scene = new Scene(world, names(new RecordingReader(record.inflated())));
+                    case EVENTS -> addEvents(new RecordingReader(record.inflated()));
                     case KEY, CHANGES -> addPart(offset, record, scene);
                 }
                 offset += Layout.FRAME_OCTETS + record.content().length;
@@ -105,7 +105,7 @@ public final class Recording implements AutoCloseable {
     }
 
     private void addPart(long offset, RecordFile.Stored record, Scene scene) {
-        OctetReader times = new OctetReader(record.content());
+        RecordingReader times = new RecordingReader(record.content());
         Part part = new Part(offset, record.meaning(), times.fixed(8), times.fixed(8), scene);
         boolean first = parts.isEmpty();
         if (part.endNanos < part.beginNanos || (first ? part.kind != Layout.Kind.KEY : part.beginNanos < lastNanos())) {
@@ -114,7 +114,7 @@ public final class Recording implements AutoCloseable {
         parts.add(part);
     }
 
-    private static List<String> names(OctetReader in) {
+    private static List<String> names(RecordingReader in) {
         int count = in.count();
         List<String> names = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {
@@ -126,7 +126,7 @@ public final class Recording implements AutoCloseable {
         return List.copyOf(names);
     }
 
-    private void addEvents(OctetReader in) {
+    private void addEvents(RecordingReader in) {
         long before = 0;
         for (int left = in.count(); left > 0; left--) {
             RecordedEvent event = RecordedEvent.read(in, before);
@@ -183,13 +183,13 @@ public final class Recording implements AutoCloseable {
     }
 
     /** The entries of a part. */
-    OctetReader entries(Part part) throws IOException {
+    RecordingReader entries(Part part) throws IOException {
         file.seek(part.offset);
         int length = file.readInt();
         int kind = file.readUnsignedByte();
         byte[] content = new byte[length];
         file.readFully(content);
-        OctetReader in = new OctetReader(new RecordFile.Stored(kind, content).inflated());
+        RecordingReader in = new RecordingReader(new RecordFile.Stored(kind, content).inflated());
         in.fixed(8);
         in.fixed(8);
         return in;

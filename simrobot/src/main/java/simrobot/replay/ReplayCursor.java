@@ -24,7 +24,7 @@ public final class ReplayCursor {
     private Track[] tracks;
     private String watched = "";
     private int part = -1;
-    private OctetReader entries;
+    private RecordingReader entries;
     private long timeNanos;
     private long idleSteps;
 

@@ -21,7 +21,7 @@ final class SessionEncoder {
 
     private final Simulation simulation;
     private final BiConsumer<Layout.Kind, byte[]> sink;
-    private final OctetWriter entries = new OctetWriter();
+    private final RecordingWriter entries = new RecordingWriter();
     private final List<RecordedEvent> events = new ArrayList<>();
     private World world;
     private List<SimulatedRobot> cast = List.of();
@@ -102,16 +102,16 @@ final class SessionEncoder {
     private void beginScene() {
         if (simulation.world() != world) {
             world = simulation.world();
-            OctetWriter out = new OctetWriter();
+            RecordingWriter out = new RecordingWriter();
             WorldCodec.write(world, out);
             sink.accept(Layout.Kind.WORLD, out.toArray());
         }
         cast = simulation.robots();
-        OctetWriter names = new OctetWriter().number(cast.size());
+        RecordingWriter names = new RecordingWriter().number(cast.size());
         cast.forEach(robot -> names.text(robot.name()));
         sink.accept(Layout.Kind.CAST, names.toArray());
         tracks = new Track[cast.size()];
-        OctetWriter nothing = new OctetWriter();
+        RecordingWriter nothing = new RecordingWriter();
         for (int i = 0; i < tracks.length; i++) {
             tracks[i] = new Track();
             tracks[i].writeWhole(cast.get(i).state(), nothing);
@@ -156,7 +156,7 @@ final class SessionEncoder {
         if (open) {
             putIdle();
             byte[] told = entries.toArray();
-            OctetWriter content = new OctetWriter().fixed(openedAtNanos, 8).fixed(timeNanos, 8);
+            RecordingWriter content = new RecordingWriter().fixed(openedAtNanos, 8).fixed(timeNanos, 8);
             content.octets(told);
             entries.clear();
             open = false;
@@ -166,7 +166,7 @@ final class SessionEncoder {
 
     private void closeEvents() {
         if (!events.isEmpty()) {
-            OctetWriter content = new OctetWriter().number(events.size());
+            RecordingWriter content = new RecordingWriter().number(events.size());
             long before = 0;
             for (RecordedEvent event : events) {
                 event.write(content, before);

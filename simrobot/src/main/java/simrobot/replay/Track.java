@@ -55,7 +55,7 @@ final class Track {
 
     // ---- whole states --------------------------------------------------------------------------------------------
 
-    void writeWhole(RobotState state, OctetWriter out) {
+    void writeWhole(RobotState state, RecordingWriter out) {
         for (int i = 0; i < QUANTITIES; i++) {
             begin(i, quantity(state, i));
             out.exact(newest[i]);
@@ -64,7 +64,7 @@ final class Track {
         writeStatus(out);
     }
 
-    void readWhole(OctetReader in) {
+    void readWhole(RecordingReader in) {
         for (int i = 0; i < QUANTITIES; i++) {
             begin(i, in.exact());
         }
@@ -79,7 +79,7 @@ final class Track {
 
     // ---- changes -------------------------------------------------------------------------------------------------
 
-    void writeChange(RobotState state, OctetWriter out) {
+    void writeChange(RobotState state, RecordingWriter out) {
         int mask = 0;
         for (int i = 0; i < QUANTITIES; i++) {
             if (bits(quantity(state, i)) != bits(foretold(i))) {
@@ -103,7 +103,7 @@ final class Track {
         }
     }
 
-    void readChange(OctetReader in) {
+    void readChange(RecordingReader in) {
         long mask = in.number();
         for (int i = 0; i < QUANTITIES; i++) {
             double foretold = foretold(i);
@@ -148,11 +148,11 @@ final class Track {
         behaviour = process;
     }
 
-    private void writeStatus(OctetWriter out) {
+    private void writeStatus(RecordingWriter out) {
         out.octet(status.ordinal()).octet(behaviour.ordinal());
     }
 
-    private void readStatus(OctetReader in) {
+    private void readStatus(RecordingReader in) {
         int s = in.octet();
         int b = in.octet();
         if (s >= STATUSES.length || b >= BEHAVIOURS.length) {

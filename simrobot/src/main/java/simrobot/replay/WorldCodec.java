@@ -18,7 +18,7 @@ import simrobot.world.World;
 final class WorldCodec {
     private WorldCodec() {}
 
-    static void write(World world, OctetWriter out) {
+    static void write(World world, RecordingWriter out) {
         out.text(world.name());
         list(out, world.segments(), WorldCodec::segment);
         list(out, world.points(), WorldCodec::position);
@@ -31,7 +31,7 @@ final class WorldCodec {
         list(out, world.goals(), WorldCodec::goal);
     }
 
-    static World read(OctetReader in) {
+    static World read(RecordingReader in) {
         try {
             return new World(
                     in.text(),
@@ -49,12 +49,12 @@ final class WorldCodec {
         }
     }
 
-    private static <T> void list(OctetWriter out, List<T> items, BiConsumer<OctetWriter, T> writer) {
+    private static <T> void list(RecordingWriter out, List<T> items, BiConsumer<RecordingWriter, T> writer) {
         out.number(items.size());
         items.forEach(item -> writer.accept(out, item));
     }
 
-    private static <T> List<T> list(OctetReader in, Function<OctetReader, T> reader) {
+    private static <T> List<T> list(RecordingReader in, Function<RecordingReader, T> reader) {
         int count = in.count();
         List<T> items = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {
@@ -63,52 +63,52 @@ final class WorldCodec {
         return items;
     }
 
-    private static void position(OctetWriter out, Position position) {
+    private static void position(RecordingWriter out, Position position) {
         out.exact(position.xMeters()).exact(position.yMeters());
     }
 
-    private static Position position(OctetReader in) {
+    private static Position position(RecordingReader in) {
         return new Position(in.exact(), in.exact());
     }
 
-    private static void segment(OctetWriter out, Segment segment) {
+    private static void segment(RecordingWriter out, Segment segment) {
         out.exact(segment.x1Meters()).exact(segment.y1Meters());
         out.exact(segment.x2Meters()).exact(segment.y2Meters());
     }
 
-    private static Segment segment(OctetReader in) {
+    private static Segment segment(RecordingReader in) {
         return new Segment(in.exact(), in.exact(), in.exact(), in.exact());
     }
 
-    private static void area(OctetWriter out, Area area) {
+    private static void area(RecordingWriter out, Area area) {
         out.exact(area.minXMeters()).exact(area.minYMeters());
         out.exact(area.maxXMeters()).exact(area.maxYMeters());
         out.exact(area.rotationRadians());
     }
 
-    private static Area area(OctetReader in) {
+    private static Area area(RecordingReader in) {
         return new Area(in.exact(), in.exact(), in.exact(), in.exact(), in.exact());
     }
 
-    private static void home(OctetWriter out, Home home) {
+    private static void home(RecordingWriter out, Home home) {
         position(out.text(home.name()), home.position());
         out.exact(home.headingRadians()).octet(home.area().isPresent() ? 1 : 0);
         home.area().ifPresent(area -> area(out, area));
     }
 
-    private static Home home(OctetReader in) {
+    private static Home home(RecordingReader in) {
         String name = in.text();
         Position position = position(in);
         double heading = in.exact();
         return new Home(name, position, heading, in.octet() == 1 ? Optional.of(area(in)) : Optional.empty());
     }
 
-    private static void goal(OctetWriter out, Goal goal) {
+    private static void goal(RecordingWriter out, Goal goal) {
         position(out.text(goal.type()).text(goal.name()), goal.position());
         out.exact(goal.headingRadians());
     }
 
-    private static void treadmill(OctetWriter out, Treadmill belt) {
+    private static void treadmill(RecordingWriter out, Treadmill belt) {
         area(out, belt.area());
         out.exact(belt.speedMetersPerSecond()).exact(belt.directionRadians());
     }

@@ -10,7 +10,7 @@ import simgsm.ui.CodeIcon;
 import simgsm.ui.Theme;
 
 /** The pictograms that only this window needs. */
-enum Glyph {
+public enum Glyph {
     BRAKE,
     GRID,
     POINTER,
@@ -24,7 +24,7 @@ enum Glyph {
     RECORD,
     EDIT;
 
-    Icon icon() {
+    public Icon icon() {
         return new CodeIcon(CodeIcon.SIDE) {
             @Override
             protected void draw(Graphics2D g) {

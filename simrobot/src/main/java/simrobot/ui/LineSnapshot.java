@@ -2,7 +2,7 @@ package simrobot.ui;
 
 import java.util.Objects;
 import simgsm.dtmf.ToneTrace;
-import simgsm.station.CallState;
+import simgsm.station.MobileCallState;
 import simgsm.station.StationSnapshot;
 import vericommand.VeriCommandSnapshot;
 
@@ -33,11 +33,11 @@ public record LineSnapshot(
 
     /** Whether a call is up or being set up. */
     public boolean isInCall() {
-        return modem.callState() != CallState.NULL;
+        return modem.callState() != MobileCallState.NULL;
     }
 
     /** Whether somebody commands this robot right now. */
-    boolean isBusy() {
+    public boolean isBusy() {
         return isInCall() || orders.underWay();
     }
 }

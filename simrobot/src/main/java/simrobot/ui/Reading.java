@@ -3,29 +3,29 @@ package simrobot.ui;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 
 /** A name at the left, a number with its unit at the right: one line of an instrument. */
-final class Reading extends Painted {
+public final class Reading extends PaintedComponent {
     private final String label;
     private final String unit;
     private String value = "";
 
-    Reading(String name, String label, String unit) {
+    public Reading(String name, String label, String unit) {
         super(name);
         this.label = label;
         this.unit = unit;
         show("\u2013");
     }
 
-    void show(String newValue) {
+    public void show(String newValue) {
         value = newValue;
         say(label + ": " + value + " " + unit);
     }
 
     @Override
-    Dimension preferred() {
+    protected Dimension preferred() {
         int width = Drawing.width(Theme.base(), label)
                 + Drawing.width(Theme.mono(), "-00.000 ")
                 + Drawing.width(Theme.small(), unit)
@@ -34,7 +34,7 @@ final class Reading extends Painted {
     }
 
     @Override
-    void paint(Graphics2D g, double width, double height) {
+    protected void paint(Graphics2D g, double width, double height) {
         double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
         g.setFont(Theme.base());
         g.setColor(Ink.QUIET.color());

@@ -10,11 +10,11 @@ import simgsm.ui.Theme;
 import vericommand.RobotStatus;
 
 /** The five statuses, each with its own shape and word; the present one is lit. */
-final class StatusLamps extends JPanel {
+public final class StatusLamps extends JPanel {
     private final Map<RobotStatus, Lamp> lamps = new EnumMap<>(RobotStatus.class);
     private final Texts texts;
 
-    StatusLamps(Texts texts) {
+    public StatusLamps(Texts texts) {
         super(new GridLayout(0, 2, 0, Theme.px(4)));
         this.texts = texts;
         setOpaque(false);
@@ -29,12 +29,12 @@ final class StatusLamps extends JPanel {
         }
     }
 
-    static String word(Texts texts, RobotStatus status) {
+    public static String word(Texts texts, RobotStatus status) {
         return texts.of("status." + status.name().toLowerCase(java.util.Locale.ROOT));
     }
 
     /** @param present null when no robot is selected */
-    void show(RobotStatus present) {
+    public void show(RobotStatus present) {
         lamps.forEach((status, lamp) -> lamp.setLit(status == present));
         getAccessibleContext()
                 .setAccessibleName(texts.of("status.name") + (present == null ? "" : ": " + word(texts, present)));

@@ -5,10 +5,10 @@ import simgsm.ui.Theme.Ink;
 import vericommand.RobotStatus;
 
 /** The shape and the colour of each status. */
-final class StatusLook {
+public final class StatusLook {
     private StatusLook() {}
 
-    static Mark mark(RobotStatus status) {
+    public static Mark mark(RobotStatus status) {
         return switch (status) {
             case STOPPED -> Mark.SQUARE;
             case MOVING -> Mark.ARROW;
@@ -18,7 +18,7 @@ final class StatusLook {
         };
     }
 
-    static Ink ink(RobotStatus status) {
+    public static Ink ink(RobotStatus status) {
         return switch (status) {
             case STOPPED -> Ink.GOOD;
             case MOVING -> Ink.ACCENT;

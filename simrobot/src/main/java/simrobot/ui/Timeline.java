@@ -17,12 +17,12 @@ public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
     }
 
     /** Within the recording. */
-    long clamp(long nanos) {
+    public long clamp(long nanos) {
         return Math.max(firstNanos, Math.min(lastNanos, nanos));
     }
 
     /** The time of the next marker behind a time, or the end. */
-    long next(long nanos) {
+    public long next(long nanos) {
         return markers.stream()
                 .mapToLong(Marker::timeNanos)
                 .filter(at -> at > nanos)
@@ -31,7 +31,7 @@ public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
     }
 
     /** The time of the marker before a time, or the beginning. */
-    long previous(long nanos) {
+    public long previous(long nanos) {
         long before = firstNanos;
         for (Marker marker : markers) {
             if (marker.timeNanos() < nanos) {

@@ -1,12 +1,11 @@
 /**
- * SimRobot's window. Read first {@link simrobot.ui.SimRobotPanel}, which is the whole window without its frame, then
- * {@link simrobot.ui.WorldPainter}. Everything that is shown comes from immutable snapshots, everything that is done goes
- * out through {@link simrobot.ui.Operator}; so panels and painters work without a display.
+ * What the packages of SimRobot's window share: texts, small components, the snapshot that is shown and the actions that a
+ * user can take. Everything that is shown comes from immutable snapshots; everything that is done goes out through {@link
+ * simrobot.ui.SimRobotActions}; so panels and painters work without a display.
  *
  * <pre>
- *   SimRobotWindow - SimRobotPanel - WorldView, Inspector, ModemPanel, VeriCommandPanel
- *                                                |
- *                                  WorldPainter - FloorPainter, RobotPainter
+ *   ui.panel -> ui.floor, ui.editor, ui.replay -> ui
+ *   ui.editor -> ui.floor
  * </pre>
  */
 package simrobot.ui;

@@ -15,7 +15,7 @@ import vericommand.Verdict;
 
 class ConsoleEventsTest {
     private final List<String> lines = new ArrayList<>();
-    private final ConsoleEvents events = new ConsoleEvents("r1", event -> lines.add(event.toString()));
+    private final RobotEventPrinter events = new RobotEventPrinter("r1", event -> lines.add(event.toString()));
 
     @Test
     void eventsAreSpelledAsTheContractSays() {

@@ -29,7 +29,7 @@ final class ControlBench implements ModemPort {
     ControlBench(Settings.OnHangup onHangup) {
         Settings settings = new Settings(Locale.ENGLISH, Set.of(), onHangup);
         control = new RobotControl(robot, settings, this, simulation::timeNanos);
-        control.listen(new ConsoleEvents("robot", event -> log.add(event.toString())));
+        control.listen(new RobotEventPrinter("robot", event -> log.add(event.toString())));
     }
 
     void press(String keys) {

@@ -9,7 +9,7 @@ import vericommand.RobotStatus;
 
 class EventLogTest {
     private long now;
-    private final EventLog log = new EventLog(() -> now);
+    private final RobotEventLog log = new RobotEventLog(() -> now);
 
     @Test
     void eventsAreKeptInTheirOrderWithTheirTime() {
@@ -26,14 +26,14 @@ class EventLogTest {
 
     @Test
     void theOldestMakeRoomAndTheNewestIsAlwaysThere() {
-        for (int i = 0; i < EventLog.CAPACITY + 5; i++) {
+        for (int i = 0; i < RobotEventLog.CAPACITY + 5; i++) {
             log.of("anna").call(String.valueOf(i));
         }
-        assertEquals(EventLog.CAPACITY, log.newest().size());
+        assertEquals(RobotEventLog.CAPACITY, log.newest().size());
         assertEquals("5", log.newest().get(0).what());
         assertEquals(
-                String.valueOf(EventLog.CAPACITY + 4),
-                log.newest().get(EventLog.CAPACITY - 1).what());
+                String.valueOf(RobotEventLog.CAPACITY + 4),
+                log.newest().get(RobotEventLog.CAPACITY - 1).what());
     }
 
     @Test

@@ -14,49 +14,49 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandCodecTest {
-    private static Command decoded(byte[] packet) {
+    private static P2osCommand decoded(byte[] packet) {
         return CommandCodec.decode(Arrays.copyOfRange(packet, 3, packet.length - 2));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, -1, 500, -300, 32767, -32767, 65535})
     void aNumberIsReadAsItWasWritten(int millimeters) {
-        assertEquals(new Command.Move(millimeters), decoded(CommandCodec.packet(CommandNumber.MOVE, millimeters)));
+        assertEquals(new P2osCommand.Move(millimeters), decoded(CommandCodec.packet(CommandNumber.MOVE, millimeters)));
     }
 
     @ParameterizedTest
     @CsvSource({"10, 10", "-10, 5", "5, -10", "-1, -1", "127, -128"})
     void twoWheelsShareANumberWhoeverWritesIt(int left, int right) {
         int word = (left & 0xFF) << 8 | right & 0xFF;
-        Command expected = new Command.WheelVelocities(left, right);
+        P2osCommand expected = new P2osCommand.WheelVelocities(left, right);
         assertEquals(expected, decoded(CommandCodec.packet(CommandNumber.VEL2, word)));
         assertEquals(expected, decoded(CommandCodec.packet(CommandNumber.VEL2, (short) word)));
     }
 
     @Test
     void openTakesAnArgumentOrNone() {
-        assertEquals(new Command.Open(), decoded(CommandCodec.packet(CommandNumber.OPEN)));
-        assertEquals(new Command.Open(), decoded(CommandCodec.packet(CommandNumber.OPEN, 1)));
+        assertEquals(new P2osCommand.Open(), decoded(CommandCodec.packet(CommandNumber.OPEN)));
+        assertEquals(new P2osCommand.Open(), decoded(CommandCodec.packet(CommandNumber.OPEN, 1)));
     }
 
     @Test
     void bothNumbersOfRotationAreOne() {
-        assertEquals(new Command.Rotate(-20), decoded(CommandCodec.packet(CommandNumber.RVEL, -20)));
-        assertEquals(new Command.Rotate(20), decoded(CommandCodec.packet(CommandNumber.ROTATE, 20)));
+        assertEquals(new P2osCommand.Rotate(-20), decoded(CommandCodec.packet(CommandNumber.RVEL, -20)));
+        assertEquals(new P2osCommand.Rotate(20), decoded(CommandCodec.packet(CommandNumber.ROTATE, 20)));
     }
 
     @Test
     void pollingCountsSonarsFromOneOnTheWire() {
         byte[] order = {1, 0, 16, 17, (byte) 200, 5};
         assertEquals(
-                new Command.Polling(List.of(0, 15, 4)), decoded(CommandCodec.packet(CommandNumber.POLLING, order)));
+                new P2osCommand.Polling(List.of(0, 15, 4)), decoded(CommandCodec.packet(CommandNumber.POLLING, order)));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"0b", "0b3b", "0b3bc8", "0b2bc800", "0bffc800", "03", "032b05010203", "e0", "e02b00", "28"})
     void anArgumentThatIsMissingOrOfAnotherKindIsNotHeeded(String hex) {
         byte[] data = java.util.HexFormat.of().parseHex(hex);
-        assertEquals(new Command.Unheeded(data[0] & 0xFF), CommandCodec.decode(data));
+        assertEquals(new P2osCommand.Unheeded(data[0] & 0xFF), CommandCodec.decode(data));
     }
 
     @Test
@@ -68,12 +68,12 @@ class CommandCodecTest {
                 .int4(70000)
                 .int4(90)
                 .toBytes();
-        assertEquals(new Command.SimPose(-1500, 70000, 90), CommandCodec.decode(data));
+        assertEquals(new P2osCommand.SimPose(-1500, 70000, 90), CommandCodec.decode(data));
     }
 
     @Test
     void bumpStallHasABitForEachSide() {
-        assertEquals(new Command.BumpStall(false, true), decoded(CommandCodec.packet(CommandNumber.BUMPSTALL, 2)));
+        assertEquals(new P2osCommand.BumpStall(false, true), decoded(CommandCodec.packet(CommandNumber.BUMPSTALL, 2)));
     }
 
     @Test
@@ -88,8 +88,8 @@ class CommandCodecTest {
 
     @Test
     void simulatorExitAndOldBatteryInfoAreNotHeeded() {
-        assertInstanceOf(Command.Unheeded.class, decoded(CommandCodec.packet(62, 1)));
-        assertInstanceOf(Command.Unheeded.class, decoded(CommandCodec.packet(239)));
+        assertInstanceOf(P2osCommand.Unheeded.class, decoded(CommandCodec.packet(62, 1)));
+        assertInstanceOf(P2osCommand.Unheeded.class, decoded(CommandCodec.packet(239)));
     }
 
     @Test

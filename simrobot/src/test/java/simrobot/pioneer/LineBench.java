@@ -48,7 +48,7 @@ final class LineBench {
         return bench;
     }
 
-    private final class Ours implements Line {
+    private final class Ours implements PioneerLine {
         @Override
         public void send(byte[] packet) {
             sent.add(packet);

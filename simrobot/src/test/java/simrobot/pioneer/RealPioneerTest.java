@@ -308,7 +308,7 @@ class RealPioneerTest {
     }
 
     /** The far end by hand. */
-    private static final class Peer implements Line {
+    private static final class Peer implements PioneerLine {
         private final RealPioneer robot = new RealPioneer("robot", this, new Pose(0, 0, 0), true);
         private final java.util.ArrayList<byte[]> said = new java.util.ArrayList<>();
         private final java.util.ArrayList<MotionOutcome> outcomes = new java.util.ArrayList<>();

@@ -62,7 +62,7 @@ public final class Capture implements AutoCloseable {
 
     /** A peer has connected: its packets from now on. */
     public WireTap conversation(InetSocketAddress peer, InetSocketAddress center) {
-        return new Conversation(this, IpHeader.between(peer.getAddress(), center.getAddress()), peer.getPort());
+        return new TcpConversation(this, IpHeader.between(peer.getAddress(), center.getAddress()), peer.getPort());
     }
 
     /** Takes one IP packet, header and all. */

@@ -1,6 +1,6 @@
 package simgsm.center.capture;
 
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
 
 /** Told of what passes on one connection. */
 public interface WireTap {

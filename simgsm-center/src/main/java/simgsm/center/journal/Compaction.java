@@ -17,7 +17,7 @@ final class Compaction {
     private final Disk disk;
     private final long number;
     private final Iterator<StoreEntry> rest;
-    private final Segment snapshot;
+    private final JournalSegment snapshot;
 
     /**
      * @param number of the last segment that is not written to any more
@@ -27,7 +27,7 @@ final class Compaction {
         this.disk = disk;
         this.number = number;
         this.rest = image.iterator();
-        this.snapshot = new Segment(disk.create(FileNames.unfinished()));
+        this.snapshot = new JournalSegment(disk.create(FileNames.unfinished()));
     }
 
     /** @return whether the snapshot is complete and in force */

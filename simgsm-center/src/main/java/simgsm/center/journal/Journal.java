@@ -34,7 +34,7 @@ public final class Journal {
     /** In order; what is asked for again is owed once. */
     private final Set<StoreEntry> owed = new LinkedHashSet<>();
 
-    private Segment segment;
+    private JournalSegment segment;
     /** The segment may hold more than is certain. */
     private boolean isSuspect;
 
@@ -142,11 +142,11 @@ public final class Journal {
         }
         lastNumber++;
         segments++;
-        segment = new Segment(file);
+        segment = new JournalSegment(file);
     }
 
     private void closeSegment() throws IOException {
-        Segment closing = segment;
+        JournalSegment closing = segment;
         segment = null;
         closedOctets += closing.size();
         closing.close();

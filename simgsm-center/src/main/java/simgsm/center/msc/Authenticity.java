@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.MobilityManagement;
 import simgsm.air.OctetString;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
 import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
  * How sure the network is of the card at the end of a link (TS 24.008, 4.3.2): a challenge, its answer, and how long that

@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.random.RandomGenerator;
-import simgsm.air.RslMessage;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.abis.RslMessage;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
  * Cell broadcast (TS 23.041): the same pages to everybody who is attached, once or again and again, so that who comes

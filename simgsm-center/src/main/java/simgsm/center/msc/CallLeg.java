@@ -1,17 +1,17 @@
 package simgsm.center.msc;
 
 import java.util.Optional;
+import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.IpaFrame;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
 import simgsm.dtmf.ToneSet;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
- * One mobile's side of a call, as the network sees it: {@link CallTransitions} driven by the mobile's messages, by the
+ * One mobile's side of a call, as the network sees it: {@link NetworkCallTable} driven by the mobile's messages, by the
  * call, and by the standard's timers.
  */
 final class CallLeg implements PagedTransaction {
@@ -89,45 +89,45 @@ final class CallLeg implements PagedTransaction {
     // From the call.
 
     void page() {
-        happen(CallEvent.PAGE);
+        happen(NetworkCallEvent.PAGE);
         if (state == NetworkCallState.MM_CONNECTION_PENDING) {
             link.paging.request(this);
         }
     }
 
     void proceed() {
-        happen(CallEvent.PROCEED);
+        happen(NetworkCallEvent.PROCEED);
     }
 
     void alert() {
-        happen(CallEvent.ALERT);
+        happen(NetworkCallEvent.ALERT);
     }
 
     void answer() {
-        happen(CallEvent.ANSWER);
+        happen(NetworkCallEvent.ANSWER);
     }
 
     /** Ends this leg for a reason that lies elsewhere. */
     void clear(Cause why) {
-        happen(CallEvent.CLEAR, why, Optional.of(why));
+        happen(NetworkCallEvent.CLEAR, why, Optional.of(why));
     }
 
     // From below.
 
     @Override
     public void radioConnected() {
-        happen(CallEvent.RADIO_CONNECTED);
+        happen(NetworkCallEvent.RADIO_CONNECTED);
     }
 
     @Override
     public void pagingFailed() {
-        happen(CallEvent.PAGING_FAILED, Cause.DESTINATION_OUT_OF_ORDER, Optional.empty());
+        happen(NetworkCallEvent.PAGING_FAILED, Cause.DESTINATION_OUT_OF_ORDER, Optional.empty());
     }
 
     void linkLost() {
         boolean neverReached = calling.isPresent() && !state.speaks();
         Cause told = neverReached ? Cause.DESTINATION_OUT_OF_ORDER : Cause.TEMPORARY_FAILURE;
-        happen(CallEvent.LINK_LOST, told, Optional.empty());
+        happen(NetworkCallEvent.LINK_LOST, told, Optional.empty());
     }
 
     /** Takes a message of this transaction; one that does not fit the state is answered with STATUS. */
@@ -163,19 +163,19 @@ final class CallLeg implements PagedTransaction {
 
     private void receiveStatus(CallControl.Status status) {
         if (status.callState() == NetworkCallState.NULL.code()) {
-            happen(CallEvent.STATUS_NULL_RECEIVED, status.cause(), Optional.empty());
+            happen(NetworkCallEvent.STATUS_NULL_RECEIVED, status.cause(), Optional.empty());
         }
     }
 
     private boolean receiveForTable(CallControl message) {
         if (message instanceof CallControl.Disconnect disconnect) {
-            return happen(CallEvent.DISCONNECT_RECEIVED, disconnect.cause(), Optional.empty());
+            return happen(NetworkCallEvent.DISCONNECT_RECEIVED, disconnect.cause(), Optional.empty());
         }
         if (message instanceof CallControl.Release release) {
-            return happen(CallEvent.RELEASE_RECEIVED, orNormal(release.cause()), Optional.empty());
+            return happen(NetworkCallEvent.RELEASE_RECEIVED, orNormal(release.cause()), Optional.empty());
         }
         if (message instanceof CallControl.ReleaseComplete complete) {
-            return happen(CallEvent.RELEASE_COMPLETE_RECEIVED, orNormal(complete.cause()), Optional.empty());
+            return happen(NetworkCallEvent.RELEASE_COMPLETE_RECEIVED, orNormal(complete.cause()), Optional.empty());
         }
         return eventOf(message).map(this::happen).orElse(false);
     }
@@ -184,28 +184,28 @@ final class CallLeg implements PagedTransaction {
         return cause.orElse(Cause.NORMAL_CALL_CLEARING);
     }
 
-    private static Optional<CallEvent> eventOf(CallControl message) {
+    private static Optional<NetworkCallEvent> eventOf(CallControl message) {
         if (message instanceof CallControl.Setup) {
-            return Optional.of(CallEvent.SETUP_RECEIVED);
+            return Optional.of(NetworkCallEvent.SETUP_RECEIVED);
         }
         if (message instanceof CallControl.CallConfirmed) {
-            return Optional.of(CallEvent.CALL_CONFIRMED_RECEIVED);
+            return Optional.of(NetworkCallEvent.CALL_CONFIRMED_RECEIVED);
         }
         if (message instanceof CallControl.Alerting) {
-            return Optional.of(CallEvent.ALERTING_RECEIVED);
+            return Optional.of(NetworkCallEvent.ALERTING_RECEIVED);
         }
         if (message instanceof CallControl.Connect) {
-            return Optional.of(CallEvent.CONNECT_RECEIVED);
+            return Optional.of(NetworkCallEvent.CONNECT_RECEIVED);
         }
         if (message instanceof CallControl.ConnectAcknowledge) {
-            return Optional.of(CallEvent.CONNECT_ACKNOWLEDGE_RECEIVED);
+            return Optional.of(NetworkCallEvent.CONNECT_ACKNOWLEDGE_RECEIVED);
         }
         return Optional.empty();
     }
 
     // The machine.
 
-    private boolean happen(CallEvent event) {
+    private boolean happen(NetworkCallEvent event) {
         return happen(event, Cause.NORMAL_CALL_CLEARING, Optional.empty());
     }
 
@@ -214,8 +214,8 @@ final class CallLeg implements PagedTransaction {
      * @param sent what the mobile is told if the leg clears; empty when it told us
      * @return whether the state allows the event
      */
-    private boolean happen(CallEvent event, Cause told, Optional<Cause> sent) {
-        Optional<CallTransitions.Transition> row = CallTransitions.of(state, event);
+    private boolean happen(NetworkCallEvent event, Cause told, Optional<Cause> sent) {
+        Optional<NetworkCallTable.Transition> row = NetworkCallTable.of(state, event);
         if (row.isEmpty()) {
             return false;
         }
@@ -258,16 +258,16 @@ final class CallLeg implements PagedTransaction {
                 .orElse(null);
     }
 
-    private void expired(CallTimer timer) {
-        CallEvent event = timer.expiry();
-        if (event == CallEvent.T308_EXPIRED && releaseRepeated) {
-            event = CallEvent.T308_EXPIRED_AGAIN;
+    private void expired(NetworkCallTimer timer) {
+        NetworkCallEvent event = timer.expiry();
+        if (event == NetworkCallEvent.T308_EXPIRED && releaseRepeated) {
+            event = NetworkCallEvent.T308_EXPIRED_AGAIN;
         }
-        releaseRepeated |= timer == CallTimer.T308;
+        releaseRepeated |= timer == NetworkCallTimer.T308;
         happen(event, timer.toldCause(), Optional.of(Cause.RECOVERY_ON_TIMER_EXPIRY));
     }
 
-    private void perform(CallAction action) {
+    private void perform(NetworkCallAction action) {
         switch (action) {
             case SEND_SETUP ->
                 link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));

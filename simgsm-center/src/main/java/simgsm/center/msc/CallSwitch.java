@@ -6,12 +6,12 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.IpaFrame;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.timer.Timers;
 import simgsm.dtmf.ToneSet;
+import simgsm.timer.Timers;
 
 /** Number analysis and switching: from a SETUP to a call between two legs, and speech between them. */
 final class CallSwitch {
@@ -27,9 +27,9 @@ final class CallSwitch {
 
     private final Mobility mobility;
     private final Timers timers;
-    private final Consumer<Call> changes;
+    private final Consumer<NetworkCall> changes;
     private final boolean callWaiting;
-    private final Set<Call> calls = new LinkedHashSet<>();
+    private final Set<NetworkCall> calls = new LinkedHashSet<>();
     private final HeldCalls heldCalls;
     private final Optional<ToneSet> tones;
     private final KeyTap keyTap = new KeyTap();
@@ -41,7 +41,7 @@ final class CallSwitch {
      * @param callWaiting whether a second call is offered to who is in one
      * @param changes told of each call that enters a state
      */
-    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, boolean callWaiting, Consumer<Call> changes) {
+    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, boolean callWaiting, Consumer<NetworkCall> changes) {
         this.tones = tones;
         this.mobility = mobility;
         this.timers = timers;
@@ -51,7 +51,7 @@ final class CallSwitch {
     }
 
     /** Calls from their SETUP to the first clearing message. */
-    Collection<Call> calls() {
+    Collection<NetworkCall> calls() {
         return Collections.unmodifiableSet(calls);
     }
 
@@ -112,12 +112,12 @@ final class CallSwitch {
             refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
             return;
         }
-        Call call = new Call(this, link, setup.transaction().answered(), setup.called(), timers);
+        NetworkCall call = new NetworkCall(this, link, setup.transaction().answered(), setup.called(), timers);
         call.originating().receive(setup);
     }
 
     /** Finds the called party, and what stands against calling it. */
-    void route(Call call) {
+    void route(NetworkCall call) {
         if (tones.isPresent()) {
             // Whoever is to hear why the call fails has a channel first (TS 24.008, 5.2.1.2).
             call.originating().proceed();
@@ -134,7 +134,7 @@ final class CallSwitch {
         }
     }
 
-    private void reach(Call call) {
+    private void reach(NetworkCall call) {
         Optional<Link> called = call.to().flatMap(mobility.register()::ofNumber).flatMap(mobility::locationOf);
         if (called.isEmpty()) {
             call.refuse(Cause.DESTINATION_OUT_OF_ORDER);
@@ -169,8 +169,8 @@ final class CallSwitch {
     }
 
     /** A call has entered a state; called by the call itself. */
-    void changed(Call call) {
-        if (call.state() == CallState.RELEASED) {
+    void changed(NetworkCall call) {
+        if (call.state() == CallProgress.RELEASED) {
             calls.remove(call);
             heldCalls.forget(call);
         } else {

@@ -8,8 +8,8 @@ import simgsm.air.Msisdn;
  * @param to the number as dialled; empty if there was none to be read
  * @param activeSeconds for how long both have been talking; 0 before
  */
-public record CallView(Msisdn from, String to, CallState state, long activeSeconds) {
-    static CallView of(Call call) {
+public record CallView(Msisdn from, String to, CallProgress state, long activeSeconds) {
+    static CallView of(NetworkCall call) {
         return new CallView(call.from(), call.to().map(Msisdn::digits).orElse(""), call.state(), call.activeSeconds());
     }
 }

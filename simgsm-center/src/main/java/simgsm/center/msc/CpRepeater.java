@@ -2,8 +2,8 @@ package simgsm.center.msc;
 
 import java.time.Duration;
 import simgsm.air.ShortMessageControl;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /** Sends CP-DATA until CP-ACK comes, three times at most (TS 24.011, 5.3.2 and 10.2: TC1*). */
 final class CpRepeater {

@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.random.RandomGenerator;
-import simgsm.air.CcmCodec;
-import simgsm.air.IpaFrame;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
-import simgsm.air.RslCodec;
 import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
@@ -23,7 +23,7 @@ import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /**
  * The centre without its sockets and its clock: base station controller, MSC, registers and SMSC in one deterministic
@@ -89,8 +89,8 @@ public final class Exchange {
         shortMessages.restore(restored);
     }
 
-    private void callChanged(Call call, ExchangeListener listener) {
-        if (call.state() == CallState.INITIATED) {
+    private void callChanged(NetworkCall call, ExchangeListener listener) {
+        if (call.state() == CallProgress.INITIATED) {
             snapshots.callBegan(CallView.of(call));
             calls.keyTap().follow(call);
         }

@@ -10,7 +10,7 @@ public sealed interface ExchangeEvent {
     record Detached(Msisdn number) implements ExchangeEvent {}
 
     /** A call has entered this state; released comes once, with the first clearing message. */
-    record CallChanged(Msisdn from, Msisdn to, CallState state) implements ExchangeEvent {}
+    record CallChanged(Msisdn from, Msisdn to, CallProgress state) implements ExchangeEvent {}
 
     record MessageChanged(long id, Msisdn from, Msisdn to, MessageState state) implements ExchangeEvent {}
 }

@@ -2,7 +2,7 @@ package simgsm.center.msc;
 
 import java.util.Set;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /**
  * What every link shares.

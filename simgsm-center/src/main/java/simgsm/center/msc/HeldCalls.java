@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import simgsm.air.Cause;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
  * Calls for a mobile whose last call is still being cleared: it is not engaged any more, but would answer so. They are
@@ -19,37 +19,37 @@ final class HeldCalls {
     static final Duration PATIENCE = Duration.ofSeconds(5);
 
     private final Timers timers;
-    private final Map<Call, Link> held = new LinkedHashMap<>();
-    private final Map<Call, Timer> patience = new LinkedHashMap<>();
+    private final Map<NetworkCall, Link> held = new LinkedHashMap<>();
+    private final Map<NetworkCall, Timer> patience = new LinkedHashMap<>();
 
     HeldCalls(Timers timers) {
         this.timers = timers;
     }
 
-    void hold(Call call, Link called) {
+    void hold(NetworkCall call, Link called) {
         held.put(call, called);
         patience.put(call, timers.start(PATIENCE.toNanos(), () -> giveUp(call)));
     }
 
     /** The call is over, or goes on. */
-    void forget(Call call) {
+    void forget(NetworkCall call) {
         if (held.remove(call) != null) {
             timers.cancel(patience.remove(call));
         }
     }
 
     /** Hands out the calls whose mobile has become free or gone. */
-    void release(Consumer<Call> goOn) {
+    void release(Consumer<NetworkCall> goOn) {
         if (held.isEmpty()) {
             return;
         }
-        List<Call> free = new ArrayList<>(held.keySet());
+        List<NetworkCall> free = new ArrayList<>(held.keySet());
         free.removeIf(call -> held.get(call).isClearingCall() && !held.get(call).isClosed);
         free.forEach(this::forget);
         free.forEach(goOn);
     }
 
-    private void giveUp(Call call) {
+    private void giveUp(NetworkCall call) {
         forget(call);
         call.refuse(Cause.USER_BUSY);
     }

@@ -2,8 +2,8 @@ package simgsm.center.msc;
 
 import java.util.EnumMap;
 import java.util.Map;
+import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
-import simgsm.air.RtpPacket;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
@@ -20,7 +20,7 @@ final class KeyTap {
     private final StringBuilder keys = new StringBuilder();
     private boolean isWatched;
     private boolean calledSpokeLast;
-    private Call call;
+    private NetworkCall call;
     private Ear caller;
     private Ear called;
 
@@ -30,7 +30,7 @@ final class KeyTap {
     }
 
     /** Turns to this call and forgets the one before. */
-    void follow(Call newCall) {
+    void follow(NetworkCall newCall) {
         if (newCall != call) {
             call = newCall;
             keys.setLength(0);

@@ -8,7 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import simgsm.air.Direction;
 import simgsm.air.OctetString;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /** The latest signalling messages; older ones are forgotten. */
 final class Ladder implements Trace {

@@ -3,16 +3,16 @@ package simgsm.center.msc;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
-import simgsm.air.CcmCodec;
-import simgsm.air.CcmMessage;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
-import simgsm.air.IpaFrame;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.MessageText;
 import simgsm.air.OctetString;
-import simgsm.air.RslCodec;
-import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
 
@@ -29,11 +29,11 @@ public final class Link {
 
     final LinkPort port;
     private final ExchangeParts parts;
-    final RadioConnection radio;
+    final NetworkRadioConnection radio;
     final Paging paging;
-    final KeepAlive keepAlive;
+    final LinkKeepAlive keepAlive;
     final Authenticity authenticity;
-    final Moderation moderation;
+    final TerminalRateLimits moderation;
     final ShortMessageTransfers shortMessages;
     final List<CallLeg> callLegs = new ArrayList<>(2);
 
@@ -42,7 +42,7 @@ public final class Link {
     /** Who is registered here; null until the location update has ended well, and after detach. */
     Subscriber subscriber;
     /** The location update under way, or null. */
-    Registration registration;
+    LocationUpdate registration;
 
     boolean isClosed;
     private String lifeline;
@@ -53,10 +53,10 @@ public final class Link {
         this.address = address;
         this.lifeline = address;
         this.parts = parts;
-        this.radio = new RadioConnection(this, parts.timers());
+        this.radio = new NetworkRadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
-        this.keepAlive = new KeepAlive(this, parts.timers());
-        this.moderation = new Moderation(isLocal, parts.timers());
+        this.keepAlive = new LinkKeepAlive(this, parts.timers());
+        this.moderation = new TerminalRateLimits(isLocal, parts.timers());
         this.authenticity = new Authenticity(this, parts.timers());
         this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
     }

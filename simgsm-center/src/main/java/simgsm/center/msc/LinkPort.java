@@ -1,6 +1,6 @@
 package simgsm.center.msc;
 
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
 
 /** What the exchange can do to one terminal's connection. Neither method calls back into the exchange. */
 public interface LinkPort {

@@ -13,9 +13,9 @@ import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
-import simgsm.center.timer.Timers;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
+import simgsm.timer.Timers;
 
 /** Mobility management of the network (TS 24.008, 4): who is attached, and at the end of which link. */
 final class Mobility {
@@ -93,7 +93,7 @@ final class Mobility {
             link.registration.cancel();
         }
         link.authenticity.cancel();
-        link.registration = new Registration(link, this, timers);
+        link.registration = new LocationUpdate(link, this, timers);
         link.registration.start(request.identity());
     }
 

@@ -18,28 +18,28 @@ enum NetworkCallState {
     /** N4: ALERTING is sent to the caller. */
     CALL_DELIVERED(4),
     /** N6: SETUP is sent to the called mobile. */
-    CALL_PRESENT(6, CallTimer.T303),
+    CALL_PRESENT(6, NetworkCallTimer.T303),
     /** N7: the called mobile rings. */
-    CALL_RECEIVED(7, CallTimer.T301),
+    CALL_RECEIVED(7, NetworkCallTimer.T301),
     /** N9: the called mobile has confirmed SETUP. */
-    CALL_CONFIRMED(9, CallTimer.T310),
+    CALL_CONFIRMED(9, NetworkCallTimer.T310),
     /** N10: connected. */
     ACTIVE(10),
     /** N12: DISCONNECT is sent. */
-    DISCONNECT_INDICATION(12, CallTimer.T305),
+    DISCONNECT_INDICATION(12, NetworkCallTimer.T305),
     /** N19: RELEASE is sent. */
-    RELEASE_REQUEST(19, CallTimer.T308),
+    RELEASE_REQUEST(19, NetworkCallTimer.T308),
     /** N28: CONNECT is sent to the caller. */
-    CONNECT_INDICATION(28, CallTimer.T313);
+    CONNECT_INDICATION(28, NetworkCallTimer.T313);
 
     private final int code;
-    private final CallTimer guard;
+    private final NetworkCallTimer guard;
 
     NetworkCallState(int code) {
         this(code, null);
     }
 
-    NetworkCallState(int code, CallTimer guard) {
+    NetworkCallState(int code, NetworkCallTimer guard) {
         this.code = code;
         this.guard = guard;
     }
@@ -54,8 +54,8 @@ enum NetworkCallState {
      *
      * @param withTone whether the mobile hears a tone of the network's meanwhile
      */
-    Optional<CallTimer> guard(boolean withTone) {
-        return Optional.ofNullable(withTone && this == DISCONNECT_INDICATION ? CallTimer.T306 : guard);
+    Optional<NetworkCallTimer> guard(boolean withTone) {
+        return Optional.ofNullable(withTone && this == DISCONNECT_INDICATION ? NetworkCallTimer.T306 : guard);
     }
 
     /** Whether speech passes: from CONNECT on, so that nothing said before its acknowledgement is lost. */

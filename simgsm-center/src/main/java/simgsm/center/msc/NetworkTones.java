@@ -2,10 +2,10 @@ package simgsm.center.msc;
 
 import java.util.Optional;
 import simgsm.air.Cause;
-import simgsm.center.timer.Timers;
 import simgsm.dtmf.ProgressTone;
 import simgsm.dtmf.ToneCadence;
 import simgsm.dtmf.ToneSet;
+import simgsm.timer.Timers;
 
 /**
  * What one caller hears of the network itself while a call is not connected, if the network plays tones at all. As a rule

@@ -7,7 +7,7 @@ import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /**
  * A short message from a mobile (TS 24.011, 5 and 6): CP-DATA (RP-DATA) up, CP-ACK down, then the centre stores it, and

@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import simgsm.abis.RslMessage;
 import simgsm.air.MobileIdentity;
-import simgsm.air.RslMessage;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /** Brings a mobile onto a radio connection when the network wants something from it (TS 44.018, 3.3.2). */
 final class Paging {

@@ -1,13 +1,13 @@
 package simgsm.center.msc;
 
 import java.util.concurrent.TimeUnit;
-import simgsm.air.IpaFrame;
-import simgsm.air.RtpPacket;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RtpPacket;
 import simgsm.dtmf.CadencePlayer;
 import simgsm.dtmf.ToneCadence;
 import simgsm.speech.SpeechCodec;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
  * Lets a mobile hear a call-progress tone, a frame of A-law every 20 ms, as a stream of its own. Its pauses are frames of

@@ -8,7 +8,7 @@ import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.DeliveryReceipt;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /** The short message transactions of one link: what the mobile sends, and the one message that it is being given. */
 final class ShortMessageTransfers {

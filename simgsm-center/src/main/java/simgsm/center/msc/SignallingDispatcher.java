@@ -1,6 +1,7 @@
 package simgsm.center.msc;
 
 import java.util.Optional;
+import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -13,7 +14,6 @@ import simgsm.air.OctetString;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
-import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 
 /** Uplink signalling: from the radio link's message to the protocol that it is for. */

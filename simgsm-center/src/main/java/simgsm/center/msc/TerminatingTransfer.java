@@ -10,8 +10,8 @@ import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /** A short message to a mobile: paging, CP-DATA (RP-DATA) down, CP-ACK up, CP-DATA (RP-ACK) up, CP-ACK down. */
 final class TerminatingTransfer implements PagedTransaction {

@@ -4,15 +4,15 @@ import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.IpaFrame;
-import simgsm.air.RtpPacket;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.speech.SpeechCodec;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /**
  * The network's tone sender at one leg of a call (TS 23.014): the keys that its mobile signals become sound for the other

@@ -15,7 +15,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
 import simgsm.center.capture.Capture;
 import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Exchange;
@@ -39,8 +39,8 @@ public final class CenterLoop implements AutoCloseable {
     private static final long NANOS_PER_MILLI = 1_000_000;
 
     private final Selector selector;
-    private final Door terminals;
-    private Door applications;
+    private final Acceptor terminals;
+    private Acceptor applications;
     private Optional<Capture> capture = Optional.empty();
     private final Queue<Consumer<Exchange>> mailbox = new ConcurrentLinkedQueue<>();
     private final ArrayDeque<Broken> brokenConnections = new ArrayDeque<>();
@@ -48,7 +48,7 @@ public final class CenterLoop implements AutoCloseable {
     private final long startNanos = System.nanoTime();
     private final Host host = new Host();
     private final ArrayDeque<SmppConnection> unsent = new ArrayDeque<>();
-    private final Turns turns = new Turns();
+    private final FairReadQueue turns = new FairReadQueue();
     private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Thread thread = new Thread(this::run, "centre");
     private Exchange exchange;
@@ -100,7 +100,7 @@ public final class CenterLoop implements AutoCloseable {
         }
 
         @Override
-        public void awaitsTurn(Connection connection, Intake.Rest rest) {
+        public void awaitsTurn(Connection connection, RateLimitedFrameReader.Rest rest) {
             turns.add(connection, rest, nowNanos());
         }
     }
@@ -108,11 +108,11 @@ public final class CenterLoop implements AutoCloseable {
     private CenterLoop(InetAddress address, int port) throws IOException {
         selector = Selector.open();
         try {
-            terminals = Door.open(
+            terminals = Acceptor.open(
                     selector,
                     address,
                     port,
-                    new Admissions(MAX_CONNECTIONS, MAX_CONNECTIONS_PER_ADDRESS),
+                    new ConnectionLimits(MAX_CONNECTIONS, MAX_CONNECTIONS_PER_ADDRESS),
                     this::terminal);
         } catch (IOException e) {
             selector.close();
@@ -136,11 +136,11 @@ public final class CenterLoop implements AutoCloseable {
      * @return the port
      */
     public int openSmpp(InetAddress address, int port) throws IOException {
-        applications = Door.open(
+        applications = Acceptor.open(
                 selector,
                 address,
                 port,
-                new Admissions(MAX_APPLICATIONS, MAX_APPLICATIONS_PER_ADDRESS),
+                new ConnectionLimits(MAX_APPLICATIONS, MAX_APPLICATIONS_PER_ADDRESS),
                 this::application);
         return applications.port();
     }
@@ -336,7 +336,7 @@ public final class CenterLoop implements AutoCloseable {
 
     private void ready(SelectionKey key) {
         view.changed();
-        if (key.attachment() instanceof Door door) {
+        if (key.attachment() instanceof Acceptor door) {
             guarded("accepting", () -> door.accept(nowNanos()));
         } else if (key.attachment() instanceof Peer peer && peer.isOpen()) {
             faultless(peer, () -> serve(peer, key));

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.OutgoingFrames;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
-import simgsm.station.OutgoingFrames;
 
 /** One terminal's TCP connection: octets in, frames to the loop; frames in, octets out. */
 final class Connection extends Peer implements LinkPort {
@@ -22,7 +22,7 @@ final class Connection extends Peer implements LinkPort {
         long nowNanos();
 
         /** The connection has frames to hand on, and waits for {@link Connection#turn}. */
-        void awaitsTurn(Connection connection, Intake.Rest rest);
+        void awaitsTurn(Connection connection, RateLimitedFrameReader.Rest rest);
     }
 
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
@@ -30,7 +30,7 @@ final class Connection extends Peer implements LinkPort {
     private static final int MOST_SIGNALLING_FRAMES = 2_000;
 
     private final Host host;
-    private final Intake intake;
+    private final RateLimitedFrameReader intake;
     private final WireTap tap;
     private final OutgoingFrames outgoing;
     private boolean isBehind;
@@ -42,7 +42,7 @@ final class Connection extends Peer implements LinkPort {
         super(incoming, host);
         this.host = host;
         this.tap = tap;
-        this.intake = new Intake(address().isLoopbackAddress());
+        this.intake = new RateLimitedFrameReader(address().isLoopbackAddress());
         this.outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES, tap::sent);
     }
 
@@ -58,8 +58,8 @@ final class Connection extends Peer implements LinkPort {
             return;
         }
         try {
-            Intake.Rest rest = intake.hand(host.nowNanos(), this::arrived);
-            isBehind = rest != Intake.Rest.NONE;
+            RateLimitedFrameReader.Rest rest = intake.hand(host.nowNanos(), this::arrived);
+            isBehind = rest != RateLimitedFrameReader.Rest.NONE;
             if (isBehind) {
                 host.awaitsTurn(this, rest);
             }

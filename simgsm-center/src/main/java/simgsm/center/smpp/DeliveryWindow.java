@@ -9,8 +9,8 @@ import java.util.Map;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.DeliveryReceipt;
 import simgsm.center.smsc.Recipient;
-import simgsm.center.timer.Timer;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
 /** The deliver_sm of a session that are not answered yet. */
 final class DeliveryWindow {

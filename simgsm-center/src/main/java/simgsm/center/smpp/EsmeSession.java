@@ -12,7 +12,7 @@ import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.Recipient;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timer;
+import simgsm.timer.Timer;
 
 /** One connection with an application, from its opening to its end. */
 public final class EsmeSession {
@@ -107,9 +107,9 @@ public final class EsmeSession {
         } else if (pdu instanceof SmppPdu.Plain plain) {
             request(plain.command(), plain.sequence(), () -> perform(plain));
         } else if (pdu instanceof SmppPdu.Query query) {
-            request(Command.QUERY_SM, query.sequence(), () -> query(query));
+            request(SmppCommand.QUERY_SM, query.sequence(), () -> query(query));
         } else if (pdu instanceof SmppPdu.Cancel cancel) {
-            request(Command.CANCEL_SM, cancel.sequence(), () -> cancel(cancel));
+            request(SmppCommand.CANCEL_SM, cancel.sequence(), () -> cancel(cancel));
         } else if (pdu instanceof SmppPdu.MessageResponse response) {
             delivered(response.sequence(), response.status());
         } else if (pdu instanceof SmppPdu.GenericNack nack) {
@@ -122,7 +122,7 @@ public final class EsmeSession {
         void run() throws SmppViolation;
     }
 
-    private void request(Command command, int number, Fulfilment fulfilment) {
+    private void request(SmppCommand command, int number, Fulfilment fulfilment) {
         Optional<SessionState> next = state.after(command);
         if (next.isEmpty()) {
             send(SmppCodec.refusal(command, state.refusal(command), number));
@@ -194,12 +194,12 @@ public final class EsmeSession {
 
     /** A message that was handed in; its refusal may come before its id is known. */
     private final class Submission {
-        private final Command command;
+        private final SmppCommand command;
         private final int number;
         private int status = -1;
         private String id;
 
-        Submission(Command command, int number) {
+        Submission(SmppCommand command, int number) {
             this.command = command;
             this.number = number;
         }
@@ -218,7 +218,7 @@ public final class EsmeSession {
     }
 
     private void query(SmppPdu.Query query) throws SmppViolation {
-        MessageFates.Fate fate = server.fates()
+        MessageStatusStore.Fate fate = server.fates()
                 .find(query.messageId(), systemId, query.source().value())
                 .orElseThrow(() -> unknown(SmppStatus.QUERY_FAILED, query.messageId()));
         boolean isOver = fate.state() != MessageState.ACCEPTED;
@@ -232,14 +232,14 @@ public final class EsmeSession {
     }
 
     private void cancel(SmppPdu.Cancel cancel) throws SmppViolation {
-        MessageFates.Fate fate = server.fates()
+        MessageStatusStore.Fate fate = server.fates()
                 .find(cancel.messageId(), systemId, cancel.source().value())
                 .filter(found -> found.state() == MessageState.ACCEPTED)
                 .orElseThrow(() -> unknown(SmppStatus.CANCEL_FAILED, cancel.messageId()));
         if (!server.center().cancel(fate.to(), Long.parseLong(cancel.messageId()))) {
             throw new SmppViolation(SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " is being delivered");
         }
-        send(new SmppPdu.PlainResponse(Command.CANCEL_SM, SmppStatus.OK, cancel.sequence()));
+        send(new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, cancel.sequence()));
     }
 
     private SmppViolation unknown(int status, String id) {
@@ -250,7 +250,7 @@ public final class EsmeSession {
     void deliver(Envelope envelope, DeliveryReceipt receipt) {
         sequence = sequence % Integer.MAX_VALUE + 1;
         window.sent(sequence, envelope.receiver(), receipt);
-        send(new SmppPdu.Message(Command.DELIVER_SM, sequence, Deliveries.of(envelope)));
+        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, sequence, Deliveries.of(envelope)));
     }
 
     private void delivered(int number, int status) {
@@ -277,7 +277,7 @@ public final class EsmeSession {
         } else if (silent >= ENQUIRE_NANOS) {
             isEnquired = true;
             sequence = sequence % Integer.MAX_VALUE + 1;
-            send(new SmppPdu.Plain(Command.ENQUIRE_LINK, sequence));
+            send(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, sequence));
             silence = server.timers().start(ANSWER_NANOS, this::checkSilence);
         } else {
             silence = server.timers().start(ENQUIRE_NANOS - silent, this::checkSilence);

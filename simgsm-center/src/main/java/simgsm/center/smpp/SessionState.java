@@ -12,27 +12,27 @@ enum SessionState {
     BOUND_TRX,
     UNBOUND;
 
-    private static final Map<SessionState, Map<Command, SessionState>> TABLE = new EnumMap<>(SessionState.class);
+    private static final Map<SessionState, Map<SmppCommand, SessionState>> TABLE = new EnumMap<>(SessionState.class);
 
     static {
-        row(OPEN, Command.BIND_TRANSMITTER, BOUND_TX);
-        row(OPEN, Command.BIND_RECEIVER, BOUND_RX);
-        row(OPEN, Command.BIND_TRANSCEIVER, BOUND_TRX);
-        row(OPEN, Command.ENQUIRE_LINK, OPEN);
+        row(OPEN, SmppCommand.BIND_TRANSMITTER, BOUND_TX);
+        row(OPEN, SmppCommand.BIND_RECEIVER, BOUND_RX);
+        row(OPEN, SmppCommand.BIND_TRANSCEIVER, BOUND_TRX);
+        row(OPEN, SmppCommand.ENQUIRE_LINK, OPEN);
         for (SessionState sending : new SessionState[] {BOUND_TX, BOUND_TRX}) {
-            row(sending, Command.SUBMIT_SM, sending);
-            row(sending, Command.DATA_SM, sending);
-            row(sending, Command.QUERY_SM, sending);
-            row(sending, Command.CANCEL_SM, sending);
+            row(sending, SmppCommand.SUBMIT_SM, sending);
+            row(sending, SmppCommand.DATA_SM, sending);
+            row(sending, SmppCommand.QUERY_SM, sending);
+            row(sending, SmppCommand.CANCEL_SM, sending);
         }
         for (SessionState bound : new SessionState[] {BOUND_TX, BOUND_RX, BOUND_TRX}) {
-            row(bound, Command.ENQUIRE_LINK, bound);
-            row(bound, Command.UNBIND, UNBOUND);
+            row(bound, SmppCommand.ENQUIRE_LINK, bound);
+            row(bound, SmppCommand.UNBIND, UNBOUND);
         }
     }
 
-    private static void row(SessionState state, Command command, SessionState next) {
-        TABLE.computeIfAbsent(state, key -> new EnumMap<>(Command.class)).put(command, next);
+    private static void row(SessionState state, SmppCommand command, SessionState next) {
+        TABLE.computeIfAbsent(state, key -> new EnumMap<>(SmppCommand.class)).put(command, next);
     }
 
     boolean isBound() {
@@ -45,12 +45,12 @@ enum SessionState {
     }
 
     /** The state after the request is fulfilled; empty if it is not for this state. */
-    Optional<SessionState> after(Command request) {
+    Optional<SessionState> after(SmppCommand request) {
         return Optional.ofNullable(TABLE.getOrDefault(this, Map.of()).get(request));
     }
 
     /** The status that refuses a request that is not for this state. */
-    int refusal(Command request) {
+    int refusal(SmppCommand request) {
         return request.isBind() && isBound() ? SmppStatus.ALREADY_BOUND : SmppStatus.INVALID_BIND_STATUS;
     }
 }

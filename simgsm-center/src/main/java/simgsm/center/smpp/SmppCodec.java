@@ -36,11 +36,11 @@ public final class SmppCodec {
         int id = in.fourOctets("command_id");
         int status = in.fourOctets("command_status");
         int sequence = in.fourOctets("sequence_number");
-        boolean isResponse = (id & Command.RESPONSE) != 0;
-        if (id == Command.RESPONSE) {
+        boolean isResponse = (id & SmppCommand.RESPONSE) != 0;
+        if (id == SmppCommand.RESPONSE) {
             return new SmppPdu.GenericNack(status, sequence);
         }
-        Optional<Command> command = Command.ofCode(id);
+        Optional<SmppCommand> command = SmppCommand.ofCode(id);
         if (command.isEmpty()) {
             SmppViolation unknown = new SmppViolation(
                     SmppStatus.INVALID_COMMAND_ID, "command 0x" + Integer.toHexString(id) + " is not known");
@@ -59,11 +59,11 @@ public final class SmppCodec {
     }
 
     /** The answer to a request that is not fulfilled: all but the status is left out (4.4.2 and others). */
-    static SmppPdu refusal(Command command, int status, int sequence) {
+    static SmppPdu refusal(SmppCommand command, int status, int sequence) {
         return new SmppPdu.PlainResponse(command, status, sequence);
     }
 
-    private static SmppPdu request(Command command, int sequence, SmppReader in) throws SmppViolation {
+    private static SmppPdu request(SmppCommand command, int sequence, SmppReader in) throws SmppViolation {
         return switch (command) {
             case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER -> bind(command, sequence, in);
             case SUBMIT_SM, DELIVER_SM -> new SmppPdu.Message(command, sequence, message(in));
@@ -74,7 +74,7 @@ public final class SmppCodec {
         };
     }
 
-    private static SmppPdu bind(Command command, int sequence, SmppReader in) throws SmppViolation {
+    private static SmppPdu bind(SmppCommand command, int sequence, SmppReader in) throws SmppViolation {
         String systemId = in.text(MAX_SYSTEM_ID, "system_id", SmppStatus.INVALID_SYSTEM_ID);
         String password = in.text(MAX_PASSWORD, "password", SmppStatus.INVALID_PASSWORD);
         String systemType = in.text(MAX_SYSTEM_TYPE, "system_type", SmppStatus.INVALID_SYSTEM_TYPE);
@@ -163,7 +163,7 @@ public final class SmppCodec {
     }
 
     /** Peers leave bodies out when they refuse, and some when they do not. */
-    private static SmppPdu response(Command command, int status, int sequence, SmppReader in) throws SmppViolation {
+    private static SmppPdu response(SmppCommand command, int status, int sequence, SmppReader in) throws SmppViolation {
         return switch (command) {
             case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER ->
                 new SmppPdu.BindResponse(command, status, sequence, optionalText(in));

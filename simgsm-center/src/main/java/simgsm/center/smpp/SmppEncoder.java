@@ -24,7 +24,7 @@ final class SmppEncoder {
                 write(out, Tlv.ofOctet(Tlv.INTERFACE_VERSION, SmppServer.INTERFACE_VERSION));
             }
         } else if (pdu instanceof SmppPdu.QueryResponse response) {
-            response(out, Command.QUERY_SM, response.status(), response.sequence());
+            response(out, SmppCommand.QUERY_SM, response.status(), response.sequence());
             text(out, response.messageId());
             text(out, response.finalDate());
             out.octet(response.state()).octet(response.error());
@@ -33,7 +33,7 @@ final class SmppEncoder {
         } else if (pdu instanceof SmppPdu.PlainResponse response) {
             response(out, response.command(), response.status(), response.sequence());
         } else if (pdu instanceof SmppPdu.GenericNack nack) {
-            header(out, Command.RESPONSE, nack.status(), nack.sequence());
+            header(out, SmppCommand.RESPONSE, nack.status(), nack.sequence());
         } else {
             writeOfApplications(out, pdu);
         }
@@ -50,11 +50,11 @@ final class SmppEncoder {
             out.octet(bind.interfaceVersion()).octet(0).octet(0);
             text(out, bind.addressRange());
         } else if (pdu instanceof SmppPdu.Query query) {
-            request(out, Command.QUERY_SM, query.sequence());
+            request(out, SmppCommand.QUERY_SM, query.sequence());
             text(out, query.messageId());
             write(out, query.source());
         } else if (pdu instanceof SmppPdu.Cancel cancel) {
-            request(out, Command.CANCEL_SM, cancel.sequence());
+            request(out, SmppCommand.CANCEL_SM, cancel.sequence());
             text(out, "");
             text(out, cancel.messageId());
             write(out, cancel.source());
@@ -62,12 +62,12 @@ final class SmppEncoder {
         }
     }
 
-    private static void request(OctetWriter out, Command command, int sequence) {
+    private static void request(OctetWriter out, SmppCommand command, int sequence) {
         header(out, command.code(), SmppStatus.OK, sequence);
     }
 
-    private static void response(OctetWriter out, Command command, int status, int sequence) {
-        header(out, command.code() | Command.RESPONSE, status, sequence);
+    private static void response(OctetWriter out, SmppCommand command, int status, int sequence) {
+        header(out, command.code() | SmppCommand.RESPONSE, status, sequence);
     }
 
     private static void header(OctetWriter out, int id, int status, int sequence) {
@@ -87,7 +87,7 @@ final class SmppEncoder {
         write(out, message.source());
         write(out, message.destination());
         out.octet(message.esmClass());
-        if (pdu.command() == Command.DATA_SM) {
+        if (pdu.command() == SmppCommand.DATA_SM) {
             out.octet(message.registeredDelivery()).octet(message.dataCoding());
         } else {
             out.octet(message.protocolId()).octet(message.priority());

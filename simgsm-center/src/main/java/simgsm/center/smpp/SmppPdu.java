@@ -6,7 +6,7 @@ public sealed interface SmppPdu {
 
     /** bind_receiver, bind_transmitter, bind_transceiver. */
     record Bind(
-            Command command,
+            SmppCommand command,
             int sequence,
             String systemId,
             String password,
@@ -22,13 +22,13 @@ public sealed interface SmppPdu {
     }
 
     /** @param systemId of the centre; not sent with a status other than 0 */
-    record BindResponse(Command command, int status, int sequence, String systemId) implements SmppPdu {}
+    record BindResponse(SmppCommand command, int status, int sequence, String systemId) implements SmppPdu {}
 
     /** @param command submit_sm, deliver_sm or data_sm */
-    record Message(Command command, int sequence, SmppMessage message) implements SmppPdu {}
+    record Message(SmppCommand command, int sequence, SmppMessage message) implements SmppPdu {}
 
     /** @param messageId empty in the answer to deliver_sm; not sent with a status other than 0 */
-    record MessageResponse(Command command, int status, int sequence, String messageId) implements SmppPdu {}
+    record MessageResponse(SmppCommand command, int status, int sequence, String messageId) implements SmppPdu {}
 
     record Query(int sequence, String messageId, SmppAddress source) implements SmppPdu {}
 
@@ -39,10 +39,10 @@ public sealed interface SmppPdu {
     record Cancel(int sequence, String messageId, SmppAddress source, SmppAddress destination) implements SmppPdu {}
 
     /** enquire_link or unbind. */
-    record Plain(Command command, int sequence) implements SmppPdu {}
+    record Plain(SmppCommand command, int sequence) implements SmppPdu {}
 
     /** The answer to those and to cancel_sm; also any answer of which only the status is of interest. */
-    record PlainResponse(Command command, int status, int sequence) implements SmppPdu {}
+    record PlainResponse(SmppCommand command, int status, int sequence) implements SmppPdu {}
 
     record GenericNack(int status, int sequence) implements SmppPdu {}
 }

@@ -7,7 +7,7 @@ import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.Recipient;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /**
  * The centre's side of SMPP for all applications. A deterministic core on the exchange's thread and timers; whoever calls
@@ -21,10 +21,10 @@ public final class SmppServer {
 
     private final Timers timers;
     private final EsmeRoutes routes = new EsmeRoutes();
-    private final MessageFates fates = new MessageFates();
+    private final MessageStatusStore fates = new MessageStatusStore();
     private SmppUsers users = SmppUsers.anyLocal();
     private ShortMessageCenter center;
-    private SubmitDesk desk;
+    private SubmitHandler desk;
     private int sessions;
 
     public SmppServer(Timers timers) {
@@ -34,7 +34,7 @@ public final class SmppServer {
     /** The centre knows the routes and these know the centre; so the last arrow is drawn afterwards. */
     public void serve(ShortMessageCenter shortMessages) {
         center = shortMessages;
-        desk = new SubmitDesk(shortMessages);
+        desk = new SubmitHandler(shortMessages);
     }
 
     /** Who may bind from now on; at first anybody on this machine. */
@@ -123,11 +123,11 @@ public final class SmppServer {
         return center;
     }
 
-    SubmitDesk desk() {
+    SubmitHandler desk() {
         return desk;
     }
 
-    MessageFates fates() {
+    MessageStatusStore fates() {
         return fates;
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.center.smpp;
 
-import simgsm.center.timer.Allowance;
-import simgsm.center.timer.Timers;
+import simgsm.timer.RateLimit;
+import simgsm.timer.Timers;
 
 /** How much an application on another machine may hand in; one on this machine is stopped by the queue's limit alone. */
 final class Throttle {
@@ -11,7 +11,7 @@ final class Throttle {
     private final Timers timers;
     private final boolean isLocal;
     /** A second's worth may come at once. */
-    private final Allowance submissions = new Allowance(PER_SECOND, PER_SECOND);
+    private final RateLimit submissions = new RateLimit(PER_SECOND, PER_SECOND);
 
     private int unanswered;
 

@@ -15,9 +15,9 @@ import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
-import simgsm.center.timer.Timers;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
+import simgsm.timer.Timers;
 
 /** Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. */
 public final class ShortMessageCenter {

@@ -28,8 +28,8 @@ import simgsm.ui.Named;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 
 /**
  * Cell broadcast: channel, language, how often, a text and how many pages it takes; below, what is repeated and can be
@@ -53,7 +53,7 @@ final class BroadcastPanel extends JPanel {
     private static final BroadcastSerial ANY_SERIAL = new BroadcastSerial(BroadcastSerial.NETWORK_WIDE, 0, 0);
 
     private final Texts texts;
-    private final Operator operator;
+    private final CenterActions operator;
     private final JSpinner channel = new JSpinner(new SpinnerNumberModel(FIRST_CHANNEL, 0, MAX_CHANNEL, 1));
     private final JTextArea text;
     private final JScrollPane field;
@@ -71,7 +71,7 @@ final class BroadcastPanel extends JPanel {
     /** What became of the latest broadcast, and how to stop one: only when there is something to say. */
     private final JPanel outcome;
 
-    BroadcastPanel(Texts texts, Operator operator) {
+    BroadcastPanel(Texts texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;

@@ -13,8 +13,8 @@ import simgsm.ui.Mark;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 import simgsm.ui.WindowKeys;
 
 /** Name, port, what is going on in numbers, and the way out. */
@@ -30,7 +30,7 @@ final class HeaderPanel extends JPanel {
     private final RatesLabel rateLabel = new RatesLabel();
     private final Rates rates = new Rates();
 
-    HeaderPanel(Texts texts, Operator operator) {
+    HeaderPanel(Texts texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);

@@ -13,16 +13,16 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import simgsm.center.msc.CallView;
-import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
+import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 
 /** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
 public final class MonitorPanel extends JPanel {
@@ -34,7 +34,7 @@ public final class MonitorPanel extends JPanel {
     private static final double LEFT_SHARE = 0.3;
 
     private final Texts texts;
-    private final Operator operator;
+    private final CenterActions operator;
     private final HeaderPanel header;
     private final PassingPanel passing;
     private final RowsPanel<SubscriberRow> subscribers;
@@ -48,7 +48,7 @@ public final class MonitorPanel extends JPanel {
     private final JLabel notice = new JLabel(" ");
 
     /** @param texts of the centre's bundle; @param operator whom the buttons ask */
-    public MonitorPanel(Texts texts, Operator operator) {
+    public MonitorPanel(Texts texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;

@@ -16,7 +16,7 @@ public final class MonitorWindow {
     private MonitorWindow() {}
 
     /** Made on the event thread. */
-    public static ProgramWindow.Content content(Operator operator, Texts texts) {
+    public static ProgramWindow.Content content(CenterActions operator, Texts texts) {
         MonitorPanel panel = new MonitorPanel(texts, operator);
         Newest<ExchangeSnapshot> newest = new Newest<>(() -> operator.snapshot().orElse(null), snapshot -> {
             if (snapshot != null) {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.BroadcastView;
-import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
@@ -49,7 +49,7 @@ final class Tables {
     /** Minutes and seconds, as on a phone's display; nothing before the call is active. */
     private static Object duration(CallView call) {
         long seconds = call.activeSeconds();
-        return call.state() == CallState.ACTIVE
+        return call.state() == CallProgress.ACTIVE
                 ? new Digits(String.format(Locale.ROOT, "%02d:%02d", seconds / 60, seconds % 60))
                 : "";
     }
@@ -109,7 +109,7 @@ final class Tables {
         return dialled.isEmpty() ? "" : new Msisdn(dialled);
     }
 
-    static StateWord word(CallState state, Texts texts) {
+    static StateWord word(CallProgress state, Texts texts) {
         String word = texts.of("window.call." + state.name().toLowerCase(Locale.ROOT));
         switch (state) {
             case INITIATED:

@@ -16,7 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simgsm.air.IpaFrame;
+import simgsm.abis.IpaFrame;
 
 class CaptureTest {
     private static final int FILE_HEADER = 24;

@@ -13,10 +13,10 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import simgsm.air.OctetString;
 import simgsm.center.msc.Exchange;
-import simgsm.center.smpp.Command;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppAddress;
 import simgsm.center.smpp.SmppCodec;
+import simgsm.center.smpp.SmppCommand;
 import simgsm.center.smpp.SmppMessage;
 import simgsm.center.smpp.SmppPdu;
 import simgsm.center.smpp.SmppPort;
@@ -53,7 +53,7 @@ final class SimulatedApplication implements SmppPort {
     void bind(Exchange exchange, long nowNanos) {
         if (session == null) {
             exchange.perform(nowNanos, () -> session = exchange.smpp().opened(this, "simulated", true));
-            say(new SmppPdu.Bind(Command.BIND_TRANSCEIVER, ++sequence, "app", "", "", 0x34, NUMBER));
+            say(new SmppPdu.Bind(SmppCommand.BIND_TRANSCEIVER, ++sequence, "app", "", "", 0x34, NUMBER));
         }
     }
 
@@ -79,7 +79,7 @@ final class SimulatedApplication implements SmppPort {
                     0,
                     OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
                     List.of());
-            say(new SmppPdu.Message(Command.SUBMIT_SM, sequence, message));
+            say(new SmppPdu.Message(SmppCommand.SUBMIT_SM, sequence, message));
         }
     }
 
@@ -88,7 +88,7 @@ final class SimulatedApplication implements SmppPort {
         SmppPdu.Message next = unanswered.poll();
         if (next != null) {
             int status = isReceipt(next) ? SmppStatus.OK : take(next.message(), isWilling);
-            say(new SmppPdu.MessageResponse(Command.DELIVER_SM, status, next.sequence(), ""));
+            say(new SmppPdu.MessageResponse(SmppCommand.DELIVER_SM, status, next.sequence(), ""));
         }
     }
 

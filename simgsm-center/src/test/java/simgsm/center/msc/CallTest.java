@@ -10,14 +10,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import simgsm.abis.RslMessage;
+import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.Layer3Message;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource;
-import simgsm.air.RslMessage;
-import simgsm.air.RtpPacket;
 import simgsm.air.TransactionIdentifier;
 
 class CallTest {
@@ -61,7 +61,7 @@ class CallTest {
         called.tell(new CallControl.Connect(CALLED_TRANSACTION));
         called.next(CallControl.ConnectAcknowledge.class);
         caller.next(CallControl.Connect.class);
-        assertEquals(List.of(CallState.INITIATED, CallState.ALERTING), network.callStates());
+        assertEquals(List.of(CallProgress.INITIATED, CallProgress.ALERTING), network.callStates());
         caller.tell(new CallControl.ConnectAcknowledge(OUR_CALL));
 
         // They speak.
@@ -81,7 +81,7 @@ class CallTest {
         called.leaveReleasedChannel();
 
         assertEquals(
-                List.of(CallState.INITIATED, CallState.ALERTING, CallState.ACTIVE, CallState.RELEASED),
+                List.of(CallProgress.INITIATED, CallProgress.ALERTING, CallProgress.ACTIVE, CallProgress.RELEASED),
                 network.callStates());
         assertTrue(network.exchange.calls().isEmpty());
         assertTrue(caller.hasNothing() && called.hasNothing());
@@ -152,7 +152,7 @@ class CallTest {
                 Optional.of(Cause.UNASSIGNED_NUMBER),
                 caller.next(CallControl.ReleaseComplete.class).cause());
         caller.leaveReleasedChannel();
-        assertEquals(List.of(CallState.INITIATED, CallState.RELEASED), network.callStates());
+        assertEquals(List.of(CallProgress.INITIATED, CallProgress.RELEASED), network.callStates());
     }
 
     @Test
@@ -370,7 +370,7 @@ class CallTest {
         call.called().leaveReleasedChannel();
         assertEquals(
                 1,
-                network.callStates().stream().filter(CallState.RELEASED::equals).count());
+                network.callStates().stream().filter(CallProgress.RELEASED::equals).count());
     }
 
     @Test
@@ -502,7 +502,7 @@ class CallTest {
         caller.leaveReleasedChannel();
         assertTrue(caller.hasNothing());
         caller.dial("5550100");
-        assertTrue(network.callStates().contains(CallState.INITIATED));
+        assertTrue(network.callStates().contains(CallProgress.INITIATED));
     }
 
     @Test
@@ -527,7 +527,7 @@ class CallTest {
     void theCallEventsNameBothParties() {
         network.activeCall("5550100", "5550200");
         assertEquals(
-                new ExchangeEvent.CallChanged(new Msisdn("5550100"), new Msisdn("5550200"), CallState.ACTIVE),
+                new ExchangeEvent.CallChanged(new Msisdn("5550100"), new Msisdn("5550200"), CallProgress.ACTIVE),
                 network.events.get(network.events.size() - 1));
     }
 }

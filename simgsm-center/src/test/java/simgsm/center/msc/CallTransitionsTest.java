@@ -11,11 +11,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import simgsm.center.msc.CallTransitions.Transition;
+import simgsm.center.msc.NetworkCallTable.Transition;
 
 class CallTransitionsTest {
-    private static final Set<CallAction> CLEARING_MESSAGES =
-            EnumSet.of(CallAction.SEND_DISCONNECT, CallAction.SEND_RELEASE, CallAction.SEND_RELEASE_COMPLETE);
+    private static final Set<NetworkCallAction> CLEARING_MESSAGES =
+            EnumSet.of(NetworkCallAction.SEND_DISCONNECT, NetworkCallAction.SEND_RELEASE, NetworkCallAction.SEND_RELEASE_COMPLETE);
 
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
@@ -23,18 +23,18 @@ class CallTransitionsTest {
         if (state != NetworkCallState.NULL) {
             assertEquals(
                     NetworkCallState.NULL,
-                    CallTransitions.of(state, CallEvent.LINK_LOST).orElseThrow().next());
+                    NetworkCallTable.of(state, NetworkCallEvent.LINK_LOST).orElseThrow().next());
         }
     }
 
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
     void everyGuardTimerHasItsRowAndNoOtherTimerHasOne(NetworkCallState state) {
-        for (CallTimer timer : CallTimer.values()) {
-            java.util.Optional<CallTimer> its = java.util.Optional.of(timer);
+        for (NetworkCallTimer timer : NetworkCallTimer.values()) {
+            java.util.Optional<NetworkCallTimer> its = java.util.Optional.of(timer);
             assertEquals(
                     state.guard(false).equals(its) || state.guard(true).equals(its),
-                    CallTransitions.of(state, timer.expiry()).isPresent(),
+                    NetworkCallTable.of(state, timer.expiry()).isPresent(),
                     state + " " + timer);
         }
     }
@@ -42,18 +42,18 @@ class CallTransitionsTest {
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
     void everyWayIntoClearingTellsTheMobileOrWasTheMobilesOwnOrLosesIt(NetworkCallState state) {
-        for (CallEvent event : CallEvent.values()) {
-            CallTransitions.of(state, event)
+        for (NetworkCallEvent event : NetworkCallEvent.values()) {
+            NetworkCallTable.of(state, event)
                     .filter(row -> row.next().isClearing() && row.next() != state)
                     .ifPresent(row -> assertTrue(tellsOrNeedNot(state, event, row), state + " " + event));
         }
     }
 
-    private static boolean tellsOrNeedNot(NetworkCallState state, CallEvent event, Transition row) {
+    private static boolean tellsOrNeedNot(NetworkCallState state, NetworkCallEvent event, Transition row) {
         boolean neverReached = state == NetworkCallState.MM_CONNECTION_PENDING;
-        boolean mobileKnows = event == CallEvent.RELEASE_COMPLETE_RECEIVED
-                || event == CallEvent.STATUS_NULL_RECEIVED
-                || event == CallEvent.LINK_LOST
+        boolean mobileKnows = event == NetworkCallEvent.RELEASE_COMPLETE_RECEIVED
+                || event == NetworkCallEvent.STATUS_NULL_RECEIVED
+                || event == NetworkCallEvent.LINK_LOST
                 || state == NetworkCallState.RELEASE_REQUEST;
         return neverReached || mobileKnows || row.actions().stream().anyMatch(CLEARING_MESSAGES::contains);
     }
@@ -61,11 +61,11 @@ class CallTransitionsTest {
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
     void theCallIsToldExactlyWhenALiveLegIsClearedByOthersThanTheCall(NetworkCallState state) {
-        for (CallEvent event : CallEvent.values()) {
-            CallTransitions.of(state, event).ifPresent(row -> {
+        for (NetworkCallEvent event : NetworkCallEvent.values()) {
+            NetworkCallTable.of(state, event).ifPresent(row -> {
                 boolean ends = !state.isClearing() && row.next().isClearing();
-                boolean told = row.actions().contains(CallAction.TELL_CLEARED);
-                assertEquals(ends && event != CallEvent.CLEAR, told, state + " " + event);
+                boolean told = row.actions().contains(NetworkCallAction.TELL_CLEARED);
+                assertEquals(ends && event != NetworkCallEvent.CLEAR, told, state + " " + event);
             });
         }
     }
@@ -76,8 +76,8 @@ class CallTransitionsTest {
         for (int size = 0; size != reached.size(); ) {
             size = reached.size();
             Set<NetworkCallState> more = reached.stream()
-                    .flatMap(state -> Arrays.stream(CallEvent.values())
-                            .flatMap(event -> CallTransitions.of(state, event).stream()))
+                    .flatMap(state -> Arrays.stream(NetworkCallEvent.values())
+                            .flatMap(event -> NetworkCallTable.of(state, event).stream()))
                     .map(Transition::next)
                     .collect(Collectors.toCollection(() -> EnumSet.noneOf(NetworkCallState.class)));
             reached.addAll(more);
@@ -87,19 +87,19 @@ class CallTransitionsTest {
 
     @Test
     void everyEventIsUsedSomewhere() {
-        for (CallEvent event : CallEvent.values()) {
+        for (NetworkCallEvent event : NetworkCallEvent.values()) {
             assertTrue(
                     Arrays.stream(NetworkCallState.values())
-                            .anyMatch(state -> CallTransitions.of(state, event).isPresent()),
+                            .anyMatch(state -> NetworkCallTable.of(state, event).isPresent()),
                     event.name());
         }
     }
 
     @Test
     void aMobileCannotConnectACallItWasNotOffered() {
-        assertFalse(CallTransitions.of(NetworkCallState.CALL_PROCEEDING, CallEvent.CONNECT_RECEIVED)
+        assertFalse(NetworkCallTable.of(NetworkCallState.CALL_PROCEEDING, NetworkCallEvent.CONNECT_RECEIVED)
                 .isPresent());
-        assertFalse(CallTransitions.of(NetworkCallState.CALL_PRESENT, CallEvent.CONNECT_RECEIVED)
+        assertFalse(NetworkCallTable.of(NetworkCallState.CALL_PRESENT, NetworkCallEvent.CONNECT_RECEIVED)
                 .isPresent());
     }
 

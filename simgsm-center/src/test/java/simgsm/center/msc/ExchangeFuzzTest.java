@@ -15,11 +15,11 @@ import java.util.SplittableRandom;
 import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import simgsm.air.IpaFrame;
-import simgsm.air.IpaFramer;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
-import simgsm.modem.fuzz.FuzzPeer;
+import simgsm.tools.fuzz.FuzzPeer;
 
 /**
  * Real stations whose dialogues with a living exchange are spoilt on the way, under a clock moved by hand: nothing is

@@ -3,7 +3,7 @@ package simgsm.center.msc;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
-import simgsm.air.RtpPacket;
+import simgsm.abis.RtpPacket;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.speech.SpeechCodec;

@@ -44,9 +44,9 @@ class LinkLossTest {
         assertTrue(network.exchange.calls().isEmpty());
         assertEquals(
                 network.callStates().stream()
-                        .filter(CallState.INITIATED::equals)
+                        .filter(CallProgress.INITIATED::equals)
                         .count(),
-                network.callStates().stream().filter(CallState.RELEASED::equals).count());
+                network.callStates().stream().filter(CallProgress.RELEASED::equals).count());
         caller.vanish();
         called.vanish();
         assertTrue(network.exchange.nextDeadlineNanos().isEmpty());

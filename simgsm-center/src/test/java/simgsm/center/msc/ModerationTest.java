@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import simgsm.air.CcmMessage;
+import simgsm.abis.CcmMessage;
 import simgsm.air.Imei;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
@@ -33,7 +33,7 @@ class ModerationTest {
     @Test
     void aPeerThatSaysNothingIsDroppedAfter15Seconds() {
         TestMobile silent = network.connect("5550100");
-        network.leap(Duration.ofNanos(KeepAlive.IDENTITY_NANOS - 1));
+        network.leap(Duration.ofNanos(LinkKeepAlive.IDENTITY_NANOS - 1));
         assertEquals(Optional.empty(), silent.closedFor);
         network.leap(Duration.ofNanos(1));
         assertEquals(Optional.of("has not said who it is"), silent.closedFor);
@@ -67,7 +67,7 @@ class ModerationTest {
     @Test
     void registrationsOfAnotherMachineAreAnsweredTenAtOnceAndThenOneASecond() {
         TestMobile flooder = remote("5550100");
-        for (int i = 0; i < Moderation.REGISTRATIONS_AT_ONCE; i++) {
+        for (int i = 0; i < TerminalRateLimits.REGISTRATIONS_AT_ONCE; i++) {
             assertEquals(null, registrationAnswer(flooder));
         }
         assertEquals(RejectCause.CONGESTION, registrationAnswer(flooder));
@@ -107,7 +107,7 @@ class ModerationTest {
     @Test
     void messagesOfAnotherMachineAreTakenInALongTextsNumberAtOnceAndThenTenASecond() {
         TestMobile flooder = remote("5550100").register();
-        for (int i = 0; i < Moderation.MESSAGES_AT_ONCE; i++) {
+        for (int i = 0; i < TerminalRateLimits.MESSAGES_AT_ONCE; i++) {
             assertEquals(new RelayMessage.RpAck(i % 256, Optional.empty()), send(flooder, i));
         }
         assertEquals(new RelayMessage.RpError(255, RpCause.CONGESTION), send(flooder, 511));
@@ -118,7 +118,7 @@ class ModerationTest {
     @Test
     void callsOfAnotherMachineAreTakenTwentyAtOnceAndThenTwoASecond() {
         TestMobile flooder = remote("5550100").register();
-        for (int i = 0; i < Moderation.CALLS_AT_ONCE; i++) {
+        for (int i = 0; i < TerminalRateLimits.CALLS_AT_ONCE; i++) {
             flooder.dial("5559999");
             flooder.received.clear();
             flooder.leaveChannel();

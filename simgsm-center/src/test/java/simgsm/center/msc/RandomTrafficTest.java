@@ -10,12 +10,14 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.CcmMessage;
 import simgsm.air.Direction;
 import simgsm.air.Imsi;
-import simgsm.air.IpaFrame;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.LocationArea;
@@ -26,8 +28,6 @@ import simgsm.air.RadioResource;
 import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
-import simgsm.air.RslCodec;
-import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.sim.SimCard;
@@ -91,7 +91,7 @@ class RandomTrafficTest {
         network.everybodyVanishes();
         assertEquals(0, network.exchange.linkCount());
         assertTrue(network.exchange.calls().isEmpty());
-        assertEquals(count(CallState.INITIATED), count(CallState.RELEASED));
+        assertEquals(count(CallProgress.INITIATED), count(CallProgress.RELEASED));
         // First the messages expire, then the reports about them.
         for (int i = 0; i < 2; i++) {
             network.leap(Duration.ofDays(20));
@@ -100,7 +100,7 @@ class RandomTrafficTest {
         assertEquals(0, network.exchange.shortMessages().waitingCount());
     }
 
-    private long count(CallState state) {
+    private long count(CallProgress state) {
         return network.callStates().stream().filter(state::equals).count();
     }
 
@@ -110,7 +110,7 @@ class RandomTrafficTest {
                 .count();
         assertTrue(attached <= network.exchange.linkCount());
         for (CallView call : network.exchange.calls()) {
-            assertTrue(call.state() != CallState.RELEASED);
+            assertTrue(call.state() != CallProgress.RELEASED);
         }
     }
 

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.air.CcmMessage;
+import simgsm.abis.CcmMessage;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;

@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
-import simgsm.air.CcmMessage;
-import simgsm.air.IpaFrame;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource;
-import simgsm.air.RslMessage;
 
 /** Silent peers, babbling peers, and peers that never leave. */
 class SupervisionTest {
@@ -108,7 +108,7 @@ class SupervisionTest {
         call.caller().tell(new CallControl.Alerting(TestMobile.OUR_CALL));
         CallControl.Status status = call.caller().next(CallControl.Status.class);
         assertEquals(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE, status.cause());
-        assertEquals(CallState.ACTIVE, network.exchange.calls().get(0).state());
+        assertEquals(CallProgress.ACTIVE, network.exchange.calls().get(0).state());
     }
 
     @Test

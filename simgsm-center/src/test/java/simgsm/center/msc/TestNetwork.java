@@ -132,7 +132,7 @@ final class TestNetwork {
     }
 
     /** The states that the calls have gone through, as events. */
-    List<CallState> callStates() {
+    List<CallProgress> callStates() {
         return events.stream()
                 .filter(ExchangeEvent.CallChanged.class::isInstance)
                 .map(event -> ((ExchangeEvent.CallChanged) event).state())

@@ -19,7 +19,7 @@ class AdmissionsTest {
 
     @Test
     void oneAddressCannotTakeAllThePlaces() {
-        Admissions admissions = new Admissions(CenterLoop.MAX_CONNECTIONS, CenterLoop.MAX_CONNECTIONS_PER_ADDRESS);
+        ConnectionLimits admissions = new ConnectionLimits(CenterLoop.MAX_CONNECTIONS, CenterLoop.MAX_CONNECTIONS_PER_ADDRESS);
         for (int i = 0; i < CenterLoop.MAX_CONNECTIONS_PER_ADDRESS; i++) {
             assertTrue(admissions.admit(remote(1)));
         }
@@ -31,7 +31,7 @@ class AdmissionsTest {
 
     @Test
     void thisMachineMayHaveThemAllAndNoMore() {
-        Admissions admissions = new Admissions(2_000, 1);
+        ConnectionLimits admissions = new ConnectionLimits(2_000, 1);
         for (int i = 0; i < 2_000; i++) {
             assertTrue(admissions.admit(InetAddress.getLoopbackAddress()));
         }

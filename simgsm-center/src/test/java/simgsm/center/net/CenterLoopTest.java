@@ -23,8 +23,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import simgsm.air.CcmMessage;
-import simgsm.air.IpaFrame;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
@@ -241,7 +241,7 @@ class CenterLoopTest {
     void aFloodDelaysNobodyElseAndIsAnsweredInFull() throws Exception {
         try (TestClient flooder = new TestClient(loop.port());
                 TestClient good = new TestClient(loop.port())) {
-            int flood = 3 * Intake.LOCAL_BURST_FRAMES / 2;
+            int flood = 3 * RateLimitedFrameReader.LOCAL_BURST_FRAMES / 2;
             byte[] ping = TestClient.frame(new CcmMessage.Ping());
             byte[] all = new byte[flood * ping.length];
             for (int i = 0; i < flood; i++) {

@@ -6,13 +6,15 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.util.Optional;
-import simgsm.air.CcmCodec;
-import simgsm.air.CcmMessage;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
-import simgsm.air.IpaFrame;
-import simgsm.air.IpaFramer;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.LocationArea;
@@ -20,8 +22,6 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
-import simgsm.air.RslCodec;
-import simgsm.air.RslMessage;
 
 /** A terminal on a real socket, whose octets go out as the test wants them. */
 final class TestClient implements AutoCloseable {

@@ -21,19 +21,19 @@ class TurnsTest {
 
     @Test
     void thoseWhoWaitGoOnInTheirOrderAndTheTooFastOnesLater() throws IOException {
-        Turns turns = new Turns();
+        FairReadQueue turns = new FairReadQueue();
         Connection fast = connection();
         Connection first = connection();
         Connection second = connection();
         assertEquals(Long.MAX_VALUE, turns.dueNanos());
-        turns.add(fast, Intake.Rest.FOR_LATER, 100);
-        turns.add(first, Intake.Rest.FOR_ANOTHER_TURN, 100);
-        turns.add(second, Intake.Rest.FOR_ANOTHER_TURN, 100);
+        turns.add(fast, RateLimitedFrameReader.Rest.FOR_LATER, 100);
+        turns.add(first, RateLimitedFrameReader.Rest.FOR_ANOTHER_TURN, 100);
+        turns.add(second, RateLimitedFrameReader.Rest.FOR_ANOTHER_TURN, 100);
         assertEquals(100, turns.dueNanos());
         assertSame(first, turns.next(100));
         assertSame(second, turns.next(100));
         assertNull(turns.next(100));
-        assertEquals(100 + Turns.REST_NANOS, turns.dueNanos());
-        assertSame(fast, turns.next(100 + Turns.REST_NANOS));
+        assertEquals(100 + FairReadQueue.REST_NANOS, turns.dueNanos());
+        assertSame(fast, turns.next(100 + FairReadQueue.REST_NANOS));
     }
 }

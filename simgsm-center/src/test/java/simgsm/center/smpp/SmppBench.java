@@ -51,7 +51,7 @@ public final class SmppBench {
         int outstanding;
         int sequence = 1;
 
-        Client(InetSocketAddress address, Command command, String id, String range, byte[] submit) throws IOException {
+        Client(InetSocketAddress address, SmppCommand command, String id, String range, byte[] submit) throws IOException {
             this.submit = submit;
             channel = SocketChannel.open(address);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
@@ -104,7 +104,7 @@ public final class SmppBench {
                 outstanding--;
                 refused += in.getInt(at + 8) == 0 ? 0 : 1;
             } else if (command == DELIVER) {
-                out.putInt(17).putInt(DELIVER | Command.RESPONSE).putInt(0).putInt(in.getInt(at + 12));
+                out.putInt(17).putInt(DELIVER | SmppCommand.RESPONSE).putInt(0).putInt(in.getInt(at + 12));
                 out.put((byte) 0);
                 delivered++;
                 if (samples < MAX_SAMPLES) {
@@ -151,7 +151,7 @@ public final class SmppBench {
                 0,
                 simgsm.air.OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
                 List.of());
-        return SmppCodec.encode(new SmppPdu.Message(Command.SUBMIT_SM, 0, message));
+        return SmppCodec.encode(new SmppPdu.Message(SmppCommand.SUBMIT_SM, 0, message));
     }
 
     private void runUntil(long endNanos, List<Client> senders) throws IOException {
@@ -190,12 +190,12 @@ public final class SmppBench {
         int seconds = argument(args, 4, 20);
         int idle = argument(args, 5, 0);
         for (int i = 0; i < idle; i++) {
-            bench.new Client(address, Command.BIND_TRANSCEIVER, "idle" + i, "" + (7_000_000 + i), null);
+            bench.new Client(address, SmppCommand.BIND_TRANSCEIVER, "idle" + i, "" + (7_000_000 + i), null);
         }
-        bench.new Client(address, Command.BIND_RECEIVER, "receiver", NUMBER, null);
+        bench.new Client(address, SmppCommand.BIND_RECEIVER, "receiver", NUMBER, null);
         List<Client> clients = new ArrayList<>();
         for (int i = 0; i < senders; i++) {
-            clients.add(bench.new Client(address, Command.BIND_TRANSMITTER, "sender" + i, "", submit()));
+            clients.add(bench.new Client(address, SmppCommand.BIND_TRANSMITTER, "sender" + i, "", submit()));
         }
         bench.runUntil(System.nanoTime() + WARM_UP_SECONDS * 1_000_000_000L, clients);
         bench.samples = 0;

@@ -102,12 +102,12 @@ public final class SmppClient implements AutoCloseable {
     }
 
     /** Binds and returns the status. */
-    public int bind(Command command, String systemId, String password, String range) throws IOException {
+    public int bind(SmppCommand command, String systemId, String password, String range) throws IOException {
         send(new SmppPdu.Bind(command, ++sequence, systemId, password, "", 0x34, range));
         return read(SmppPdu.BindResponse.class).status();
     }
 
-    public static SmppClient bound(int port, Command command, String systemId, String range) throws IOException {
+    public static SmppClient bound(int port, SmppCommand command, String systemId, String range) throws IOException {
         SmppClient client = new SmppClient(port);
         int status = client.bind(command, systemId, "", range);
         if (status != SmppStatus.OK) {
@@ -118,7 +118,7 @@ public final class SmppClient implements AutoCloseable {
 
     /** Hands a message in and returns the answer. */
     SmppPdu.MessageResponse submit(SmppMessage message) throws IOException {
-        send(new SmppPdu.Message(Command.SUBMIT_SM, ++sequence, message));
+        send(new SmppPdu.Message(SmppCommand.SUBMIT_SM, ++sequence, message));
         return read(SmppPdu.MessageResponse.class);
     }
 
@@ -134,7 +134,7 @@ public final class SmppClient implements AutoCloseable {
     /** The next delivery, answered with this status. */
     SmppMessage take(int status) throws IOException {
         SmppPdu.Message delivery = read(SmppPdu.Message.class);
-        send(new SmppPdu.MessageResponse(Command.DELIVER_SM, status, delivery.sequence(), ""));
+        send(new SmppPdu.MessageResponse(SmppCommand.DELIVER_SM, status, delivery.sequence(), ""));
         return delivery.message();
     }
 

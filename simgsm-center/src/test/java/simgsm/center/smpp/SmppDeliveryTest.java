@@ -20,7 +20,7 @@ class SmppDeliveryTest extends SmppStage {
         assertTrue(sender.heard.isEmpty());
         network.commit();
         SmppPdu.MessageResponse answer = sender.last(SmppPdu.MessageResponse.class);
-        assertEquals(new SmppPdu.MessageResponse(Command.SUBMIT_SM, SmppStatus.OK, 7, "1"), answer);
+        assertEquals(new SmppPdu.MessageResponse(SmppCommand.SUBMIT_SM, SmppStatus.OK, 7, "1"), answer);
     }
 
     @Test
@@ -173,10 +173,10 @@ class SmppDeliveryTest extends SmppStage {
 
     @Test
     void theClosestRangeGetsTheMessage() {
-        TestCenter.Application all = network.bound(Command.BIND_RECEIVER, "all", "[0-9]+");
-        TestCenter.Application prefix = network.bound(Command.BIND_RECEIVER, "prefix", "5553*");
-        TestCenter.Application longer = network.bound(Command.BIND_RECEIVER, "longer", "^55533");
-        TestCenter.Application exact = network.bound(Command.BIND_RECEIVER, "exact", "5553399");
+        TestCenter.Application all = network.bound(SmppCommand.BIND_RECEIVER, "all", "[0-9]+");
+        TestCenter.Application prefix = network.bound(SmppCommand.BIND_RECEIVER, "prefix", "5553*");
+        TestCenter.Application longer = network.bound(SmppCommand.BIND_RECEIVER, "longer", "^55533");
+        TestCenter.Application exact = network.bound(SmppCommand.BIND_RECEIVER, "exact", "5553399");
         TestCenter.Application sender = sender();
         for (String number : List.of("5554000", "5553100", "5553311", "5553399")) {
             sender.submit(1, text("1", number, number));
@@ -220,7 +220,7 @@ class SmppDeliveryTest extends SmppStage {
         }
         sender.submit(5, text("1", SERVICE, "one too many"));
         assertEquals(
-                new SmppPdu.MessageResponse(Command.SUBMIT_SM, SmppStatus.QUEUE_FULL, 5, ""),
+                new SmppPdu.MessageResponse(SmppCommand.SUBMIT_SM, SmppStatus.QUEUE_FULL, 5, ""),
                 sender.last(SmppPdu.MessageResponse.class));
     }
 }

@@ -55,7 +55,7 @@ class SmppOverSocketsTest {
     }
 
     private SmppClient transceiver() throws IOException {
-        return bound(port, Command.BIND_TRANSCEIVER, "app", SERVICE);
+        return bound(port, SmppCommand.BIND_TRANSCEIVER, "app", SERVICE);
     }
 
     private static byte[] hex(String octets) {
@@ -71,9 +71,9 @@ class SmppOverSocketsTest {
 
     @ParameterizedTest
     @EnumSource(
-            value = Command.class,
+            value = SmppCommand.class,
             names = {"BIND_RECEIVER", "BIND_TRANSMITTER", "BIND_TRANSCEIVER"})
-    void bindIsAnsweredWithTheCentresNameAndVersion(Command command) throws IOException {
+    void bindIsAnsweredWithTheCentresNameAndVersion(SmppCommand command) throws IOException {
         try (SmppClient client = new SmppClient(port)) {
             client.send(new SmppPdu.Bind(command, 77, "app", "secret", "", 0x34, ""));
             assertEquals(new SmppPdu.BindResponse(command, 0, 77, "SimGSM"), client.read());
@@ -125,7 +125,7 @@ class SmppOverSocketsTest {
     @Test
     void aPayloadParameterCarriesALongText() throws IOException {
         try (SmppClient client = transceiver();
-                SmppClient sender = bound(port, Command.BIND_TRANSMITTER, "sender", "")) {
+                SmppClient sender = bound(port, SmppCommand.BIND_TRANSMITTER, "sender", "")) {
             Tlv payload =
                     new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.of("y".repeat(400).getBytes(StandardCharsets.US_ASCII)));
             sender.submitted(with(text("1", SERVICE, ""), "", 0, List.of(payload)));
@@ -143,9 +143,9 @@ class SmppOverSocketsTest {
     void dataSmIsTakenToo() throws IOException {
         try (SmppClient client = transceiver()) {
             Tlv payload = new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.ofHex("414243"));
-            client.send(new SmppPdu.Message(Command.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
+            client.send(new SmppPdu.Message(SmppCommand.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
             assertEquals(
-                    Command.DATA_SM, client.read(SmppPdu.MessageResponse.class).command());
+                    SmppCommand.DATA_SM, client.read(SmppPdu.MessageResponse.class).command());
             assertEquals("414243", client.take().shortMessage().toString());
         }
     }
@@ -153,16 +153,16 @@ class SmppOverSocketsTest {
     @Test
     void enquireLinkIsAnswered() throws IOException {
         try (SmppClient client = transceiver()) {
-            client.send(new SmppPdu.Plain(Command.ENQUIRE_LINK, 42));
-            assertEquals(new SmppPdu.PlainResponse(Command.ENQUIRE_LINK, 0, 42), client.read());
+            client.send(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, 42));
+            assertEquals(new SmppPdu.PlainResponse(SmppCommand.ENQUIRE_LINK, 0, 42), client.read());
         }
     }
 
     @Test
     void unbindIsAnsweredAndThenTheConnectionCloses() throws IOException {
         try (SmppClient client = transceiver()) {
-            client.send(new SmppPdu.Plain(Command.UNBIND, 43));
-            assertEquals(new SmppPdu.PlainResponse(Command.UNBIND, 0, 43), client.read());
+            client.send(new SmppPdu.Plain(SmppCommand.UNBIND, 43));
+            assertEquals(new SmppPdu.PlainResponse(SmppCommand.UNBIND, 0, 43), client.read());
             client.awaitEnd();
         }
         assertServes();
@@ -191,7 +191,7 @@ class SmppOverSocketsTest {
     @Test
     void aBodyThatIsCutShortIsRefusedWithItsStatus() throws IOException {
         try (SmppClient client = transceiver()) {
-            byte[] whole = SmppCodec.encode(new SmppPdu.Message(Command.SUBMIT_SM, 5, text("1", SERVICE, "hello")));
+            byte[] whole = SmppCodec.encode(new SmppPdu.Message(SmppCommand.SUBMIT_SM, 5, text("1", SERVICE, "hello")));
             for (int length = 16; length < whole.length; length++) {
                 byte[] cut = Arrays.copyOf(whole, length);
                 cut[2] = 0;
@@ -226,9 +226,9 @@ class SmppOverSocketsTest {
 
     @Test
     void aWindowOfSubmissionsIsAnsweredInOrder() throws IOException {
-        try (SmppClient client = bound(port, Command.BIND_TRANSMITTER, "app", "")) {
+        try (SmppClient client = bound(port, SmppCommand.BIND_TRANSMITTER, "app", "")) {
             for (int i = 1; i <= 500; i++) {
-                client.send(new SmppPdu.Message(Command.SUBMIT_SM, i, text("1", "9", "x")));
+                client.send(new SmppPdu.Message(SmppCommand.SUBMIT_SM, i, text("1", "9", "x")));
             }
             for (int i = 1; i <= 500; i++) {
                 assertEquals(i, client.read(SmppPdu.MessageResponse.class).sequence());
@@ -239,7 +239,7 @@ class SmppOverSocketsTest {
     @Test
     void octetsMayComeOneByOne() throws IOException {
         try (SmppClient client = new SmppClient(port)) {
-            byte[] bind = SmppCodec.encode(new SmppPdu.Bind(Command.BIND_TRANSMITTER, 1, "a", "b", "", 0x34, ""));
+            byte[] bind = SmppCodec.encode(new SmppPdu.Bind(SmppCommand.BIND_TRANSMITTER, 1, "a", "b", "", 0x34, ""));
             for (byte octet : bind) {
                 client.write(new byte[] {octet});
             }
@@ -250,13 +250,13 @@ class SmppOverSocketsTest {
     @Test
     void anApplicationThatDoesNotReadHoldsUpNobody() throws IOException {
         try (SmppClient deaf = transceiver();
-                SmppClient other = bound(port, Command.BIND_TRANSCEIVER, "other", "5550301")) {
+                SmppClient other = bound(port, SmppCommand.BIND_TRANSCEIVER, "other", "5550301")) {
             for (int i = 0; i < 500; i++) {
                 other.submitted(text("1", SERVICE, "x".repeat(150)));
             }
             other.submitted(text("1", "5550301", "for me"));
             assertEquals("for me", new String(other.take().shortMessage().toArray(), StandardCharsets.US_ASCII));
-            deaf.send(new SmppPdu.Plain(Command.UNBIND, 1));
+            deaf.send(new SmppPdu.Plain(SmppCommand.UNBIND, 1));
         }
         assertServes();
     }
@@ -264,7 +264,7 @@ class SmppOverSocketsTest {
     @Test
     void nonsenseEndsAtItsOwnConnection() throws IOException {
         SplittableRandom random = new SplittableRandom(4);
-        byte[] whole = SmppCodec.encode(new SmppPdu.Message(Command.SUBMIT_SM, 5, text("1", SERVICE, "hello")));
+        byte[] whole = SmppCodec.encode(new SmppPdu.Message(SmppCommand.SUBMIT_SM, 5, text("1", SERVICE, "hello")));
         for (int i = 0; i < 200; i++) {
             try (SmppClient client = transceiver()) {
                 byte[] mutated = whole.clone();
@@ -272,7 +272,7 @@ class SmppOverSocketsTest {
                     mutated[4 + random.nextInt(mutated.length - 4)] = (byte) random.nextInt();
                 }
                 client.write(mutated);
-                client.write(SmppCodec.encode(new SmppPdu.Plain(Command.ENQUIRE_LINK, 1)));
+                client.write(SmppCodec.encode(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, 1)));
                 client.read(SmppPdu.PlainResponse.class);
             }
         }
@@ -284,7 +284,7 @@ class SmppOverSocketsTest {
         List<SmppClient> clients = new ArrayList<>();
         try {
             for (int i = 0; i < 1_000; i++) {
-                clients.add(bound(port, Command.BIND_TRANSCEIVER, "app" + i, "" + (6_000_000 + i)));
+                clients.add(bound(port, SmppCommand.BIND_TRANSCEIVER, "app" + i, "" + (6_000_000 + i)));
             }
             for (int i = 0; i < 1_000; i += 111) {
                 clients.get(0).submitted(text("1", "" + (6_000_000 + i), "x"));
@@ -306,10 +306,10 @@ class SmppOverSocketsTest {
     void onlyListedUsersBind() throws IOException {
         loop.post(exchange -> exchange.smpp().admit(SmppUsers.only(Map.of("app", "secret"))));
         try (SmppClient client = new SmppClient(port)) {
-            assertEquals(SmppStatus.INVALID_SYSTEM_ID, client.bind(Command.BIND_TRANSMITTER, "me", "secret", ""));
-            assertEquals(SmppStatus.INVALID_PASSWORD, client.bind(Command.BIND_TRANSMITTER, "app", "wrong", ""));
-            assertEquals(SmppStatus.OK, client.bind(Command.BIND_TRANSMITTER, "app", "secret", ""));
-            assertEquals(SmppStatus.ALREADY_BOUND, client.bind(Command.BIND_TRANSMITTER, "app", "secret", ""));
+            assertEquals(SmppStatus.INVALID_SYSTEM_ID, client.bind(SmppCommand.BIND_TRANSMITTER, "me", "secret", ""));
+            assertEquals(SmppStatus.INVALID_PASSWORD, client.bind(SmppCommand.BIND_TRANSMITTER, "app", "wrong", ""));
+            assertEquals(SmppStatus.OK, client.bind(SmppCommand.BIND_TRANSMITTER, "app", "secret", ""));
+            assertEquals(SmppStatus.ALREADY_BOUND, client.bind(SmppCommand.BIND_TRANSMITTER, "app", "secret", ""));
         }
     }
 }

@@ -17,7 +17,7 @@ class SmppReceiptTest extends SmppStage {
     @Test
     void aReceiptSaysWhatBecameOfTheMessage() {
         TestCenter.Application receiver = receiver(SERVICE);
-        TestCenter.Application sender = network.bound(Command.BIND_TRANSCEIVER, "sender", "");
+        TestCenter.Application sender = network.bound(SmppCommand.BIND_TRANSCEIVER, "sender", "");
         sender.submit(1, withReceipt(text("5550100", SERVICE, "how do you do, dear reader?")));
         network.commit();
         network.passSeconds(20);
@@ -45,7 +45,7 @@ class SmppReceiptTest extends SmppStage {
         network.passSeconds(61);
         network.commit();
         assertEquals(1, sender.all(SmppPdu.Message.class).size() + network.center.waitingCount());
-        TestCenter.Application fetching = network.bound(Command.BIND_RECEIVER, "sender", "");
+        TestCenter.Application fetching = network.bound(SmppCommand.BIND_RECEIVER, "sender", "");
         assertTrue(
                 texts(fetching).get(0).contains("stat:EXPIRED err:070"),
                 texts(fetching).get(0));
@@ -55,7 +55,7 @@ class SmppReceiptTest extends SmppStage {
     @CsvSource({"0, 0, 0", "1, 1, 1", "2, 0, 1"})
     void receiptsComeAsTheyWereAskedFor(int registered, int onDelivery, int onFailure) {
         TestCenter.Application receiver = receiver(SERVICE);
-        TestCenter.Application sender = network.bound(Command.BIND_TRANSCEIVER, "sender", "");
+        TestCenter.Application sender = network.bound(SmppCommand.BIND_TRANSCEIVER, "sender", "");
         sender.submit(1, with(text("1", SERVICE, "x"), "", registered, List.of()));
         network.commit();
         receiver.answer(receiver.last(SmppPdu.Message.class), SmppStatus.OK);
@@ -71,7 +71,7 @@ class SmppReceiptTest extends SmppStage {
 
     @Test
     void aMessageThatWaitsCanBeAskedAboutAndCalledBack() {
-        TestCenter.Application sender = network.bound(Command.BIND_TRANSCEIVER, "sender", "");
+        TestCenter.Application sender = network.bound(SmppCommand.BIND_TRANSCEIVER, "sender", "");
         sender.submit(1, withReceipt(text("5550100", SERVICE, "x")));
         network.commit();
         SmppAddress source = new SmppAddress(1, 1, "5550100");
@@ -80,7 +80,7 @@ class SmppReceiptTest extends SmppStage {
                 new SmppPdu.QueryResponse(SmppStatus.OK, 2, "1", "", 1, 0), sender.last(SmppPdu.QueryResponse.class));
         sender.say(new SmppPdu.Cancel(3, "1", source, new SmppAddress(1, 1, SERVICE)));
         network.commit();
-        assertTrue(sender.heard.contains(new SmppPdu.PlainResponse(Command.CANCEL_SM, SmppStatus.OK, 3)));
+        assertTrue(sender.heard.contains(new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, 3)));
         network.commit();
         assertTrue(sender.all(SmppPdu.Message.class).stream()
                 .anyMatch(each -> textOf(each).contains("stat:DELETED")));
@@ -95,7 +95,7 @@ class SmppReceiptTest extends SmppStage {
     void nobodyHearsOfTheMessagesOfOthers() {
         sender().submit(1, text("5550100", SERVICE, "x"));
         network.commit();
-        TestCenter.Application other = network.bound(Command.BIND_TRANSMITTER, "other", "");
+        TestCenter.Application other = network.bound(SmppCommand.BIND_TRANSMITTER, "other", "");
         other.say(new SmppPdu.Query(1, "1", SmppAddress.NONE));
         assertEquals(
                 SmppStatus.QUERY_FAILED, other.last(SmppPdu.PlainResponse.class).status());

@@ -14,10 +14,10 @@ import simgsm.air.Msisdn;
 /** Binding, unbinding, and who may do what when. */
 class SmppSessionTest extends SmppStage {
     @ParameterizedTest
-    @EnumSource(Command.class)
-    void aRequestInTheWrongStateIsAnsweredWithStatus4(Command command) {
+    @EnumSource(SmppCommand.class)
+    void aRequestInTheWrongStateIsAnsweredWithStatus4(SmppCommand command) {
         TestCenter.Application open = network.open(true);
-        if (command.isBind() || command == Command.ENQUIRE_LINK) {
+        if (command.isBind() || command == SmppCommand.ENQUIRE_LINK) {
             return;
         }
         SmppPdu pdu = switch (command) {
@@ -36,7 +36,7 @@ class SmppSessionTest extends SmppStage {
     @Test
     void whoIsBoundCannotBindAgainAndAReceiverCannotSend() {
         TestCenter.Application receiver = receiver(SERVICE);
-        receiver.say(new SmppPdu.Bind(Command.BIND_TRANSMITTER, 2, "x", "", "", 0x34, ""));
+        receiver.say(new SmppPdu.Bind(SmppCommand.BIND_TRANSMITTER, 2, "x", "", "", 0x34, ""));
         assertEquals(
                 SmppStatus.ALREADY_BOUND,
                 receiver.last(SmppPdu.BindResponse.class).status());
@@ -75,7 +75,7 @@ class SmppSessionTest extends SmppStage {
     @Test
     void aRangeThatIsNoneRefusesTheBind() {
         TestCenter.Application application = network.open(true);
-        application.say(new SmppPdu.Bind(Command.BIND_RECEIVER, 1, "x", "", "", 0x34, "[1-"));
+        application.say(new SmppPdu.Bind(SmppCommand.BIND_RECEIVER, 1, "x", "", "", 0x34, "[1-"));
         assertEquals(
                 SmppStatus.BIND_FAILED,
                 application.last(SmppPdu.BindResponse.class).status());
@@ -85,9 +85,9 @@ class SmppSessionTest extends SmppStage {
     void aSilentApplicationIsAskedAndThenClosed() {
         TestCenter.Application application = receiver(SERVICE);
         network.passSeconds(60);
-        assertEquals(Command.ENQUIRE_LINK, application.last(SmppPdu.Plain.class).command());
+        assertEquals(SmppCommand.ENQUIRE_LINK, application.last(SmppPdu.Plain.class).command());
         application.say(new SmppPdu.PlainResponse(
-                Command.ENQUIRE_LINK,
+                SmppCommand.ENQUIRE_LINK,
                 SmppStatus.OK,
                 application.last(SmppPdu.Plain.class).sequence()));
         network.passSeconds(59);
@@ -107,9 +107,9 @@ class SmppSessionTest extends SmppStage {
     @Test
     void unbindIsAnsweredAndEndsTheConnection() {
         TestCenter.Application application = receiver(SERVICE);
-        application.say(new SmppPdu.Plain(Command.UNBIND, 9));
+        application.say(new SmppPdu.Plain(SmppCommand.UNBIND, 9));
         assertEquals(
-                new SmppPdu.PlainResponse(Command.UNBIND, SmppStatus.OK, 9),
+                new SmppPdu.PlainResponse(SmppCommand.UNBIND, SmppStatus.OK, 9),
                 application.last(SmppPdu.PlainResponse.class));
         assertTrue(application.isEnding);
         assertFalse(network.server.routes().serve(new Msisdn(SERVICE)));
@@ -135,7 +135,7 @@ class SmppSessionTest extends SmppStage {
     @Test
     void aThousandApplicationsAreHeld() {
         for (int i = 0; i < 1_000; i++) {
-            network.bound(Command.BIND_TRANSCEIVER, "app" + i, "" + (5_000_000 + i));
+            network.bound(SmppCommand.BIND_TRANSCEIVER, "app" + i, "" + (5_000_000 + i));
         }
         assertEquals(1_000, network.server.boundSessions());
         TestCenter.Application sender = sender();

@@ -10,11 +10,11 @@ abstract class SmppStage {
     final TestCenter network = new TestCenter();
 
     TestCenter.Application receiver(String range) {
-        return network.bound(Command.BIND_RECEIVER, "receiver", range);
+        return network.bound(SmppCommand.BIND_RECEIVER, "receiver", range);
     }
 
     TestCenter.Application sender() {
-        return network.bound(Command.BIND_TRANSMITTER, "sender", "");
+        return network.bound(SmppCommand.BIND_TRANSMITTER, "sender", "");
     }
 
     static String textOf(SmppPdu.Message delivery) {
@@ -28,7 +28,7 @@ abstract class SmppStage {
     }
 
     static int bind(TestCenter.Application application, String systemId, String password) {
-        application.say(new SmppPdu.Bind(Command.BIND_TRANSCEIVER, 1, systemId, password, "", 0x34, ""));
+        application.say(new SmppPdu.Bind(SmppCommand.BIND_TRANSCEIVER, 1, systemId, password, "", 0x34, ""));
         return application.last(SmppPdu.BindResponse.class).status();
     }
 }

@@ -88,7 +88,7 @@ public final class SmppToPhonesBench {
             socket.setTcpNoDelay(true);
             OutputStream out = new BufferedOutputStream(socket.getOutputStream(), 64 * 1024);
             DataInputStream in = new DataInputStream(new BufferedInputStream(socket.getInputStream(), 64 * 1024));
-            out.write(SmppCodec.encode(new SmppPdu.Bind(Command.BIND_TRANSMITTER, 1, "bench", "", "", 0x34, "")));
+            out.write(SmppCodec.encode(new SmppPdu.Bind(SmppCommand.BIND_TRANSMITTER, 1, "bench", "", "", 0x34, "")));
             out.flush();
             skipPdu(in);
             Thread answers = new Thread(() -> skipAll(in), "answers");
@@ -135,7 +135,7 @@ public final class SmppToPhonesBench {
                 0,
                 OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
                 List.of());
-        return SmppCodec.encode(new SmppPdu.Message(Command.SUBMIT_SM, sequence, message));
+        return SmppCodec.encode(new SmppPdu.Message(SmppCommand.SUBMIT_SM, sequence, message));
     }
 
     private static int argument(String[] args, int index, int otherwise) {

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Queue;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.timer.Timers;
+import simgsm.timer.Timers;
 
 /** The core without sockets: applications as lists of PDUs, a clock moved by hand, a store that answers when told. */
 final class TestCenter {
@@ -41,7 +41,7 @@ final class TestCenter {
         return new Application(isLocal);
     }
 
-    Application bound(Command command, String systemId, String range) {
+    Application bound(SmppCommand command, String systemId, String range) {
         Application application = open(true);
         application.say(new SmppPdu.Bind(command, 1, systemId, "", "", 0x34, range));
         SmppPdu first = application.heard.remove(0);
@@ -70,7 +70,7 @@ final class TestCenter {
         }
 
         void submit(int sequence, SmppMessage message) {
-            say(new SmppPdu.Message(Command.SUBMIT_SM, sequence, message));
+            say(new SmppPdu.Message(SmppCommand.SUBMIT_SM, sequence, message));
         }
 
         /** The latest PDU, which must be of this kind. */
@@ -83,7 +83,7 @@ final class TestCenter {
         }
 
         void answer(SmppPdu.Message delivery, int status) {
-            say(new SmppPdu.MessageResponse(Command.DELIVER_SM, status, delivery.sequence(), ""));
+            say(new SmppPdu.MessageResponse(SmppCommand.DELIVER_SM, status, delivery.sequence(), ""));
         }
 
         void leave() {

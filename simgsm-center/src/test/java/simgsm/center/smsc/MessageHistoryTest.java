@@ -15,7 +15,6 @@ import simgsm.air.Direction;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
-import simgsm.center.timer.Timers;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
 import simgsm.sms.SmsAddress;
@@ -26,6 +25,7 @@ import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
+import simgsm.timer.Timers;
 
 /** What an operator sees of a message on its way: when it was tried, what it waits for, when it ends. */
 class MessageHistoryTest {

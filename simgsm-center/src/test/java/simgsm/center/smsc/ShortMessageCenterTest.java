@@ -16,12 +16,12 @@ import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
-import simgsm.center.timer.Timers;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.timer.Timers;
 
 /** The short message centre alone: a port that delivers when the test says so, and a store that is always done. */
 class ShortMessageCenterTest {

@@ -23,7 +23,7 @@ import simgsm.ui.Texts;
 class HistoryWordsTest {
     private static Texts texts(String language) {
         Locale locale = Locale.forLanguageTag(language);
-        return new Texts(ResourceBundle.getBundle("simgsm.center.messages", locale), locale);
+        return new Texts(ResourceBundle.getBundle("simgsm.center.app.messages", locale), locale);
     }
 
     private static MessageHistory history(MessageState state, Standing standing, DeliveryOutcome outcome) {

@@ -35,15 +35,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.center.msc.BroadcastOrder;
-import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.ui.Appearance;
 import simgsm.ui.Lamp;
 import simgsm.ui.Named;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();
@@ -114,7 +114,7 @@ class MonitorPanelTest {
     void aCallIsShownByItsStateUntilItIsOver() {
         Optional<ExchangeSnapshot.Passing> call =
                 Optional.of(new ExchangeSnapshot.Passing(Scene.PHONE, Scene.ROBOT.digits(), ""));
-        panel.show(Scene.with(call, List.of(new CallView(Scene.PHONE, "5550200", CallState.ALERTING, 0))));
+        panel.show(Scene.with(call, List.of(new CallView(Scene.PHONE, "5550200", CallProgress.ALERTING, 0))));
         assertEquals("(call, alerting)", field("message"));
 
         panel.show(Scene.with(call, List.of()));
@@ -134,7 +134,7 @@ class MonitorPanelTest {
 
     @ParameterizedTest
     @CsvSource({"INITIATED", "ALERTING", "ACTIVE", "RELEASED"})
-    void everyStateOfACallHasAWord(CallState state) {
+    void everyStateOfACallHasAWord(CallProgress state) {
         panel.show(Scene.with(Optional.empty(), List.of(new CallView(Scene.PHONE, "", state, 0))));
 
         assertFalse(row("calls", 0).contains("window."), row("calls", 0));
@@ -361,7 +361,7 @@ class MonitorPanelTest {
 
     private static Texts texts(String language) {
         Locale locale = Texts.bundleLocale(Locale.forLanguageTag(language));
-        return new Texts(ResourceBundle.getBundle("simgsm.center.messages", locale), Locale.ROOT);
+        return new Texts(ResourceBundle.getBundle("simgsm.center.app.messages", locale), Locale.ROOT);
     }
 
     private BufferedImage paint(double scale) {
@@ -433,7 +433,7 @@ class MonitorPanelTest {
         }
     }
 
-    private class NotingOperator implements Operator {
+    private class NotingOperator implements CenterActions {
         @Override
         public int port() {
             return 3003;

@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -16,12 +18,10 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.OctetString;
 import simgsm.air.RelayMessage;
-import simgsm.air.RslCodec;
-import simgsm.air.RslMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.BroadcastView;
-import simgsm.center.msc.CallState;
+import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.LadderEntry;
@@ -157,6 +157,6 @@ final class Scene {
     }
 
     static CallView call() {
-        return new CallView(PHONE, ROBOT.digits(), CallState.ACTIVE, 75);
+        return new CallView(PHONE, ROBOT.digits(), CallProgress.ACTIVE, 75);
     }
 }

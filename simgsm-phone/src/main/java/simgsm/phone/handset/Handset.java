@@ -22,7 +22,7 @@ public final class Handset {
     private final Msisdn own;
     private final HandsetListener listener;
     private final Sounds sounds;
-    private final Conversation call;
+    private final PhoneCall call;
     private final HandsetDeeds deeds = new HandsetDeeds(this);
     private final Mailbox mailbox = new Mailbox();
     private final Screens screens = new Screens(mailbox, deeds);
@@ -62,7 +62,7 @@ public final class Handset {
             line.goBy(signalledKeys);
         }
         this.sounds = new Sounds(output, line, tones, this::toneHeard);
-        this.call = new Conversation(sounds);
+        this.call = new PhoneCall(sounds);
         this.messages = new MessageDesk(mailbox, screens, () -> station, wallClock, this::changed);
     }
 
@@ -383,9 +383,9 @@ public final class Handset {
                 call.snapshot(),
                 home.typed(),
                 screens.current(),
-                mailbox.in(Box.INBOX),
-                mailbox.in(Box.OUTBOX),
-                mailbox.in(Box.BROADCASTS),
+                mailbox.in(MessageFolder.INBOX),
+                mailbox.in(MessageFolder.OUTBOX),
+                mailbox.in(MessageFolder.BROADCASTS),
                 keyMode,
                 sounds.sounding(),
                 sounds.trace(),

@@ -31,7 +31,7 @@ public record HandsetSnapshot(
         ToneTrace trace,
         boolean audible) {
 
-    public List<StoredMessage> in(Box box) {
+    public List<StoredMessage> in(MessageFolder box) {
         return switch (box) {
             case INBOX -> inbox;
             case OUTBOX -> outbox;
@@ -40,10 +40,10 @@ public record HandsetSnapshot(
     }
 
     public int unread() {
-        return unread(Box.INBOX);
+        return unread(MessageFolder.INBOX);
     }
 
-    public int unread(Box box) {
+    public int unread(MessageFolder box) {
         return (int) in(box).stream().filter(message -> !message.read()).count();
     }
 }

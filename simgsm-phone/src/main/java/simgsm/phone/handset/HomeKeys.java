@@ -69,8 +69,8 @@ final class HomeKeys {
             case LEFT -> typed = typed.substring(0, Math.max(0, typed.length() - 1));
             case MENU -> screens.openMenu();
             case MESSAGE -> screens.write();
-            case DOWN -> screens.open(Box.INBOX);
-            case UP -> screens.open(Box.OUTBOX);
+            case DOWN -> screens.open(MessageFolder.INBOX);
+            case UP -> screens.open(MessageFolder.OUTBOX);
             case RIGHT -> {}
             default -> key.tone().ifPresent(tone -> tone(tone, phase));
         }
@@ -117,7 +117,7 @@ final class HomeKeys {
         deeds.silence();
         if (typed.equals("1")) {
             typed = "";
-            screens.open(Box.INBOX);
+            screens.open(MessageFolder.INBOX);
         } else {
             typed = "+";
         }

@@ -14,33 +14,33 @@ import simgsm.phone.handset.StoredMessage.Delivery;
 final class Mailbox {
     static final int CAPACITY = 500;
 
-    private final Map<Box, List<StoredMessage>> boxes = new EnumMap<>(Box.class);
+    private final Map<MessageFolder, List<StoredMessage>> boxes = new EnumMap<>(MessageFolder.class);
 
     Mailbox() {
-        for (Box box : Box.values()) {
+        for (MessageFolder box : MessageFolder.values()) {
             boxes.put(box, List.of());
         }
     }
 
     /** Unmodifiable; a new list at each change, so a snapshot may keep it. */
-    List<StoredMessage> in(Box box) {
+    List<StoredMessage> in(MessageFolder box) {
         return boxes.get(box);
     }
 
     void received(String from, String text, Instant at) {
-        add(Box.INBOX, new StoredMessage(from, text, at, false, Delivery.RECEIVED, 0, 1, Optional.empty()));
+        add(MessageFolder.INBOX, new StoredMessage(from, text, at, false, Delivery.RECEIVED, 0, 1, Optional.empty()));
     }
 
     void broadcast(int channel, int pages, String text, Instant at) {
         String party = Integer.toString(channel);
-        add(Box.BROADCASTS, new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
+        add(MessageFolder.BROADCASTS, new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
     }
 
     void handedIn(int id, String to, String text, Instant at) {
-        add(Box.OUTBOX, new StoredMessage(to, text, at, true, Delivery.SENDING, id, 1, Optional.empty()));
+        add(MessageFolder.OUTBOX, new StoredMessage(to, text, at, true, Delivery.SENDING, id, 1, Optional.empty()));
     }
 
-    private void add(Box box, StoredMessage message) {
+    private void add(MessageFolder box, StoredMessage message) {
         List<StoredMessage> messages = new ArrayList<>(in(box));
         if (messages.size() == CAPACITY) {
             messages.remove(0);
@@ -69,13 +69,13 @@ final class Mailbox {
 
     /** References run from 0 to 255 and come round, so the newest that is not settled is meant. */
     private boolean replaceOpen(int id, UnaryOperator<StoredMessage> next) {
-        List<StoredMessage> messages = new ArrayList<>(in(Box.OUTBOX));
+        List<StoredMessage> messages = new ArrayList<>(in(MessageFolder.OUTBOX));
         for (int i = messages.size() - 1; i >= 0; i--) {
             StoredMessage message = messages.get(i);
             boolean open = message.delivery() == Delivery.SENDING || message.delivery() == Delivery.SENT;
             if (message.id() == id && open) {
                 messages.set(i, next.apply(message));
-                boxes.put(Box.OUTBOX, List.copyOf(messages));
+                boxes.put(MessageFolder.OUTBOX, List.copyOf(messages));
                 return true;
             }
         }
@@ -84,7 +84,7 @@ final class Mailbox {
 
     /** The newest of one's own messages with this reference. */
     Optional<StoredMessage> own(int id) {
-        List<StoredMessage> messages = in(Box.OUTBOX);
+        List<StoredMessage> messages = in(MessageFolder.OUTBOX);
         for (int i = messages.size() - 1; i >= 0; i--) {
             if (messages.get(i).id() == id) {
                 return Optional.of(messages.get(i));
@@ -94,35 +94,35 @@ final class Mailbox {
     }
 
     /** Marks one as read. @param index counted from the oldest */
-    void markRead(Box box, int index) {
+    void markRead(MessageFolder box, int index) {
         List<StoredMessage> messages = new ArrayList<>(in(box));
         messages.set(index, messages.get(index).seen());
         boxes.put(box, List.copyOf(messages));
     }
 
-    void markAllRead(Box box) {
+    void markAllRead(MessageFolder box) {
         boxes.put(box, in(box).stream().map(StoredMessage::seen).toList());
     }
 
-    void remove(Box box, StoredMessage message) {
+    void remove(MessageFolder box, StoredMessage message) {
         int index = in(box).indexOf(message);
         if (index >= 0) {
             remove(box, index);
         }
     }
 
-    void remove(Box box, int index) {
+    void remove(MessageFolder box, int index) {
         List<StoredMessage> messages = new ArrayList<>(in(box));
         messages.remove(index);
         boxes.put(box, List.copyOf(messages));
     }
 
-    int unread(Box box) {
+    int unread(MessageFolder box) {
         return (int) in(box).stream().filter(message -> !message.read()).count();
     }
 
     /** Whether the network has still to acknowledge something. */
     boolean hasUnacknowledged() {
-        return in(Box.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
+        return in(MessageFolder.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
     }
 }

@@ -51,14 +51,14 @@ final class MessageDesk {
         if (early != null) {
             mailbox.failed(id, early);
         }
-        added(Box.OUTBOX);
+        added(MessageFolder.OUTBOX);
         return Optional.empty();
     }
 
     /** The messages that have come, oldest first, as they are before this call marks them as read. */
     List<StoredMessage> readInbox() {
-        List<StoredMessage> inbox = mailbox.in(Box.INBOX);
-        mailbox.markAllRead(Box.INBOX);
+        List<StoredMessage> inbox = mailbox.in(MessageFolder.INBOX);
+        mailbox.markAllRead(MessageFolder.INBOX);
         changed.run();
         return inbox;
     }
@@ -89,15 +89,15 @@ final class MessageDesk {
 
     void received(String from, String text) {
         mailbox.received(from, text, wallClock.instant());
-        added(Box.INBOX);
+        added(MessageFolder.INBOX);
     }
 
     void broadcastReceived(int channel, int pages, String text) {
         mailbox.broadcast(channel, pages, text, wallClock.instant());
-        added(Box.BROADCASTS);
+        added(MessageFolder.BROADCASTS);
     }
 
-    private void added(Box box) {
+    private void added(MessageFolder box) {
         screens.added(box);
         changed.run();
     }

@@ -9,10 +9,10 @@ public sealed interface Screen {
     record Menu(int selected) implements Screen {}
 
     /** @param selected index from the newest */
-    record MessageList(Box box, int selected) implements Screen {}
+    record MessageList(MessageFolder box, int selected) implements Screen {}
 
     /** @param selected index from the newest @param scroll lines scrolled down */
-    record MessageView(Box box, int selected, int scroll) implements Screen {}
+    record MessageView(MessageFolder box, int selected, int scroll) implements Screen {}
 
     /**
      * A text being written.

@@ -60,7 +60,7 @@ final class Screens {
         current = new Screen.Menu(0);
     }
 
-    void open(Box box) {
+    void open(MessageFolder box) {
         current = new Screen.MessageList(box, 0);
     }
 
@@ -113,8 +113,8 @@ final class Screens {
             inRecipient(to, key);
         } else if (current() instanceof Screen.Sent sent && key == PhoneKey.OK && isFailed(sent.message())) {
             sendAgain(sent.message());
-        } else if (current instanceof Screen.Sent && key == PhoneKey.OK && mailbox.unread(Box.INBOX) > 0) {
-            open(Box.INBOX);
+        } else if (current instanceof Screen.Sent && key == PhoneKey.OK && mailbox.unread(MessageFolder.INBOX) > 0) {
+            open(MessageFolder.INBOX);
         } else {
             home();
         }
@@ -137,9 +137,9 @@ final class Screens {
 
     private void choose(MenuItem item) {
         switch (item) {
-            case INBOX -> open(Box.INBOX);
-            case OUTBOX -> open(Box.OUTBOX);
-            case BROADCASTS -> open(Box.BROADCASTS);
+            case INBOX -> open(MessageFolder.INBOX);
+            case OUTBOX -> open(MessageFolder.OUTBOX);
+            case BROADCASTS -> open(MessageFolder.BROADCASTS);
             case WRITE -> write();
             case SWITCH_OFF -> {
                 home();
@@ -159,7 +159,7 @@ final class Screens {
                 }
             }
             case CALL -> {
-                if (size > 0 && list.box() != Box.BROADCASTS) {
+                if (size > 0 && list.box() != MessageFolder.BROADCASTS) {
                     callParty(message(list.box(), list.selected()));
                 }
             }
@@ -173,18 +173,18 @@ final class Screens {
         current = new Screen.MessageList(list.box(), selected);
     }
 
-    private void view(Box box, int selected) {
+    private void view(MessageFolder box, int selected) {
         mailbox.markRead(box, mailbox.in(box).size() - 1 - selected);
         current = new Screen.MessageView(box, selected, 0);
     }
 
-    private StoredMessage message(Box box, int selected) {
+    private StoredMessage message(MessageFolder box, int selected) {
         List<StoredMessage> messages = mailbox.in(box);
         return messages.get(messages.size() - 1 - selected);
     }
 
     /** A message that came while a list or message is shown moves what is selected one further from the newest. */
-    void added(Box box) {
+    void added(MessageFolder box) {
         int last = mailbox.in(box).size() - 1;
         if (current instanceof Screen.MessageView view && view.box() == box) {
             current = new Screen.MessageView(box, Math.min(last, view.selected() + 1), view.scroll());
@@ -201,7 +201,7 @@ final class Screens {
                 current = new Screen.MessageView(
                         view.box(), view.selected(), Math.min(lastScroll(message), view.scroll() + 1));
             case CALL -> {
-                if (view.box() != Box.BROADCASTS) {
+                if (view.box() != MessageFolder.BROADCASTS) {
                     callParty(message);
                 }
             }
@@ -229,10 +229,10 @@ final class Screens {
         deeds.dial(message.party());
     }
 
-    private void answer(Box box, StoredMessage message) {
+    private void answer(MessageFolder box, StoredMessage message) {
         if (isFailed(message)) {
             sendAgain(message);
-        } else if (box != Box.BROADCASTS) {
+        } else if (box != MessageFolder.BROADCASTS) {
             recipient = isNumber(message.party()) ? message.party() : "";
             write();
         }
@@ -245,8 +245,8 @@ final class Screens {
     /** The text goes out as a new message, which takes the failed one's place. */
     private void sendAgain(StoredMessage failed) {
         if (deeds.send(Msisdn.parse(failed.party()), failed.text())) {
-            mailbox.remove(Box.OUTBOX, failed);
-            current = new Screen.Sent(message(Box.OUTBOX, 0));
+            mailbox.remove(MessageFolder.OUTBOX, failed);
+            current = new Screen.Sent(message(MessageFolder.OUTBOX, 0));
         }
     }
 
@@ -299,7 +299,7 @@ final class Screens {
         if (!isNumber(number)) {
             note(Note.Kind.NOT_A_NUMBER, number);
         } else if (deeds.send(Msisdn.parse(number), entry.text())) {
-            current = new Screen.Sent(message(Box.OUTBOX, 0));
+            current = new Screen.Sent(message(MessageFolder.OUTBOX, 0));
             entry.clear();
             recipient = "";
         }

@@ -2,11 +2,11 @@ package simgsm.phone.ui;
 
 import java.util.Locale;
 import simgsm.dtmf.DtmfKey;
-import simgsm.phone.handset.Box;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.KeyMode;
+import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Drawing;
@@ -52,7 +52,7 @@ final class LcdHome {
         pen.ink(Ink.LCD_INK);
         pen.centred(phone.own().digits(), pen.mono(28, true), 98);
         int unread = phone.unread();
-        int broadcasts = phone.unread(Box.BROADCASTS);
+        int broadcasts = phone.unread(MessageFolder.BROADCASTS);
         if (unread > 0) {
             pen.centred(texts.of("lcd.unread", unread), pen.sans(13, true), 127);
         } else if (!phone.station().registered()) {

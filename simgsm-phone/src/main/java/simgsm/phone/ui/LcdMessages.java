@@ -4,9 +4,9 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
-import simgsm.phone.handset.Box;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.MenuItem;
+import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.ui.Symbol;
@@ -50,14 +50,14 @@ final class LcdMessages {
 
     private static String countOf(HandsetSnapshot phone, MenuItem item) {
         return switch (item) {
-            case INBOX -> countOf(phone, Box.INBOX);
-            case OUTBOX -> countOf(phone, Box.OUTBOX);
-            case BROADCASTS -> countOf(phone, Box.BROADCASTS);
+            case INBOX -> countOf(phone, MessageFolder.INBOX);
+            case OUTBOX -> countOf(phone, MessageFolder.OUTBOX);
+            case BROADCASTS -> countOf(phone, MessageFolder.BROADCASTS);
             default -> "";
         };
     }
 
-    private static String countOf(HandsetSnapshot phone, Box box) {
+    private static String countOf(HandsetSnapshot phone, MessageFolder box) {
         int unread = phone.unread(box);
         int all = phone.in(box).size();
         return unread > 0 ? unread + "/" + all : String.valueOf(all);
@@ -89,11 +89,11 @@ final class LcdMessages {
         LcdHome.hint(pen, texts.of(hintOf(list.box(), size)));
     }
 
-    private static String hintOf(Box box, int size) {
+    private static String hintOf(MessageFolder box, int size) {
         if (size == 0) {
             return "lcd.hint.empty";
         }
-        return box == Box.BROADCASTS ? "lcd.hint.broadcasts" : "lcd.hint.list";
+        return box == MessageFolder.BROADCASTS ? "lcd.hint.broadcasts" : "lcd.hint.list";
     }
 
     private void entry(LcdPen pen, StoredMessage message, double top, boolean chosen) {
@@ -139,7 +139,7 @@ final class LcdMessages {
         LcdHome.hint(pen, status(view.box(), message));
     }
 
-    private String status(Box box, StoredMessage message) {
+    private String status(MessageFolder box, StoredMessage message) {
         return switch (box) {
             case OUTBOX -> {
                 String state = CauseText.ofDelivery(texts, message);

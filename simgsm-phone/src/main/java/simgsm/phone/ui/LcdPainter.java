@@ -5,8 +5,8 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
-import simgsm.phone.handset.Box;
 import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.ui.Drawing;
 import simgsm.ui.SignalBars;
@@ -66,7 +66,7 @@ final class LcdPainter {
         if (phone.unread() > 0) {
             pen.symbol(Symbol.ENVELOPE, 212, 18.5, 15);
         }
-        if (phone.unread(Box.BROADCASTS) > 0) {
+        if (phone.unread(MessageFolder.BROADCASTS) > 0) {
             pen.symbol(Symbol.BROADCAST, 193, 18.5, 15);
         }
         pen.right(CLOCK.format(now), pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 24);

@@ -2,11 +2,11 @@ package simgsm.phone.ui;
 
 import java.util.List;
 import java.util.Locale;
-import simgsm.phone.handset.Box;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.MenuItem;
+import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.ToneMeaning;
@@ -53,7 +53,7 @@ final class LcdSpoken {
         return texts.of(family + item.name().toLowerCase(Locale.ROOT));
     }
 
-    private String message(HandsetSnapshot phone, Box box, int selected) {
+    private String message(HandsetSnapshot phone, MessageFolder box, int selected) {
         List<StoredMessage> messages = phone.in(box);
         int index = messages.size() - 1 - selected;
         String title = name("menu.", box);
@@ -65,7 +65,7 @@ final class LcdSpoken {
 
     private String news(HandsetSnapshot phone) {
         String messages = phone.unread() > 0 ? ", " + texts.of("lcd.unread", phone.unread()) : "";
-        int broadcasts = phone.unread(Box.BROADCASTS);
+        int broadcasts = phone.unread(MessageFolder.BROADCASTS);
         return broadcasts > 0 ? messages + ", " + texts.of("lcd.unread.broadcasts", broadcasts) : messages;
     }
 

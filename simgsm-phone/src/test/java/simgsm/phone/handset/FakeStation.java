@@ -8,7 +8,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.CallState;
+import simgsm.station.MobileCallState;
 import simgsm.station.StationListener;
 import simgsm.station.StationSnapshot;
 
@@ -128,7 +128,7 @@ public final class FakeStation implements StationSide {
                 Optional.empty(),
                 false,
                 "SIMGSM",
-                CallState.NULL,
+                MobileCallState.NULL,
                 Optional.empty(),
                 SpeechCodec.Kind.A_LAW,
                 heardCodec);

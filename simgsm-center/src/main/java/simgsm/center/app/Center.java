@@ -1,0 +1,204 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import simgsm.center.CenterMain;
+import simgsm.center.capture.Capture;
+import simgsm.center.journal.FileDisk;
+import simgsm.center.journal.Journal;
+import simgsm.center.journal.JournalThread;
+import simgsm.center.msc.BroadcastOrder;
+import simgsm.center.msc.BroadcastView;
+import simgsm.center.msc.Exchange;
+import simgsm.center.msc.ExchangeListener;
+import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.net.CenterLoop;
+import simgsm.center.smpp.SmppUsers;
+import simgsm.console.Collapse;
+import simgsm.console.HostPort;
+
+/** A running centre: its data directory, its port, its thread. */
+public final class Center implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Center.class.getName());
+
+    /** Ten pictures a second are enough for an eye. */
+    private static final long SNAPSHOT_PERIOD_NANOS = 100_000_000;
+
+    private final DataDirectory data;
+    private final Journal journal;
+    private final JournalThread store;
+    private final CenterLoop loop;
+    private final CenterSettings settings;
+    private final InetAddress address;
+    private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
+
+    private final OptionalInt smppPort;
+    private final SmppUsers smppUsers;
+    private final Optional<Capture> capture;
+
+    private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
+        this.data = data;
+        this.journal = readJournal(data.path());
+        this.loop = loop;
+        this.store = new JournalThread(journal, this::committed);
+        this.settings = settings;
+        address = settings.address();
+        smppUsers = SmppUserFile.read(data.path());
+        smppPort = settings.smppPort().isPresent()
+                ? OptionalInt.of(loop.openSmpp(address, settings.smppPort().getAsInt()))
+                : OptionalInt.empty();
+        capture = settings.capture().isPresent()
+                ? Optional.of(Capture.start(settings.capture().get()))
+                : Optional.empty();
+        capture.ifPresent(loop::captureTo);
+    }
+
+    /**
+     * Takes the data directory and the port; {@link #start} then lets the terminals in.
+     *
+     * @throws IOException naming the directory or the port that is not to be had
+     */
+    public static Center open(CenterSettings settings, Path data, int port) throws IOException {
+        InetAddress address = settings.address();
+        warnOfStrangers(address, settings.home());
+        DataDirectory directory = DataDirectory.take(data);
+        try {
+            return open(directory, CenterLoop.open(address, port), settings);
+        } catch (IOException e) {
+            directory.close();
+            throw e;
+        }
+    }
+
+    private static void warnOfStrangers(InetAddress address, HomeSettings home) {
+        if (address.isLoopbackAddress()) {
+            return;
+        }
+        if (home.isClosed()) {
+            LOG.log(Level.INFO, "listening on {0}: closed network, nothing is ciphered", address.getHostAddress());
+        } else {
+            LOG.log(
+                    Level.WARNING,
+                    "listening on {0}: open network, whoever reaches this address may register under any number;"
+                            + " --hlr FILE closes it",
+                    address.getHostAddress());
+        }
+    }
+
+    private static Center open(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
+        try {
+            return new Center(data, loop, settings);
+        } catch (IOException e) {
+            loop.close();
+            throw e;
+        }
+    }
+
+    private static Journal readJournal(Path directory) throws IOException {
+        try {
+            return Journal.open(new FileDisk(directory));
+        } catch (IOException e) {
+            throw new IOException("cannot read the messages in " + directory + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void committed(List<Long> tickets, boolean isDurable) {
+        loop.post(exchange -> tickets.forEach(ticket -> exchange.committed(loop.nowNanos(), ticket, isDurable)));
+    }
+
+    /** Where programs on this machine find the centre, as {@code --center} takes it. */
+    public String reachedAt() {
+        InetAddress near = address.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : address;
+        return new HostPort(near.getHostAddress(), port()).toString();
+    }
+
+    /** Whether it listens for other machines, too. */
+    boolean isReachedByOthers() {
+        return !address.isLoopbackAddress();
+    }
+
+    public int port() {
+        return loop.port();
+    }
+
+    /** Where applications find it by SMPP, if they may. */
+    public OptionalInt smppPort() {
+        return smppPort;
+    }
+
+    public HomeSettings home() {
+        return settings.home();
+    }
+
+    public void start(ExchangeListener listener) {
+        Exchange exchange = new Exchange(
+                new ExchangeSettings(
+                        ExchangeSettings.DEFAULT_NETWORK_NAME,
+                        settings.random(),
+                        Instant.now(),
+                        settings.home().register(),
+                        settings.tones(),
+                        settings.callWaiting()),
+                store,
+                listener);
+        exchange.restore(journal.restored());
+        store.start();
+        exchange.smpp().admit(smppUsers);
+        loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
+    }
+
+    /** Has the exchange asked something by its own thread, and waits for the answer or its exception. */
+    <T> T ask(Function<Exchange, T> question) {
+        CompletableFuture<T> answer = new CompletableFuture<>();
+        loop.post(exchange -> {
+            try {
+                answer.complete(question.apply(exchange));
+            } catch (RuntimeException e) {
+                answer.completeExceptionally(e);
+            }
+        });
+        try {
+            return answer.join();
+        } catch (CompletionException e) {
+            throw e.getCause() instanceof RuntimeException cause ? cause : e;
+        }
+    }
+
+    /** Sends a text to everybody attached; IllegalArgumentException says what is wrong with it. */
+    BroadcastView broadcast(BroadcastOrder order) {
+        return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
+    }
+
+    /** @return false if no broadcast with this id is repeated */
+    boolean stopBroadcast(int id) {
+        return ask(exchange -> exchange.stopBroadcast(id));
+    }
+
+    /** From now on {@link #snapshot} is kept fresh; without a window nobody pays for it. To be called before start. */
+    void publishSnapshots() {
+        loop.watch(SNAPSHOT_PERIOD_NANOS, exchange -> snapshot.set(exchange.snapshot()));
+    }
+
+    AtomicReference<ExchangeSnapshot> snapshot() {
+        return snapshot;
+    }
+
+    @Override
+    public void close() {
+        loop.close();
+        capture.ifPresent(Capture::close);
+        store.close();
+        data.close();
+    }
+}

@@ -1,0 +1,86 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import simgsm.center.capture.CapturePlan;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.dtmf.ToneSet;
+
+/**
+ * What the command line says, read whole before anything is begun.
+ *
+ * @param port empty for the usual one
+ * @param smppPort empty for no SMPP
+ * @param data empty for the usual place
+ * @param capture empty for none
+ * @param home who may come
+ * @param tones of the network's own; empty when phones make them
+ * @param callWaiting whether a second call is offered to who is in one
+ */
+public record CenterSettings(
+        InetAddress address,
+        OptionalInt port,
+        OptionalInt smppPort,
+        Optional<Path> data,
+        Optional<CapturePlan> capture,
+        HomeSettings home,
+        RandomGenerator random,
+        Locale language,
+        Optional<ToneSet> tones,
+        boolean callWaiting) {
+    public static final int DEFAULT_PORT = 3003;
+    private static final int MAX_PORT = 0xffff;
+
+    /** @throws IOException naming the file of SIMs that is not what it should be */
+    public static CenterSettings read(Arguments arguments) throws UsageException, IOException {
+        return new CenterSettings(
+                arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
+                port(arguments, "port"),
+                port(arguments, "smpp"),
+                arguments.path("data"),
+                capture(arguments),
+                HomeSettings.read(arguments),
+                random(arguments),
+                arguments.language(),
+                arguments.value("tones", ToneSet::of),
+                arguments.choice("call-waiting", "off", "on").equals("on"));
+    }
+
+    private static Optional<CapturePlan> capture(Arguments arguments) throws UsageException {
+        if (arguments.has("capture-limit") && !arguments.has("capture")) {
+            throw new UsageException("--capture-limit needs --capture FILE.pcap");
+        }
+        long limitMib =
+                arguments.integer("capture-limit", CapturePlan.DEFAULT_LIMIT_MIB, 1, CapturePlan.LARGEST_LIMIT_MIB);
+        return arguments.path("capture").map(file -> CapturePlan.of(file, limitMib));
+    }
+
+    /** Challenges and temporary identities are not to be guessed, unless a run is to repeat. */
+    private static RandomGenerator random(Arguments arguments) throws UsageException {
+        return arguments.has("seed")
+                ? new SplittableRandom(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE))
+                : new SecureRandom();
+    }
+
+    private static OptionalInt port(Arguments arguments, String option) throws UsageException {
+        int port = (int) arguments.integer(option, 0, 0, MAX_PORT);
+        return arguments.has(option) ? OptionalInt.of(port) : OptionalInt.empty();
+    }
+
+    private static InetAddress address(String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("expected an address of this machine, found " + text);
+        }
+    }
+}

@@ -1,0 +1,163 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import simgsm.air.Msisdn;
+import simgsm.center.msc.BroadcastOrder;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.center.ui.CenterActions;
+import simgsm.center.ui.MonitorWindow;
+import simgsm.center.ui.NetworkAccess;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.ui.Display;
+import simgsm.ui.ProgramWindow;
+import simgsm.ui.Theme;
+import simgsm.ui.WindowPlace;
+
+/** The centre with its window: what the window's operator may do, and the wait for the window's end. */
+public final class CenterWindow implements CenterActions {
+    private static final long FIRST_PHONE = 5550101;
+    private static final long FIRST_ROBOT = 5550201;
+
+    private final Center center;
+    private final Arguments arguments;
+    private final ProgramWindow window;
+    private final AtomicLong nextPhone = new AtomicLong(FIRST_PHONE);
+    private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
+    private final Set<String> cardsGivenOut = new HashSet<>();
+    private ChildPrograms children;
+    private WindowCascade cascade;
+
+    private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
+        this.center = center;
+        this.arguments = arguments;
+        this.window = window;
+    }
+
+    /**
+     * Shows the window and returns when it is closed.
+     *
+     * @param children running children that end with the window; null for none
+     */
+    public static int run(Center center, Arguments arguments, CenterSettings settings, ChildPrograms children, ProgramWindow window)
+            throws InterruptedException {
+        CenterWindow operator = new CenterWindow(center, arguments, window);
+        operator.children = children;
+        center.publishSnapshots();
+        center.start(event -> {});
+        window.show(() -> MonitorWindow.content(operator, CenterTexts.in(settings.language())));
+        operator.endChildren();
+        return ExitStatus.OK;
+    }
+
+    @Override
+    public int port() {
+        return center.port();
+    }
+
+    @Override
+    public NetworkAccess access() {
+        if (center.home().isClosed()) {
+            return NetworkAccess.CLOSED;
+        }
+        return center.isReachedByOthers() ? NetworkAccess.OPEN_TO_OTHERS : NetworkAccess.OPEN;
+    }
+
+    @Override
+    public Optional<ExchangeSnapshot> snapshot() {
+        return Optional.ofNullable(center.snapshot().get());
+    }
+
+    @Override
+    public void broadcast(BroadcastOrder order) {
+        center.broadcast(order);
+    }
+
+    @Override
+    public void stopBroadcast(int id) {
+        center.stopBroadcast(id);
+    }
+
+    @Override
+    public void newPhone() throws IOException {
+        start("simgsm-phone.jar", numberFor(nextPhone), WindowCascade::nextPhone);
+    }
+
+    @Override
+    public void newRobot() throws IOException {
+        start("simrobot.jar", numberFor(nextRobot), WindowCascade::nextRobot);
+    }
+
+    private String numberFor(AtomicLong next) throws IOException {
+        return center.home().isClosed() ? spareCard() : free(next);
+    }
+
+    /** A card that nobody uses, one that was not given out before if there is one. */
+    private synchronized String spareCard() throws IOException {
+        Set<String> attached = center.ask(exchange -> exchange.subscribers().stream()
+                .filter(Subscriber::isAttached)
+                .map(subscriber -> subscriber.number().digits())
+                .collect(Collectors.toSet()));
+        List<String> spare = center.home().numbers().stream()
+                .map(Msisdn::digits)
+                .filter(number -> !attached.contains(number))
+                .toList();
+        if (spare.isEmpty()) {
+            throw new IOException("every SIM in " + center.home().file().orElseThrow() + " is in use");
+        }
+        String chosen = spare.stream()
+                .filter(number -> !cardsGivenOut.contains(number))
+                .findFirst()
+                .orElse(spare.get(0));
+        cardsGivenOut.add(chosen);
+        return chosen;
+    }
+
+    /** The next number that nobody has registered yet. */
+    private String free(AtomicLong next) {
+        return center.ask(exchange -> {
+            String number = Long.toString(next.getAndIncrement());
+            while (exchange.isKnown(new Msisdn(number))) {
+                number = Long.toString(next.getAndIncrement());
+            }
+            return number;
+        });
+    }
+
+    private synchronized void start(String jar, String number, Function<WindowCascade, WindowPlace> place)
+            throws IOException {
+        if (children == null) {
+            children = ChildPrograms.besideUs();
+        }
+        if (cascade == null) {
+            cascade = new WindowCascade(Display.usableArea());
+        }
+        List<String> words = new ArrayList<>(center.home().wordsFor(number));
+        words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
+        words.addAll(List.of("--window", place.apply(cascade).toString()));
+        arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
+        words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
+        children.start(jar, words, ProcessBuilder.Redirect.DISCARD);
+    }
+
+    private synchronized void endChildren() {
+        if (children != null) {
+            children.close();
+        }
+    }
+
+    @Override
+    public void quit() {
+        window.close();
+    }
+}

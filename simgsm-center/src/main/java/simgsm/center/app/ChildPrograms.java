@@ -1,0 +1,97 @@
+package simgsm.center.app;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Other programs of the suite, run as processes of their own. Each holds the far end of a pipe from us as its standard
+ * input, and ends when that ends: so they go when we go, whatever it is that kills us.
+ */
+public final class ChildPrograms implements AutoCloseable {
+    private static final long FAREWELL_MILLIS = 3_000;
+
+    private final Path jars;
+    private final List<Process> processes = new CopyOnWriteArrayList<>();
+
+    private ChildPrograms(Path jars) {
+        this.jars = jars;
+    }
+
+    /**
+     * Looks for the programs beside our own jar.
+     *
+     * @throws IOException if we do not run from a jar
+     */
+    public static ChildPrograms besideUs() throws IOException {
+        try {
+            Path own = Path.of(ChildPrograms.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
+            if (Files.isDirectory(own)) {
+                throw new IOException(
+                        "other programs can only be started from the built jars (target/dist), not from " + own);
+            }
+            return new ChildPrograms(own.toAbsolutePath().getParent());
+        } catch (URISyntaxException e) {
+            throw new IOException("cannot tell where our own jar is: " + e.getMessage(), e);
+        }
+    }
+
+    /** Starts a program; its log goes where ours goes. Its standard output is the caller's to read or to discard. */
+    public Process start(String jar, List<String> arguments, ProcessBuilder.Redirect output) throws IOException {
+        Path program = jars.resolve(jar);
+        if (!Files.isReadable(program)) {
+            throw new IOException(program + ": no such program");
+        }
+        List<String> command = new ArrayList<>(List.of(java(), "-jar", program.toString()));
+        command.addAll(arguments);
+        Process process = new ProcessBuilder(command)
+                .redirectInput(ProcessBuilder.Redirect.PIPE)
+                .redirectOutput(output)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        processes.add(process);
+        return process;
+    }
+
+    private static String java() {
+        return System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
+    }
+
+    /** Ends their input, then, for those that do not go by themselves, their lives. */
+    @Override
+    public void close() {
+        for (Process process : processes) {
+            try {
+                process.getOutputStream().close();
+            } catch (IOException e) {
+                // It has gone already.
+            }
+        }
+        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MILLIS);
+        for (Process process : processes) {
+            await(process, deadline - System.nanoTime());
+        }
+        processes.clear();
+    }
+
+    private static void await(Process process, long nanos) {
+        try {
+            if (!process.waitFor(Math.max(0, nanos), TimeUnit.NANOSECONDS)) {
+                process.destroyForcibly();
+            }
+        } catch (InterruptedException e) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+    }
+}

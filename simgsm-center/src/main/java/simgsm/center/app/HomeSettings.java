@@ -1,0 +1,66 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.center.subscriber.HomeRegister;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.sim.SimFile;
+
+/**
+ * Whose network it is.
+ *
+ * @param file lists the cards of a closed network; empty for an open one
+ * @param cards what the file holds
+ */
+public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredEquipment) {
+    /** @throws IOException naming the file, and the line, that is not what it should be */
+    static HomeSettings read(Arguments arguments) throws UsageException, IOException {
+        Optional<Path> file = arguments.path("hlr");
+        return new HomeSettings(
+                file,
+                file.isPresent() ? SimFile.read(file.get()) : SimFile.EMPTY,
+                arguments.value("barred-imeis", HomeSettings::imeis).orElse(Set.of()));
+    }
+
+    private static Set<Imei> imeis(String list) {
+        Set<Imei> imeis = new LinkedHashSet<>();
+        for (String imei : list.split(",", -1)) {
+            imeis.add(new Imei(imei.strip()));
+        }
+        return imeis;
+    }
+
+    HomeRegister register() {
+        Set<Imei> barred = new LinkedHashSet<>(barredEquipment);
+        barred.addAll(cards.barredEquipment());
+        return isClosed() ? HomeRegister.closed(cards.subscriptions(), barred) : HomeRegister.open(barred);
+    }
+
+    public boolean isClosed() {
+        return file.isPresent();
+    }
+
+    /** The numbers whose cards may be used, in the file's order. */
+    public List<Msisdn> numbers() {
+        return cards.subscriptions().stream()
+                .filter(subscription -> !subscription.isBarred())
+                .map(subscription -> subscription.card().number())
+                .toList();
+    }
+
+    /** What a terminal with this number is started with. */
+    public List<String> wordsFor(String number) {
+        List<String> words = new ArrayList<>(List.of("--number", number));
+        file.ifPresent(
+                path -> words.addAll(List.of("--sim", path.toAbsolutePath().toString())));
+        return words;
+    }
+}

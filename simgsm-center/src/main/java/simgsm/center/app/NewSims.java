@@ -1,0 +1,142 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.air.OctetString;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simgsm.sim.Milenage;
+import simgsm.sim.SimCard;
+import simgsm.sim.SimFile;
+
+/** {@code --new-sim}: what an operator does when he has cards made. Each key is written twice, to the list and to its card. */
+public final class NewSims {
+    /** A class, a school; whoever needs more asks twice. */
+    static final int MOST_AT_ONCE = 1_000;
+
+    private static final String HEADING = "# SimGSM: the SIMs of a closed network; keep it secret, the keys are in it";
+
+    private NewSims() {}
+
+    public static int make(Arguments arguments) throws UsageException, IOException {
+        Path list = arguments
+                .path("hlr")
+                .orElseThrow(() -> new UsageException("--new-sim needs --hlr FILE, the list to which SIMs are added"));
+        Set<Msisdn> numbers = arguments.value("new-sim", NewSims::numbers).orElseThrow();
+        SimFile present = Files.exists(list) ? SimFile.read(list) : SimFile.EMPTY;
+        List<SimCard> cards = new ArrayList<>();
+        for (Msisdn number : numbers) {
+            cards.add(newCard(number, present));
+        }
+        write(list, cards, Program.standardOutput());
+        return ExitStatus.OK;
+    }
+
+    /** @throws IllegalArgumentException saying what was expected */
+    static Set<Msisdn> numbers(String list) {
+        Set<Msisdn> numbers = new LinkedHashSet<>();
+        for (String range : list.split(",", -1)) {
+            String[] ends = range.strip().split("-", 2);
+            long first = number(ends[0]);
+            long last = ends.length == 1 ? first : number(ends[1]);
+            if (last < first) {
+                throw new IllegalArgumentException("expected the smaller number first, found " + range);
+            }
+            for (long number = first; number <= last && numbers.size() <= MOST_AT_ONCE; number++) {
+                numbers.add(new Msisdn(Long.toString(number)));
+            }
+        }
+        if (numbers.size() > MOST_AT_ONCE) {
+            throw new IllegalArgumentException("expected at most " + MOST_AT_ONCE + " numbers");
+        }
+        return numbers;
+    }
+
+    private static long number(String text) {
+        if (!text.matches("[1-9][0-9]{0,9}")) {
+            throw new IllegalArgumentException(
+                    "expected numbers of 1 to 10 digits without a leading zero, as 5550100 or 5550100-5550119, found "
+                            + (text.isEmpty() ? "none" : text));
+        }
+        return Long.parseLong(text);
+    }
+
+    private static SimCard newCard(Msisdn number, SimFile present) throws UsageException {
+        Imsi imsi = Imsi.ofOpenNumber(number);
+        for (var subscription : present.subscriptions()) {
+            if (subscription.card().number().equals(number)
+                    || subscription.card().imsi().equals(imsi)) {
+                throw new UsageException("--new-sim: there is already the " + subscription.card());
+            }
+        }
+        return new SimCard(imsi, number, newKey(), newKey());
+    }
+
+    private static OctetString newKey() {
+        byte[] key = new byte[Milenage.KEY_LENGTH];
+        new SecureRandom().nextBytes(key);
+        return OctetString.of(key);
+    }
+
+    /** Cards first: a card that no list has is harmless, a list with lost keys is not. */
+    private static void write(Path list, List<SimCard> cards, PrintStream out) throws IOException {
+        Path folder = list.toAbsolutePath().getParent();
+        for (SimCard card : cards) {
+            Path file = fileOf(card, folder);
+            if (Files.exists(file)) {
+                throw new IOException(file + ": there already; remove it if its SIM is not wanted any more");
+            }
+        }
+        for (SimCard card : cards) {
+            Path file = fileOf(card, folder);
+            writeSecretly(file, line(card) + "\n");
+            out.print(file + "\n");
+        }
+        StringBuilder lines = new StringBuilder(beginning(list));
+        cards.forEach(card -> lines.append(line(card)).append('\n'));
+        writeSecretly(list, lines.toString());
+        out.print(list + "\n");
+        out.flush();
+    }
+
+    private static Path fileOf(SimCard card, Path folder) {
+        return folder.resolve(card.number() + ".sim");
+    }
+
+    private static String line(SimCard card) {
+        return "sim number=" + card.number() + " imsi=" + card.imsi() + " k=" + card.k() + " opc=" + card.opc();
+    }
+
+    /** What has to come before the first new line. */
+    private static String beginning(Path list) throws IOException {
+        try {
+            String text = Files.readString(list);
+            return text.isEmpty() || text.endsWith("\n") ? "" : "\n";
+        } catch (NoSuchFileException e) {
+            return HEADING + "\n";
+        }
+    }
+
+    /** A new file is its owner's alone, where the file system knows owners. */
+    private static void writeSecretly(Path file, String text) throws IOException {
+        boolean knowsOwners = file.getFileSystem().supportedFileAttributeViews().contains("posix");
+        if (knowsOwners && !Files.exists(file)) {
+            Files.createFile(file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+        }
+        Files.writeString(file, text, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+    }
+}

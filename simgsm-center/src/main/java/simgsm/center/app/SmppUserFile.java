@@ -1,0 +1,42 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Properties;
+import simgsm.center.smpp.SmppUsers;
+
+/** Who may bind by SMPP: {@code system-id=password}, a line each. */
+final class SmppUserFile {
+    static final String NAME = "smpp-users.properties";
+
+    private SmppUserFile() {}
+
+    /**
+     * Reads the file of a data directory; without it any application of this machine may bind.
+     *
+     * @throws IOException naming the file if it cannot be read or holds what SMPP cannot carry
+     */
+    static SmppUsers read(Path data) throws IOException {
+        Path file = data.resolve(NAME);
+        Properties lines = new Properties();
+        try (Reader text = Files.newBufferedReader(file)) {
+            lines.load(text);
+        } catch (NoSuchFileException e) {
+            return SmppUsers.anyLocal();
+        } catch (IOException | IllegalArgumentException e) {
+            throw new IOException("cannot read " + file + ": " + e.getMessage(), e);
+        }
+        Map<String, String> passwords = new LinkedHashMap<>();
+        lines.stringPropertyNames().forEach(id -> passwords.put(id, lines.getProperty(id)));
+        try {
+            return SmppUsers.only(passwords);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(file + ": " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package simgsm.center.capture;
+
+import java.nio.ByteBuffer;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
+
+/**
+ * One peer's connection as TCP would have it between two machines that keep up: its handshake, one segment a message, an
+ * acknowledgement where a side has said much without hearing anything, its end. Sequence numbers begin at 0 on each side.
+ */
+final class TcpConversation implements WireTap {
+    /** Where Wireshark looks for IPA. */
+    static final int CENTER_PORT = 3003;
+
+    private static final int FIN = 0x01;
+    private static final int SYN = 0x02;
+    private static final int PUSH = 0x08;
+    private static final int ACK = 0x10;
+
+    private static final int TCP_HEADER_LENGTH = 20;
+    private static final byte TCP_HEADER_WORDS = 5;
+    private static final short WINDOW = (short) 0xffff;
+    /** Half of the window: no side ever seems to wait for the other. */
+    private static final int MOST_UNACKNOWLEDGED = 0x7fff;
+
+    private final Capture capture;
+    private final IpHeader ip;
+    private final Side peer;
+    private final Side center;
+    private boolean isOver;
+
+    private static final class Side {
+        final boolean isPeer;
+        final int port;
+        int nextSequence;
+        int acknowledgedByOther;
+
+        Side(boolean isPeer, int port) {
+            this.isPeer = isPeer;
+            this.port = port;
+        }
+    }
+
+    TcpConversation(Capture capture, IpHeader ip, int peerPort) {
+        this.capture = capture;
+        this.ip = ip;
+        this.peer = new Side(true, peerPort);
+        this.center = new Side(false, CENTER_PORT);
+        segment(peer, center, SYN, new byte[0]);
+        segment(center, peer, SYN | ACK, new byte[0]);
+        segment(peer, center, ACK, new byte[0]);
+    }
+
+    @Override
+    public void received(IpaFrame frame) {
+        message(peer, center, IpaFramer.encode(frame));
+    }
+
+    @Override
+    public void sent(byte[] wire) {
+        message(center, peer, wire);
+    }
+
+    private void message(Side from, Side to, byte[] wire) {
+        if (from.nextSequence - from.acknowledgedByOther + wire.length > MOST_UNACKNOWLEDGED) {
+            segment(to, from, ACK, new byte[0]);
+        }
+        segment(from, to, PUSH | ACK, wire);
+    }
+
+    @Override
+    public void closed(boolean isByPeer) {
+        if (isOver) {
+            return;
+        }
+        Side first = isByPeer ? peer : center;
+        Side second = isByPeer ? center : peer;
+        segment(first, second, FIN | ACK, new byte[0]);
+        segment(second, first, FIN | ACK, new byte[0]);
+        segment(first, second, ACK, new byte[0]);
+        isOver = true;
+    }
+
+    private void segment(Side from, Side to, int flags, byte[] data) {
+        if (isOver) {
+            return;
+        }
+        boolean acknowledges = (flags & ACK) != 0;
+        int length = TCP_HEADER_LENGTH + data.length;
+        byte[] packet = new byte[ip.length() + length];
+        ByteBuffer out = ByteBuffer.wrap(packet);
+        ip.put(out, from.isPeer, length);
+        int start = out.position();
+        out.putShort((short) from.port).putShort((short) to.port);
+        out.putInt(from.nextSequence).putInt(acknowledges ? to.nextSequence : 0);
+        out.put((byte) (TCP_HEADER_WORDS << 4)).put((byte) flags);
+        out.putShort(WINDOW).putShort((short) 0).putShort((short) 0).put(data);
+        out.putShort(start + 16, ip.checksum(packet, start, length));
+        from.nextSequence += data.length + ((flags & (SYN | FIN)) != 0 ? 1 : 0);
+        if (acknowledges) {
+            to.acknowledgedByOther = to.nextSequence;
+        }
+        capture.packet(packet);
+    }
+}

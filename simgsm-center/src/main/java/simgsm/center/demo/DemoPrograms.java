@@ -1,0 +1,139 @@
+package simgsm.center.demo;
+
+import java.io.IOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.air.Msisdn;
+import simgsm.center.app.Center;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.ChildPrograms;
+import simgsm.center.app.HomeSettings;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+
+/** The demo's centre with its temporary data, and the phone and the SimRobot that go with it. */
+final class DemoPrograms implements AutoCloseable {
+    static final String PHONE_NUMBER = "5550100";
+    static final String ROBOT_NUMBER = "5550200";
+    private static final String WORLD = "worlds/demo.map";
+
+    private final Arguments arguments;
+    private final Path temporary;
+    private final Center center;
+    private final ChildPrograms children;
+    private final Thread atExit;
+
+    private DemoPrograms(Arguments arguments, Path temporary, Center center, ChildPrograms children) {
+        this.arguments = arguments;
+        this.temporary = temporary;
+        this.center = center;
+        this.children = children;
+        this.atExit = new Thread(this::end, "end of the demo");
+    }
+
+    /** The demo plays two parts; a closed network must have their SIMs. */
+    private static void requireCards(HomeSettings home) throws UsageException {
+        List<Msisdn> parts = List.of(new Msisdn(PHONE_NUMBER), new Msisdn(ROBOT_NUMBER));
+        if (home.isClosed() && !home.numbers().containsAll(parts)) {
+            throw new UsageException("--demo: expected SIMs of " + PHONE_NUMBER + " and " + ROBOT_NUMBER + " in "
+                    + home.file().get());
+        }
+    }
+
+    /** Opens the centre, on a free port if the usual one is taken; the children are not started yet. */
+    static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
+        requireCards(settings.home());
+        ChildPrograms children = ChildPrograms.besideUs();
+        Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
+        Center center = open(settings, settings.data().orElse(temporary));
+        DemoPrograms programs = new DemoPrograms(arguments, temporary, center, children);
+        Runtime.getRuntime().addShutdownHook(programs.atExit);
+        return programs;
+    }
+
+    private static Center open(CenterSettings settings, Path data) throws IOException {
+        if (settings.port().isPresent()) {
+            return Center.open(settings, data, settings.port().getAsInt());
+        }
+        try {
+            return Center.open(settings, data, CenterSettings.DEFAULT_PORT);
+        } catch (IOException e) {
+            return Center.open(settings, data, 0);
+        }
+    }
+
+    Center center() {
+        return center;
+    }
+
+    ChildPrograms children() {
+        return children;
+    }
+
+    Process startPhone(ProcessBuilder.Redirect output, String... more) throws IOException {
+        return children.start("simgsm-phone.jar", words(center.home().wordsFor(PHONE_NUMBER), more), output);
+    }
+
+    Process startRobot(ProcessBuilder.Redirect output, String... more) throws IOException {
+        List<String> words = words(center.home().wordsFor(ROBOT_NUMBER), more);
+        words.addAll(List.of("--world", WORLD));
+        return children.start("simrobot.jar", words, output);
+    }
+
+    private List<String> words(List<String> own, String... more) {
+        List<String> words = new ArrayList<>(own);
+        words.addAll(List.of("--center", center.reachedAt()));
+        words.addAll(List.of("--log-level", arguments.text("log-level").orElse("warning")));
+        for (String passed : List.of("lang", "theme", "seed")) {
+            arguments.text(passed).ifPresent(value -> words.addAll(List.of("--" + passed, value)));
+        }
+        if (arguments.has("no-sound")) {
+            words.add("--no-sound");
+        }
+        words.addAll(List.of(more));
+        return words;
+    }
+
+    @Override
+    public void close() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(atExit);
+        } catch (IllegalStateException e) {
+            return; // The process is ending, and the hook does it.
+        }
+        end();
+    }
+
+    private void end() {
+        children.close();
+        center.close();
+        if (temporary != null) {
+            remove(temporary);
+        }
+    }
+
+    private static void remove(Path directory) {
+        try {
+            Files.walkFileTree(directory, new SimpleFileVisitor<>() {
+                @Override
+                public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                    Files.delete(file);
+                    return FileVisitResult.CONTINUE;
+                }
+
+                @Override
+                public FileVisitResult postVisitDirectory(Path visited, IOException failure) throws IOException {
+                    Files.delete(visited);
+                    return FileVisitResult.CONTINUE;
+                }
+            });
+        } catch (IOException e) {
+            // It is a temporary directory; the system sweeps it sooner or later.
+        }
+    }
+}

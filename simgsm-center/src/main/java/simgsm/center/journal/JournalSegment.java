@@ -1,0 +1,45 @@
+package simgsm.center.journal;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.util.List;
+import simgsm.center.smsc.StoreEntry;
+
+/** A file that entries are appended to. Its size is what is known to be durable; anything behind that never counts. */
+final class JournalSegment {
+    private final DiskFile file;
+    private long size;
+    private long nextSequence = 1;
+
+    JournalSegment(DiskFile file) {
+        this.file = file;
+    }
+
+    long size() {
+        return size;
+    }
+
+    /** Writes entries at the end and makes them durable, all together. */
+    void append(List<StoreEntry> entries) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        long sequence = nextSequence;
+        for (StoreEntry entry : entries) {
+            RecordFormat.write(octets, sequence++, EntryCodec.encode(entry));
+        }
+        file.write(ByteBuffer.wrap(octets.toByteArray()), size);
+        file.sync();
+        size += octets.size();
+        nextSequence = sequence;
+    }
+
+    /** Takes back what an append that failed may have left. */
+    void repair() throws IOException {
+        file.truncate(size);
+        file.sync();
+    }
+
+    void close() throws IOException {
+        file.close();
+    }
+}

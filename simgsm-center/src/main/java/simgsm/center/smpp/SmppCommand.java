@@ -1,0 +1,49 @@
+package simgsm.center.smpp;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/** What a PDU asks for or answers (5.1.2.1); the commands that this centre knows. */
+public enum SmppCommand {
+    BIND_RECEIVER(0x001),
+    BIND_TRANSMITTER(0x002),
+    QUERY_SM(0x003),
+    SUBMIT_SM(0x004),
+    DELIVER_SM(0x005),
+    UNBIND(0x006),
+    CANCEL_SM(0x008),
+    BIND_TRANSCEIVER(0x009),
+    ENQUIRE_LINK(0x015),
+    DATA_SM(0x103);
+
+    /** Set in the command id of an answer; alone it means generic_nack. */
+    static final int RESPONSE = 0x8000_0000;
+
+    private static final Map<Integer, SmppCommand> BY_CODE = new HashMap<>();
+
+    static {
+        for (SmppCommand command : values()) {
+            BY_CODE.put(command.code, command);
+        }
+    }
+
+    private final int code;
+
+    SmppCommand(int code) {
+        this.code = code;
+    }
+
+    /** The command id of the request. */
+    public int code() {
+        return code;
+    }
+
+    public boolean isBind() {
+        return this == BIND_RECEIVER || this == BIND_TRANSMITTER || this == BIND_TRANSCEIVER;
+    }
+
+    static Optional<SmppCommand> ofCode(int code) {
+        return Optional.ofNullable(BY_CODE.get(code & ~RESPONSE));
+    }
+}

@@ -1,0 +1,9 @@
+/** The air interface: layer 3 messages, the Abis link that carries them, short messages, and the SIM. */
+module simgsm.air {
+    requires transitive simgsm.base;
+
+    exports simgsm.abis;
+    exports simgsm.air;
+    exports simgsm.sim;
+    exports simgsm.sms;
+}

@@ -1,0 +1,201 @@
+package simgsm.abis;
+
+import simgsm.abis.RslMessage.DataIndication;
+import simgsm.abis.RslMessage.DataRequest;
+import simgsm.abis.RslMessage.ErrorIndication;
+import simgsm.abis.RslMessage.EstablishIndication;
+import simgsm.abis.RslMessage.PagingCommand;
+import simgsm.abis.RslMessage.ReleaseIndication;
+import simgsm.abis.RslMessage.Sapi;
+import simgsm.abis.RslMessage.SmsBroadcastCommand;
+import simgsm.air.Cause;
+import simgsm.air.IdentityElements;
+import simgsm.air.MobileIdentity;
+import simgsm.air.OctetReader;
+import simgsm.air.OctetString;
+import simgsm.air.OctetWriter;
+import simgsm.air.ProtocolViolation;
+
+/** RSL messages to the payload of an {@link IpaFrame#RSL} frame and back (TS 48.058, 8 and 9). */
+public final class RslCodec {
+    private static final int RADIO_LINK_LAYER = 0x02;
+    private static final int COMMON_CHANNEL = 0x0c;
+    /** The lowest bit of the discriminator only says whether a base station looks into the message. */
+    private static final int DISCRIMINATOR_MASK = 0xfe;
+
+    private static final int DATA_REQUEST = 0x01;
+    private static final int DATA_INDICATION = 0x02;
+    private static final int ERROR_INDICATION = 0x03;
+    private static final int ESTABLISH_INDICATION = 0x06;
+    private static final int RELEASE_INDICATION = 0x09;
+    private static final int PAGING_COMMAND = 0x15;
+    private static final int SMS_BROADCAST_COMMAND = 0x1d;
+
+    private static final int CHANNEL_NUMBER = 0x01;
+    private static final int LINK_IDENTIFIER = 0x02;
+    private static final int LAYER_3_INFORMATION = 0x0b;
+    private static final int MOBILE_IDENTITY = 0x0c;
+    private static final int PAGING_GROUP = 0x0e;
+    private static final int LINK_CAUSE = 0x16;
+    private static final int CHANNEL_NEEDED = 0x28;
+    private static final int BROADCAST_COMMAND_TYPE = 0x29;
+    private static final int BROADCAST_MESSAGE = 0x2a;
+
+    /** SDCCH/8 subchannel 0 in timeslot 1: the one dedicated channel of a terminal's small cell. */
+    private static final int OUR_CHANNEL = 0x41;
+
+    private static final int PAGING_CHANNEL = 0x90;
+
+    private RslCodec() {}
+
+    public static byte[] encode(RslMessage message) {
+        if (message instanceof DataRequest data) {
+            return layer3(DATA_REQUEST, data.sapi(), data.layer3());
+        }
+        if (message instanceof DataIndication data) {
+            return layer3(DATA_INDICATION, data.sapi(), data.layer3());
+        }
+        if (message instanceof EstablishIndication establish) {
+            return layer3(ESTABLISH_INDICATION, establish.sapi(), establish.layer3());
+        }
+        if (message instanceof ReleaseIndication release) {
+            return radioLink(RELEASE_INDICATION, release.sapi()).toArray();
+        }
+        if (message instanceof ErrorIndication error) {
+            OctetWriter out = radioLink(ERROR_INDICATION, error.sapi());
+            return out.octet(LINK_CAUSE).octet(1).octet(error.cause()).toArray();
+        }
+        if (message instanceof PagingCommand paging) {
+            return paging(paging.identity());
+        }
+        return broadcast(((SmsBroadcastCommand) message).page());
+    }
+
+    public static RslMessage decode(byte[] payload) throws ProtocolViolation {
+        OctetReader in = new OctetReader(payload);
+        int discriminator = in.octet("RSL discriminator") & DISCRIMINATOR_MASK;
+        int type = in.octet("RSL message type");
+        expect(in, CHANNEL_NUMBER, "channel number");
+        in.octet("channel number");
+        if (discriminator == RADIO_LINK_LAYER) {
+            return radioLink(type, in);
+        }
+        if (discriminator == COMMON_CHANNEL) {
+            return commonChannel(type, in);
+        }
+        throw unknown(discriminator, type);
+    }
+
+    private static byte[] layer3(int type, Sapi sapi, OctetString layer3) {
+        OctetWriter out = radioLink(type, sapi);
+        return out.octet(LAYER_3_INFORMATION)
+                .twoOctets(layer3.length())
+                .string(layer3)
+                .toArray();
+    }
+
+    private static OctetWriter radioLink(int type, Sapi sapi) {
+        return header(RADIO_LINK_LAYER, type, OUR_CHANNEL)
+                .octet(LINK_IDENTIFIER)
+                .octet(sapi.code());
+    }
+
+    private static OctetWriter header(int discriminator, int type, int channel) {
+        return new OctetWriter()
+                .octet(discriminator)
+                .octet(type)
+                .octet(CHANNEL_NUMBER)
+                .octet(channel);
+    }
+
+    private static byte[] paging(MobileIdentity identity) {
+        OctetWriter out = header(COMMON_CHANNEL, PAGING_COMMAND, PAGING_CHANNEL);
+        out.octet(PAGING_GROUP).octet(0).octet(MOBILE_IDENTITY);
+        IdentityElements.writeIdentity(out, identity);
+        return out.octet(CHANNEL_NEEDED).octet(0).toArray();
+    }
+
+    private static byte[] broadcast(OctetString page) {
+        OctetWriter out = header(COMMON_CHANNEL, SMS_BROADCAST_COMMAND, PAGING_CHANNEL);
+        out.octet(BROADCAST_COMMAND_TYPE).octet(0);
+        return out.octet(BROADCAST_MESSAGE).octet(page.length()).string(page).toArray();
+    }
+
+    private static RslMessage radioLink(int type, OctetReader in) throws ProtocolViolation {
+        expect(in, LINK_IDENTIFIER, "link identifier");
+        Sapi sapi = sapi(in.octet("link identifier"));
+        switch (type) {
+            case DATA_REQUEST:
+                return new DataRequest(sapi, layer3(in));
+            case DATA_INDICATION:
+                return new DataIndication(sapi, layer3(in));
+            case ESTABLISH_INDICATION:
+                return new EstablishIndication(sapi, layer3(in));
+            case RELEASE_INDICATION:
+                return new ReleaseIndication(sapi);
+            case ERROR_INDICATION:
+                expect(in, LINK_CAUSE, "link layer cause");
+                OctetReader cause = in.lengthAndValue("link layer cause");
+                return new ErrorIndication(sapi, cause.octet("link layer cause") & 0x7f);
+            default:
+                throw unknown(RADIO_LINK_LAYER, type);
+        }
+    }
+
+    private static RslMessage commonChannel(int type, OctetReader in) throws ProtocolViolation {
+        if (type == PAGING_COMMAND) {
+            expect(in, PAGING_GROUP, "paging group");
+            in.octet("paging group");
+            expect(in, MOBILE_IDENTITY, "mobile identity");
+            return new PagingCommand(IdentityElements.readIdentity(in));
+        }
+        if (type == SMS_BROADCAST_COMMAND) {
+            expect(in, BROADCAST_COMMAND_TYPE, "broadcast command type");
+            in.octet("broadcast command type");
+            expect(in, BROADCAST_MESSAGE, "broadcast message");
+            OctetReader page = in.lengthAndValue("broadcast message");
+            return new SmsBroadcastCommand(page.string(SmsBroadcastCommand.PAGE_LENGTH, "cell broadcast page"));
+        }
+        throw unknown(COMMON_CHANNEL, type);
+    }
+
+    /** Nothing may follow layer 3: octets there would mean that the length lies. */
+    private static OctetString layer3(OctetReader in) throws ProtocolViolation {
+        expect(in, LAYER_3_INFORMATION, "layer 3 information");
+        int length = in.twoOctets("layer 3 length");
+        if (length != in.remaining()) {
+            throw new ProtocolViolation(
+                    Cause.INVALID_MANDATORY_INFORMATION,
+                    "layer 3 is said to have " + length + " octets, " + in.remaining() + " are there");
+        }
+        return in.rest();
+    }
+
+    /** The slow associated channel (bit 7) is the same conversation. */
+    private static Sapi sapi(int link) throws ProtocolViolation {
+        switch (link & ~0x40) {
+            case 0:
+                return Sapi.SIGNALLING;
+            case 3:
+                return Sapi.SHORT_MESSAGES;
+            default:
+                throw new ProtocolViolation(
+                        Cause.INVALID_MANDATORY_INFORMATION, "link identifier " + link + " is not SAPI 0 or 3");
+        }
+    }
+
+    private static void expect(OctetReader in, int element, String what) throws ProtocolViolation {
+        int found = in.octet(what);
+        if (found != element) {
+            throw new ProtocolViolation(
+                    Cause.INVALID_MANDATORY_INFORMATION,
+                    String.format("RSL element 0x%02x where %s (0x%02x) was expected", found, what, element));
+        }
+    }
+
+    private static ProtocolViolation unknown(int discriminator, int type) {
+        return new ProtocolViolation(
+                Cause.MESSAGE_TYPE_NON_EXISTENT,
+                String.format("RSL message type 0x%02x of discriminator 0x%02x", type, discriminator));
+    }
+}

@@ -1,0 +1,94 @@
+package simgsm.air;
+
+/** Mobile identity and location area as they stand in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
+public final class IdentityElements {
+    /** In the first octet of an identity: an odd number of digits. */
+    private static final int ODD = 0x08;
+
+    private static final int TMSI_FIRST_OCTET = 0xf4;
+    /** Longest identity: 16 digits of an IMEISV. */
+    private static final int MAX_LENGTH = 9;
+
+    private IdentityElements() {}
+
+    /** As length and value. */
+    public static void writeIdentity(OctetWriter out, MobileIdentity identity) {
+        if (identity instanceof Tmsi tmsi) {
+            out.octet(5).octet(TMSI_FIRST_OCTET).fourOctets(tmsi.value());
+        } else {
+            String digits = identity.toString();
+            boolean odd = digits.length() % 2 == 1;
+            out.octet(digits.length() / 2 + 1);
+            out.octet((digits.charAt(0) - '0') << 4
+                    | (odd ? ODD : 0)
+                    | identity.type().code());
+            SemiOctets.write(out, digits, 1);
+        }
+    }
+
+    public static MobileIdentity readIdentity(OctetReader in) throws ProtocolViolation {
+        return readIdentityValue(in.lengthAndValue("mobile identity"));
+    }
+
+    static MobileIdentity readIdentityValue(OctetReader in) throws ProtocolViolation {
+        if (in.remaining() > MAX_LENGTH) {
+            throw invalid("a mobile identity of " + in.remaining() + " octets");
+        }
+        int first = in.octet("mobile identity");
+        int type = first & 0x07;
+        if (type == MobileIdentity.Type.TMSI.code()) {
+            return new Tmsi((int) in.fourOctets("TMSI"));
+        }
+        if (type != MobileIdentity.Type.IMSI.code() && type != MobileIdentity.Type.IMEI.code()) {
+            throw invalid("mobile identity type " + type + " where IMSI, IMEI or TMSI was expected");
+        }
+        String digits = digits(first, in);
+        try {
+            return type == MobileIdentity.Type.IMSI.code() ? new Imsi(digits) : new Imei(digits);
+        } catch (IllegalArgumentException wrong) {
+            throw invalid(wrong.getMessage());
+        }
+    }
+
+    private static String digits(int first, OctetReader in) throws ProtocolViolation {
+        int count = 2 * in.remaining() + ((first & ODD) != 0 ? 1 : 0);
+        return (char) ('0' + decimal(first >> 4)) + SemiOctets.readDecimal(in, Math.max(0, count - 1));
+    }
+
+    private static int decimal(int nibble) throws ProtocolViolation {
+        if (nibble > 9) {
+            throw invalid("a mobile identity begins with a digit of value " + nibble);
+        }
+        return nibble;
+    }
+
+    static void writeArea(OctetWriter out, LocationArea area) {
+        String mcc = area.countryCode();
+        String mnc = area.networkCode();
+        int thirdMncDigit = mnc.length() == 3 ? mnc.charAt(2) - '0' : 0x0f;
+        out.octet((mcc.charAt(1) - '0') << 4 | mcc.charAt(0) - '0');
+        out.octet(thirdMncDigit << 4 | mcc.charAt(2) - '0');
+        out.octet((mnc.charAt(1) - '0') << 4 | mnc.charAt(0) - '0');
+        out.twoOctets(area.areaCode());
+    }
+
+    static LocationArea readArea(OctetReader in) throws ProtocolViolation {
+        int first = in.octet("location area");
+        int second = in.octet("location area");
+        int third = in.octet("location area");
+        String mcc = "" + digit(first) + digit(first >> 4) + digit(second);
+        String mnc = "" + digit(third) + digit(third >> 4) + (second >> 4 == 0x0f ? "" : digit(second >> 4));
+        return new LocationArea(mcc, mnc, in.twoOctets("location area code"));
+    }
+
+    private static char digit(int nibble) throws ProtocolViolation {
+        if ((nibble & 0x0f) > 9) {
+            throw invalid("a location area with a digit of value " + (nibble & 0x0f));
+        }
+        return (char) ('0' + (nibble & 0x0f));
+    }
+
+    private static ProtocolViolation invalid(String text) {
+        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
+    }
+}

@@ -1,0 +1,120 @@
+package simgsm.air;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
+
+/**
+ * A message in words, for people who watch the air: its name, its fields in order, its octets.
+ *
+ * @param name as the standard has it: "Setup", "CP-DATA (RP-DATA SUBMIT)", "Paging Command"
+ */
+public record MessageText(String name, List<Field> fields, OctetString octets) {
+    /** One line: what a part of the message is called, and what it says. */
+    public record Field(String name, String value) {
+        @Override
+        public String toString() {
+            return name + ": " + value;
+        }
+    }
+
+    private static final int TP_TYPE_MASK = 0x03;
+
+    public MessageText {
+        fields = List.copyOf(fields);
+    }
+
+    /** Of a layer-3 message's octets, sound or not; a broken one says what is wrong with it. */
+    public static MessageText ofLayer3(OctetString octets, Direction direction) {
+        List<Field> fields = new ArrayList<>();
+        int sendSequence = Layer3Codec.sendSequence(octets.toArray());
+        if (sendSequence >= 0 && direction == Direction.UPLINK) {
+            fields.add(new Field("send sequence number", String.valueOf(sendSequence)));
+        }
+        try {
+            Layer3Message message = Layer3Codec.decode(octets.toArray(), direction);
+            FieldTexts.add(fields, message);
+            CapabilityTexts.add(fields, message, octets, direction);
+            return new MessageText(nameOf(message, direction), fields, octets);
+        } catch (ProtocolViolation violation) {
+            fields.add(new Field("cause", FieldTexts.text(violation.statusCause())));
+            fields.add(new Field("wrong", violation.getMessage()));
+            return new MessageText(
+                    violation.header().map(Layer3Header::name).orElse("unreadable message"), fields, octets);
+        }
+    }
+
+    /** Of an RSL message; one that carries layer 3 is told as that. */
+    public static MessageText ofRsl(RslMessage message) {
+        if (message instanceof RslMessage.EstablishIndication establish) {
+            return ofLayer3(establish.layer3(), Direction.UPLINK);
+        }
+        if (message instanceof RslMessage.DataIndication data) {
+            return ofLayer3(data.layer3(), Direction.UPLINK);
+        }
+        if (message instanceof RslMessage.DataRequest data) {
+            return ofLayer3(data.layer3(), Direction.DOWNLINK);
+        }
+        List<Field> fields = new ArrayList<>();
+        FieldTexts.add(fields, message);
+        return new MessageText(nameOf(message), fields, OctetString.adopting(RslCodec.encode(message)));
+    }
+
+    /** The name of a message that is already decoded. */
+    public static String nameOf(Layer3Message message, Direction direction) {
+        String name = Layer3Type.of(message).title();
+        return message instanceof ShortMessageControl.CpData data
+                ? name + " (" + relayName(data.relay(), direction) + ")"
+                : name;
+    }
+
+    /** The name of an RSL message itself, whatever it carries. */
+    public static String nameOf(RslMessage message) {
+        if (message instanceof RslMessage.PagingCommand) {
+            return "Paging Command";
+        }
+        if (message instanceof RslMessage.SmsBroadcastCommand) {
+            return "SMS Broadcast Command";
+        }
+        return FieldTexts.spaced(message.getClass().getSimpleName(), true);
+    }
+
+    /** The transfer unit of a short message inside; empty for every other message. */
+    public static Optional<OctetString> tpdu(OctetString layer3, Direction direction) {
+        try {
+            return Layer3Codec.decode(layer3.toArray(), direction) instanceof ShortMessageControl.CpData data
+                            && data.relay() instanceof RelayMessage.RpData relay
+                    ? Optional.of(relay.tpdu())
+                    : Optional.empty();
+        } catch (ProtocolViolation violation) {
+            return Optional.empty();
+        }
+    }
+
+    private static String relayName(RelayMessage relay, Direction direction) {
+        if (relay instanceof RelayMessage.RpData data) {
+            return "RP-DATA " + transferName(data.tpdu().reader().peek() & TP_TYPE_MASK, direction);
+        }
+        if (relay instanceof RelayMessage.RpAck) {
+            return "RP-ACK";
+        }
+        return relay instanceof RelayMessage.RpError ? "RP-ERROR" : "RP-SMMA";
+    }
+
+    /** TP-MTI (TS 23.040, 9.2.3.1): the same number means another unit each way. */
+    private static String transferName(int type, Direction direction) {
+        boolean up = direction == Direction.UPLINK;
+        switch (type) {
+            case 0:
+                return up ? "DELIVER-REPORT" : "DELIVER";
+            case 1:
+                return up ? "SUBMIT" : "SUBMIT-REPORT";
+            case 2:
+                return up ? "COMMAND" : "STATUS-REPORT";
+            default:
+                return "reserved";
+        }
+    }
+}

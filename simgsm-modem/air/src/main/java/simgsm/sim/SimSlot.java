@@ -1,0 +1,58 @@
+package simgsm.sim;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+
+/** The cards of the SIM file that {@code --sim FILE} names: one for each terminal of a program. */
+public final class SimSlot {
+    private final Optional<Path> path;
+    private final SimFile file;
+
+    private SimSlot(Optional<Path> path, SimFile file) {
+        this.path = path;
+        this.file = file;
+    }
+
+    /**
+     * Reads the file, if one is given.
+     *
+     * @throws IOException naming the file that cannot be read
+     */
+    public static SimSlot of(Optional<Path> path) throws IOException {
+        return new SimSlot(path, path.isPresent() ? SimFile.read(path.get()) : SimFile.EMPTY);
+    }
+
+    /** Whether there is no file: then the terminals live in an open network. */
+    public boolean isEmpty() {
+        return path.isEmpty();
+    }
+
+    /**
+     * The card for a terminal; empty without a file.
+     *
+     * @param number which one; without it the file must hold just one
+     * @throws IllegalArgumentException if the file has no such card, or leaves the choice open
+     */
+    public Optional<SimCard> card(Optional<Msisdn> number) {
+        if (isEmpty()) {
+            return Optional.empty();
+        }
+        Optional<SimCard> found = number.isPresent() ? file.cardOf(number.get()) : file.onlyCard();
+        if (found.isEmpty()) {
+            throw new IllegalArgumentException("--sim: " + path.get() + " holds " + holdings() + ", "
+                    + number.map(wanted -> "not that of " + wanted).orElse("choose one with --number"));
+        }
+        return found;
+    }
+
+    private String holdings() {
+        int count = file.subscriptions().size();
+        return switch (count) {
+            case 0 -> "no SIM";
+            case 1 -> "the SIM of " + file.numbers();
+            default -> count + " SIMs (" + file.numbers() + ")";
+        };
+    }
+}

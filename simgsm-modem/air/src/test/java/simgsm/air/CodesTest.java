@@ -1,0 +1,77 @@
+package simgsm.air;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.Arrays;
+import java.util.function.ToIntFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.abis.RslMessage;
+
+class CodesTest {
+    @Test
+    void codesAreDistinct() {
+        assertDistinct(Cause.values(), Cause::code);
+        assertDistinct(RejectCause.values(), RejectCause::code);
+        assertDistinct(RpCause.values(), RpCause::code);
+        assertDistinct(MobileIdentity.Type.values(), MobileIdentity.Type::code);
+        assertDistinct(MobilityManagement.ServiceType.values(), MobilityManagement.ServiceType::code);
+        assertDistinct(RslMessage.Sapi.values(), RslMessage.Sapi::code);
+        assertDistinct(Layer3Type.values(), type -> type.discriminator() << 8 | type.code());
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void causesComeBack(Cause cause) {
+        assertSame(cause, Cause.ofCode(cause.code()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void rejectCausesComeBack(RejectCause cause) {
+        assertSame(cause, RejectCause.ofCode(cause.code()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void relayCausesComeBack(RpCause cause) {
+        assertSame(cause, RpCause.ofCode(cause.code()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void identityTypesComeBack(MobileIdentity.Type type) {
+        assertSame(type, MobileIdentity.Type.ofCode(type.code()));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void messageTypesComeBackTheWayThatTheyGo(Layer3Type type) {
+        for (Direction direction : Direction.values()) {
+            assertEquals(
+                    type.goes(direction),
+                    Layer3Type.of(type.discriminator(), type.code(), direction).isPresent());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 31", "2, 31", "33, 47", "48, 63", "64, 79", "80, 95", "103, 111", "112, 127", "126, 127"})
+    void anUnlistedCauseIsTheUnspecifiedOneOfItsClass(int code, int expected) {
+        assertEquals(expected, Cause.ofCode(code).code());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "5", "8"})
+    void anUnassignedIdentityTypeIsRefused(int code) {
+        assertThrows(IllegalArgumentException.class, () -> MobileIdentity.Type.ofCode(code));
+    }
+
+    private static <T> void assertDistinct(T[] values, ToIntFunction<T> code) {
+        assertEquals(
+                values.length, Arrays.stream(values).mapToInt(code).distinct().count());
+    }
+}

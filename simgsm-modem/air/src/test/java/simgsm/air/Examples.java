@@ -1,0 +1,194 @@
+package simgsm.air;
+
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.CallControl.Alerting;
+import simgsm.air.CallControl.CallConfirmed;
+import simgsm.air.CallControl.CallProceeding;
+import simgsm.air.CallControl.Connect;
+import simgsm.air.CallControl.ConnectAcknowledge;
+import simgsm.air.CallControl.Disconnect;
+import simgsm.air.CallControl.Progress;
+import simgsm.air.CallControl.Release;
+import simgsm.air.CallControl.ReleaseComplete;
+import simgsm.air.CallControl.Setup;
+import simgsm.air.CallControl.StartDtmf;
+import simgsm.air.CallControl.StartDtmfAcknowledge;
+import simgsm.air.CallControl.StartDtmfReject;
+import simgsm.air.CallControl.Status;
+import simgsm.air.CallControl.StatusEnquiry;
+import simgsm.air.CallControl.StopDtmf;
+import simgsm.air.CallControl.StopDtmfAcknowledge;
+import simgsm.air.MobilityManagement.AuthenticationFailure;
+import simgsm.air.MobilityManagement.AuthenticationReject;
+import simgsm.air.MobilityManagement.AuthenticationRequest;
+import simgsm.air.MobilityManagement.AuthenticationResponse;
+import simgsm.air.MobilityManagement.CmServiceAbort;
+import simgsm.air.MobilityManagement.CmServiceAccept;
+import simgsm.air.MobilityManagement.CmServiceReject;
+import simgsm.air.MobilityManagement.CmServiceRequest;
+import simgsm.air.MobilityManagement.IdentityRequest;
+import simgsm.air.MobilityManagement.IdentityResponse;
+import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingReject;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.MmInformation;
+import simgsm.air.MobilityManagement.MmStatus;
+import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.MobilityManagement.TmsiReallocationComplete;
+import simgsm.air.RadioResource.ChannelRelease;
+import simgsm.air.RadioResource.PagingResponse;
+import simgsm.air.RadioResource.RrStatus;
+import simgsm.air.RelayMessage.RpAck;
+import simgsm.air.RelayMessage.RpData;
+import simgsm.air.RelayMessage.RpError;
+import simgsm.air.RelayMessage.RpSmma;
+import simgsm.air.ShortMessageControl.CpAck;
+import simgsm.air.ShortMessageControl.CpData;
+import simgsm.air.ShortMessageControl.CpError;
+
+/** One message of every kind with its octets, each read and named by Wireshark without a complaint. */
+public final class Examples {
+    /** @param sendSequence N(SD) that the octets carry; 0 where there is none */
+    record Example(Layer3Message message, Direction direction, int sendSequence, String hex) {
+        byte[] octets() {
+            return OctetString.ofHex(hex).toArray();
+        }
+    }
+
+    private static final Direction UP = Direction.UPLINK;
+    private static final Direction DOWN = Direction.DOWNLINK;
+
+    static final LocationArea AREA = new LocationArea("262", "42", 1);
+    public static final Imsi IMSI = new Imsi("262420000000017");
+    static final Imei IMEI = new Imei("490154203237518");
+    static final Tmsi TMSI = new Tmsi(0xf41234ab);
+    static final Msisdn SERVICE_CENTER = new Msisdn("491700000000");
+
+    static final List<Example> MOBILITY_MANAGEMENT = List.of(
+            up(
+                    new LocationUpdatingRequest(LocationUpdatingType.IMSI_ATTACH, 7, AREA, IMSI),
+                    "05087262f224000133082926240000000071"),
+            down(new IdentityRequest(MobileIdentity.Type.IMEI), "051802"),
+            up(new IdentityResponse(IMEI), "0519084a09512430325781"),
+            down(
+                    new AuthenticationRequest(
+                            0,
+                            OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35"),
+                            Optional.of(OctetString.ofHex("55f328b43577b9b94a9ffac354dfafb3"))),
+                    "05120023553cbe9637a89d218ae64dae47bf35201055f328b43577b9b94a9ffac354dfafb3"),
+            down(
+                    new AuthenticationRequest(
+                            1, OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35"), Optional.empty()),
+                    "05120123553cbe9637a89d218ae64dae47bf35"),
+            up(new AuthenticationResponse(OctetString.ofHex("a54211d5e3ba50bf")), "0514a54211d52104e3ba50bf"),
+            up(new AuthenticationResponse(OctetString.ofHex("46f8416a")), "051446f8416a"),
+            down(new AuthenticationReject(), "0511"),
+            up(new AuthenticationFailure(RejectCause.MAC_FAILURE, Optional.empty()), "051c14"),
+            up(
+                    new AuthenticationFailure(
+                            RejectCause.SYNCH_FAILURE, Optional.of(OctetString.ofHex("451e8beca43b01cfaf9ec4e871e9"))),
+                    "051c15220e451e8beca43b01cfaf9ec4e871e9"),
+            down(new LocationUpdatingAccept(AREA, Optional.of(new Tmsi(0xf41234ab))), "050262f22400011705f4f41234ab"),
+            down(new LocationUpdatingAccept(AREA, Optional.of(new Tmsi(0x1234abcd))), "050262f22400011705f41234abcd"),
+            down(new LocationUpdatingAccept(AREA, Optional.empty()), "050262f2240001"),
+            down(new LocationUpdatingReject(RejectCause.IMSI_UNKNOWN_IN_HLR), "050402"),
+            new Example(new TmsiReallocationComplete(), UP, 1, "055b"),
+            down(new MmInformation("SimGSM"), "0532430786d374fb386d02"),
+            up(
+                    new CmServiceRequest(ServiceType.MOBILE_ORIGINATED_CALL, 7, new Tmsi(0x1234abcd)),
+                    "0524710333198105f41234abcd"),
+            down(new CmServiceAccept(), "0521"),
+            new Example(new CmServiceAbort(), UP, 1, "0563"),
+            down(new CmServiceReject(RejectCause.CONGESTION), "052216"),
+            up(new ImsiDetachIndication(new Tmsi(0x1234abcd)), "05013305f41234abcd"),
+            up(new MmStatus(RejectCause.MESSAGE_TYPE_NON_EXISTENT), "053161"),
+            down(new MmStatus(RejectCause.INVALID_MANDATORY_INFORMATION), "053160"));
+
+    static final List<Example> CALL_CONTROL = List.of(
+            up(
+                    new Setup(ours(0), Optional.empty(), Optional.of(new Msisdn("491700000002"))),
+                    "030504066004020005815e0791947100000020"),
+            down(
+                    new Setup(ours(0), Optional.of(new Msisdn("491700000001")), Optional.empty()),
+                    "03050401a05c081181947100000010"),
+            down(
+                    new Setup(
+                            ours(1), Optional.of(new Msisdn("491700000001")), Optional.of(new Msisdn("491700000002"))),
+                    "13050401a05c0811819471000000105e0791947100000020"),
+            up(new CallConfirmed(theirs(0)), "8308"),
+            down(new CallProceeding(theirs(0)), "8302"),
+            down(new Progress(theirs(0)), "830302e288"),
+            down(new Alerting(theirs(0)), "8301"),
+            down(new Alerting(theirs(0), true), "83011e02e288"),
+            down(new Disconnect(theirs(0), Cause.USER_BUSY, true), "832502e0911e02e288"),
+            new Example(new Alerting(theirs(0)), UP, 1, "8341"),
+            up(new Connect(theirs(0)), "8307"),
+            down(new ConnectAcknowledge(ours(0)), "030f"),
+            up(new StartDtmf(ours(0), '5'), "03352c35"),
+            down(new StartDtmfAcknowledge(theirs(0), '5'), "83362c35"),
+            down(new StartDtmfReject(theirs(0), Cause.SERVICE_NOT_AVAILABLE), "833702e0bf"),
+            up(new StopDtmf(ours(0)), "0331"),
+            down(new StopDtmfAcknowledge(theirs(0)), "8332"),
+            up(new Disconnect(ours(0), Cause.NORMAL_CALL_CLEARING), "032502e090"),
+            down(new Release(theirs(0), Optional.of(Cause.NORMAL_CALL_CLEARING)), "832d0802e090"),
+            down(new Release(theirs(0), Optional.empty()), "832d"),
+            up(new ReleaseComplete(ours(0), Optional.of(Cause.NORMAL_CALL_CLEARING)), "032a0802e090"),
+            new Example(new ReleaseComplete(ours(0), Optional.empty()), UP, 1, "036a"),
+            up(new StatusEnquiry(ours(0)), "0334"),
+            down(new Status(theirs(0), Cause.RESPONSE_TO_STATUS_ENQUIRY, 10), "833d02e09eca"));
+
+    static final List<Example> RADIO_RESOURCE = List.of(
+            up(new PagingResponse(7, new Tmsi(0x1234abcd)), "0627070333198105f41234abcd"),
+            down(new ChannelRelease(0), "060d00"),
+            up(new RrStatus(97), "061261"));
+
+    static final List<Example> SHORT_MESSAGES = List.of(
+            up(
+                    new CpData(
+                            ours(0),
+                            new RpData(1, SERVICE_CENTER, OctetString.ofHex("31010c919471000000200000a705e8329bfd06"))),
+                    "09011f00010007919471000000001331010c919471000000200000a705e8329bfd06"),
+            down(new CpAck(theirs(0)), "8904"),
+            down(new CpData(theirs(0), new RpAck(1, Optional.empty())), "8901020301"),
+            up(new CpAck(ours(0)), "0904"),
+            down(
+                    new CpData(
+                            ours(2),
+                            new RpData(
+                                    7,
+                                    SERVICE_CENTER,
+                                    OctetString.ofHex("040c9194710000001000006211122100004005e8329bfd06"))),
+                    "290124010707919471000000000018040c9194710000001000006211122100004005e8329bfd06"),
+            up(new CpData(theirs(2), new RpAck(7, Optional.of(OctetString.ofHex("0000")))), "a90106020741020000"),
+            up(new CpData(theirs(2), new RpError(7, RpCause.MEMORY_CAPACITY_EXCEEDED)), "a9010404070116"),
+            down(new CpData(theirs(0), new RpError(3, RpCause.UNASSIGNED_NUMBER)), "89010405030101"),
+            up(new CpData(ours(3), new RpSmma(9)), "3901020609"),
+            down(new CpError(theirs(0), 97), "891061"));
+
+    private Examples() {}
+
+    static List<Example> all() {
+        return List.of(MOBILITY_MANAGEMENT, CALL_CONTROL, RADIO_RESOURCE, SHORT_MESSAGES).stream()
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    static TransactionIdentifier ours(int value) {
+        return new TransactionIdentifier(value, false);
+    }
+
+    static TransactionIdentifier theirs(int value) {
+        return new TransactionIdentifier(value, true);
+    }
+
+    private static Example up(Layer3Message message, String hex) {
+        return new Example(message, UP, 0, hex);
+    }
+
+    private static Example down(Layer3Message message, String hex) {
+        return new Example(message, DOWN, 0, hex);
+    }
+}

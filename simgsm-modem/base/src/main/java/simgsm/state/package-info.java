@@ -1,0 +1,4 @@
+/**
+ * State machines as tables. Read {@link simgsm.state.StateTable}.
+ */
+package simgsm.state;

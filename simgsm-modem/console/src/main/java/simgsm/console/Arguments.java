@@ -1,0 +1,117 @@
+package simgsm.console;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+
+/** A command line that has been read: typed access to what was given, errors that name the option. */
+public final class Arguments {
+    private final Map<String, List<String>> given;
+    private final List<String> rest;
+
+    Arguments(Map<String, List<String>> given, List<String> rest) {
+        this.given = given;
+        this.rest = List.copyOf(rest);
+    }
+
+    /** Whether the option was given. */
+    public boolean has(String name) {
+        return given.containsKey(name);
+    }
+
+    /** The arguments that are no options. */
+    public List<String> rest() {
+        return rest;
+    }
+
+    public Optional<String> text(String name) {
+        return Optional.ofNullable(given.get(name)).map(values -> values.get(values.size() - 1));
+    }
+
+    /** All values of a collecting option, in order. */
+    public List<String> all(String name) {
+        return List.copyOf(given.getOrDefault(name, List.of()));
+    }
+
+    public Optional<Path> path(String name) throws UsageException {
+        return value(name, Path::of);
+    }
+
+    public Optional<HostPort> hostPort(String name) throws UsageException {
+        return value(name, HostPort::parse);
+    }
+
+    /**
+     * A value of the caller's own kind.
+     *
+     * @param reader throws IllegalArgumentException saying what it expected
+     */
+    public <T> Optional<T> value(String name, Function<String, T> reader) throws UsageException {
+        Optional<String> text = text(name);
+        try {
+            return text.map(reader);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--" + name + ": " + e.getMessage());
+        }
+    }
+
+    /** The result of {@code source}; its IllegalArgumentException becomes a usage error with the same text. */
+    public static <T> T checked(Supplier<T> source) throws UsageException {
+        try {
+            return source.get();
+        } catch (IllegalArgumentException e) {
+            throw new UsageException(e.getMessage());
+        }
+    }
+
+    /** A whole number within bounds, both included. */
+    public long integer(String name, long otherwise, long least, long most) throws UsageException {
+        return value(name, text -> {
+                    if (text.matches("-?[0-9]{1,18}")) {
+                        long number = Long.parseLong(text);
+                        if (number >= least && number <= most) {
+                            return number;
+                        }
+                    }
+                    throw new IllegalArgumentException(
+                            "expected a whole number of " + least + " to " + most + ", found " + text);
+                })
+                .orElse(otherwise);
+    }
+
+    /** A number within bounds, both included. */
+    public double number(String name, double otherwise, double least, double most) throws UsageException {
+        return value(name, text -> {
+                    if (text.matches("[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?|\\.[0-9]+")) {
+                        double number = Double.parseDouble(text);
+                        if (number >= least && number <= most) {
+                            return number;
+                        }
+                    }
+                    throw new IllegalArgumentException(
+                            "expected a number of " + least + " to " + most + ", found " + text);
+                })
+                .orElse(otherwise);
+    }
+
+    /** One of a few words; the first is meant when the option is not given. */
+    public String choice(String name, String... words) throws UsageException {
+        return value(name, text -> {
+                    if (List.of(words).contains(text)) {
+                        return text;
+                    }
+                    throw new IllegalArgumentException("expected " + String.join(" or ", words) + ", found " + text);
+                })
+                .orElse(words[0]);
+    }
+
+    /** The language of {@code --lang en|es}, else the system's if we speak it, else English. */
+    public Locale language() throws UsageException {
+        String system = Locale.getDefault().getLanguage().equals("es") ? "es" : "en";
+        return Locale.forLanguageTag(has("lang") ? choice("lang", "en", "es") : system);
+    }
+}

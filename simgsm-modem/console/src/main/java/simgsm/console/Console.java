@@ -1,0 +1,177 @@
+package simgsm.console;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
+ *
+ * <p>{@code wait EVENT [key=value...] [SECONDS]} and {@code quit} are the console's own; everything else goes to the
+ * program's {@link Commands}.
+ */
+public final class Console implements AutoCloseable {
+    /** What a program does with a command. Errors it throws are printed and the program goes on. */
+    public interface Commands {
+        void perform(ConsoleCommand command) throws CommandException;
+
+        /** Whether a command may begin with {@code @NAME}; wait and quit take it then and mean the same. */
+        default boolean areAddressed() {
+            return false;
+        }
+    }
+
+    private static final double DEFAULT_WAIT_SECONDS = 10;
+    private static final double MAX_WAIT_SECONDS = 1e6;
+
+    private final Consumer<Event> printer;
+    private final Runnable ending;
+    private final EventLog log = new EventLog();
+    private List<Event> beforeReady = new ArrayList<>();
+    private volatile boolean failed;
+
+    /** A console that prints within {@link #emit}, on whichever thread calls it. */
+    public Console(PrintStream out) {
+        this(
+                event -> {
+                    out.print(event + "\n");
+                    out.flush();
+                },
+                out::flush);
+    }
+
+    private Console(Consumer<Event> printer, Runnable ending) {
+        this.printer = printer;
+        this.ending = ending;
+    }
+
+    /** A console on standard output that prints on a thread of its own: whoever emits is never held up. */
+    public static Console onStandardOutput() {
+        PrintQueue queue = new PrintQueue(Program.standardOutput());
+        return new Console(queue::print, queue::close);
+    }
+
+    /** Prints what is left. */
+    @Override
+    public void close() {
+        ending.run();
+    }
+
+    /** Prints {@code ready}, the first line of all, and then what was emitted before it. */
+    public synchronized void ready(Event ready) {
+        List<Event> waiting = beforeReady;
+        beforeReady = null;
+        emit(ready);
+        waiting.forEach(this::emit);
+    }
+
+    /** Prints an event; before {@link #ready} it is kept back. */
+    public synchronized void emit(Event event) {
+        if (beforeReady != null) {
+            beforeReady.add(event);
+            return;
+        }
+        log.add(event);
+        printer.accept(event);
+    }
+
+    /** Prints {@code error text=}. */
+    public void error(String text) {
+        emit(Event.of("error").with("text", text));
+    }
+
+    /**
+     * Performs the commands of one input until {@code quit} or its end.
+     *
+     * @return true if it ended with {@code quit}
+     */
+    public boolean run(BufferedReader input, Commands commands) throws IOException, InterruptedException {
+        for (String line = input.readLine(); line != null; line = input.readLine()) {
+            ConsoleCommand command = ConsoleCommand.parse(line);
+            ConsoleCommand meant = commands.areAddressed() && command.isAddressed() ? command.tail() : command;
+            if (meant.name().equals("quit") && meant.rest().isEmpty()) {
+                return true;
+            }
+            if (!command.name().isEmpty()) {
+                perform(command, meant, commands);
+            }
+        }
+        return false;
+    }
+
+    /** @param meant the command without {@code @NAME} */
+    private void perform(ConsoleCommand command, ConsoleCommand meant, Commands commands) throws InterruptedException {
+        try {
+            if (meant.name().equals("wait")) {
+                await(meant);
+            } else if (meant.name().equals("quit")) {
+                throw new CommandException("quit takes nothing, found " + meant.rest());
+            } else {
+                commands.perform(command);
+            }
+        } catch (CommandException e) {
+            error(e.getMessage());
+        }
+    }
+
+    private void await(ConsoleCommand command) throws CommandException, InterruptedException {
+        List<String> words = new ArrayList<>(command.words());
+        double seconds = DEFAULT_WAIT_SECONDS;
+        if (words.size() > 1 && words.get(words.size() - 1).indexOf('=') < 0) {
+            seconds = seconds(words.remove(words.size() - 1));
+        }
+        if (words.isEmpty() || words.get(0).indexOf('=') >= 0) {
+            throw new CommandException("wait: expected EVENT [key=value...] [SECONDS], found "
+                    + (words.isEmpty() ? "nothing after it" : command.rest()));
+        }
+        Event wanted = new Event(words.get(0), fields(words.subList(1, words.size())));
+        if (!log.await(wanted, (long) (seconds * 1e9))) {
+            failed = true;
+            error("wait: no " + wanted + " within " + plain(seconds) + " s");
+            log.skip();
+        }
+    }
+
+    private static double seconds(String word) throws CommandException {
+        try {
+            double seconds = Double.parseDouble(word);
+            if (seconds >= 0 && seconds <= MAX_WAIT_SECONDS) {
+                return seconds;
+            }
+        } catch (NumberFormatException e) {
+            // said below, as for a number out of range
+        }
+        throw new CommandException("wait: expected key=value or a number of seconds, found " + word);
+    }
+
+    private static Map<String, String> fields(List<String> words) throws CommandException {
+        Map<String, String> fields = new LinkedHashMap<>();
+        for (String word : words) {
+            int equals = word.indexOf('=');
+            if (equals <= 0) {
+                throw new CommandException("wait: expected key=value, found " + word);
+            }
+            fields.put(word.substring(0, equals), word.substring(equals + 1));
+        }
+        return fields;
+    }
+
+    private static String plain(double seconds) {
+        return seconds == Math.rint(seconds) ? Long.toString((long) seconds) : Double.toString(seconds);
+    }
+
+    /** Marks the run as failed for a reason of the program's own. */
+    public void fail() {
+        failed = true;
+    }
+
+    /** {@link ExitStatus#FAILED} once a wait has timed out, else {@link ExitStatus#OK}. */
+    public int exitStatus() {
+        return failed ? ExitStatus.FAILED : ExitStatus.OK;
+    }
+}

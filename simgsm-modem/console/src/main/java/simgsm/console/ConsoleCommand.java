@@ -1,0 +1,72 @@
+package simgsm.console;
+
+import java.util.List;
+
+/**
+ * One command line of a console.
+ *
+ * @param name its first word
+ * @param rest what follows the first word, without the blanks around it
+ */
+public record ConsoleCommand(String name, String rest) {
+    /** A line as typed. */
+    public static ConsoleCommand parse(String line) {
+        String text = line.strip();
+        int end = 0;
+        while (end < text.length() && !Character.isWhitespace(text.charAt(end))) {
+            end++;
+        }
+        return new ConsoleCommand(text.substring(0, end), text.substring(end).strip());
+    }
+
+    /**
+     * The words of the rest; quoted ones are unescaped.
+     *
+     * @throws CommandException for a broken quote
+     */
+    public List<String> words() throws CommandException {
+        return Quoted.words(rest);
+    }
+
+    /**
+     * The rest as this many words.
+     *
+     * @param usage how the command is written, for the error
+     * @throws CommandException if there are more or fewer
+     */
+    public List<String> words(int count, String usage) throws CommandException {
+        List<String> words = words();
+        if (words.size() != count) {
+            throw new CommandException(
+                    name + ": expected " + usage + ", found " + (rest.isEmpty() ? "nothing after it" : rest));
+        }
+        return words;
+    }
+
+    /** Whether it begins with {@code @NAME}, which says for whom the rest is meant. */
+    public boolean isAddressed() {
+        return name.startsWith("@");
+    }
+
+    /** The rest without its first word, as a command of its own; for prefixes such as {@code @NAME}. */
+    public ConsoleCommand tail() {
+        return parse(rest);
+    }
+
+    /**
+     * A text argument: the rest as it stands, or one double-quoted string with JSON escapes.
+     *
+     * @throws CommandException for a broken quote or something behind the closing one
+     */
+    public String text() throws CommandException {
+        if (!rest.startsWith("\"")) {
+            return rest;
+        }
+        StringBuilder text = new StringBuilder();
+        int end = Quoted.readQuoted(rest, 0, text);
+        if (end != rest.length()) {
+            throw new CommandException("nothing may follow the closing \", found " + rest.substring(end));
+        }
+        return text.toString();
+    }
+}

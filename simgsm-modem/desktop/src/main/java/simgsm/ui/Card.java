@@ -1,0 +1,52 @@
+package simgsm.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Graphics2D;
+import java.awt.Graphics;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import simgsm.ui.Theme.Ink;
+
+/** A calm sheet on the surface: rounded, thin line, an optional title, content below. */
+public final class Card extends JPanel {
+    private final JLabel title = new JLabel();
+
+    public Card(Component content) {
+        super(new BorderLayout(0, 0));
+        setOpaque(false);
+        setBorder(Theme.padding(12));
+        add(content, BorderLayout.CENTER);
+    }
+
+    public Card(String titleText, Component content) {
+        this(content);
+        title.setText(titleText);
+        title.setFont(Theme.title());
+        title.setBorder(Theme.padding(0, 0, Theme.GRID, 0));
+        add(title, BorderLayout.NORTH);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            title.setFont(Theme.title());
+        }
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            var sheet = Drawing.round(0.5, 0.5, getWidth() - 1, getHeight() - 1, Theme.exact(Theme.CARD_RADIUS));
+            g.setColor(Ink.CARD.color());
+            g.fill(sheet);
+            g.setColor(Ink.LINE.color());
+            g.setStroke(Theme.hairline());
+            g.draw(sheet);
+        } finally {
+            g.dispose();
+        }
+    }
+}

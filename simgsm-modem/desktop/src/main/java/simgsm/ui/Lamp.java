@@ -1,0 +1,117 @@
+package simgsm.ui;
+
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Graphics;
+import java.util.Locale;
+import java.util.Objects;
+import javax.accessibility.AccessibleRole;
+import simgsm.ui.Theme.Ink;
+
+/** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
+public final class Lamp extends SpokenComponent {
+    private static final int GAP_UNITS = 6;
+    private static final double RADIUS_UNITS = 6;
+
+    private final String subject;
+    private Mark mark = Mark.RING;
+    private Ink ink = Ink.QUIET;
+    private String word = "";
+    private boolean lit = true;
+
+    /** @param subject what the lamp tells about, for assistive technology: "Link to the centre" */
+    public Lamp(String subject) {
+        super(AccessibleRole.LABEL);
+        this.subject = subject;
+        setFont(Theme.base());
+        setToolTipText(subject);
+    }
+
+    /** Shows a state. A lamp that is not lit shows its shape as an outline of quiet colour. */
+    public void show(Mark newMark, Ink newInk, String newWord) {
+        if (newMark != mark || newInk != ink || !newWord.equals(word)) {
+            String before = spoken();
+            mark = newMark;
+            ink = newInk;
+            boolean resized = !newWord.equals(word);
+            word = Objects.requireNonNull(newWord);
+            tellSpoken(before, spoken());
+            if (resized) {
+                revalidate();
+            }
+            repaint();
+        }
+    }
+
+    /** Shows the link to the centre, in the words that all windows share. */
+    public void show(LinkState link, Locale language) {
+        show(link.mark(), link.ink(), link.word(language));
+    }
+
+    /** The lamp that every window has: the link to the centre. */
+    public static Lamp ofLink(Locale language) {
+        Lamp lamp = new Lamp(DesktopTexts.in(language).of("link.name"));
+        lamp.setName("lamp.link");
+        lamp.show(LinkState.SEARCHING, language);
+        return lamp;
+    }
+
+    /** For rows of lamps of which one is on. */
+    public void setLit(boolean nowLit) {
+        if (lit != nowLit) {
+            lit = nowLit;
+            repaint();
+        }
+    }
+
+    public boolean isLit() {
+        return lit;
+    }
+
+    /** The word beside the shape. */
+    public String word() {
+        return word;
+    }
+
+    @Override
+    protected String spoken() {
+        return word.isEmpty() ? subject : subject + ": " + word;
+    }
+
+    @Override
+    public void updateUI() {
+        setFont(Theme.base());
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        FontMetrics metrics = getFontMetrics(getFont());
+        int textWidth = word.isEmpty() ? 0 : Drawing.width(getFont(), word) + Theme.px(GAP_UNITS) + 1;
+        return new Dimension(
+                Theme.px(2 * RADIUS_UNITS + 2) + 1 + textWidth,
+                Math.max(metrics.getHeight(), Theme.px(2 * RADIUS_UNITS + 4)));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            double r = Theme.exact(RADIUS_UNITS);
+            double middle = getHeight() / 2.0;
+            mark.paint(g, r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
+            g.setFont(getFont());
+            g.setColor((lit ? Ink.TEXT : Ink.QUIET).color());
+            double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
+            String fitted = Drawing.fitted(getFont(), word, getWidth() - x);
+            g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
+        } finally {
+            g.dispose();
+        }
+    }
+}

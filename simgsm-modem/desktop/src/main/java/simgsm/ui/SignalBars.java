@@ -1,0 +1,80 @@
+package simgsm.ui;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Graphics;
+import javax.accessibility.AccessibleRole;
+import simgsm.ui.Theme.Ink;
+
+/** Signal strength as bars of growing height; the painter serves the phone's display, too. */
+public final class SignalBars extends SpokenComponent {
+    public static final int BARS = 5;
+
+    private final String subject;
+    private int level;
+
+    /** @param subject for assistive technology: "Signal" */
+    public SignalBars(String subject) {
+        super(AccessibleRole.LABEL);
+        this.subject = subject;
+        setToolTipText(subject);
+    }
+
+    /** @param newLevel 0 to {@link #BARS} */
+    public void show(int newLevel) {
+        if (newLevel < 0 || newLevel > BARS) {
+            throw new IllegalArgumentException("signal level " + newLevel + " is not 0 to " + BARS);
+        }
+        if (newLevel != level) {
+            String before = spoken();
+            level = newLevel;
+            tellSpoken(before, spoken());
+            repaint();
+        }
+    }
+
+    public int level() {
+        return level;
+    }
+
+    @Override
+    protected String spoken() {
+        return subject + ": " + level + "/" + BARS;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(Theme.px(26), Theme.px(16));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            double height = Math.min(getHeight(), Theme.exact(14));
+            paint(
+                    g,
+                    0,
+                    (getHeight() - height) / 2,
+                    Math.min(getWidth(), Theme.exact(24)),
+                    height,
+                    level,
+                    Ink.TEXT.color(),
+                    Ink.LINE.color());
+        } finally {
+            g.dispose();
+        }
+    }
+
+    /** Paints the bars into a box, edges on device pixels. */
+    public static void paint(
+            Graphics2D g, double x, double y, double width, double height, int level, Color on, Color off) {
+        double step = width / BARS;
+        for (int i = 0; i < BARS; i++) {
+            double tall = height * (i + 2) / (BARS + 1);
+            g.setColor(i < level ? on : off);
+            Drawing.fillCrisp(g, x + i * step, y + height - tall, step * 0.64, tall);
+        }
+    }
+}

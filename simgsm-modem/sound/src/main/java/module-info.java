@@ -1,0 +1,5 @@
+/** DTMF tones, their receiver, speech codecs and recordings. Needs no sound device. */
+module simgsm.sound {
+    exports simgsm.dtmf;
+    exports simgsm.speech;
+}

@@ -1,7 +1,0 @@
-/**
- * Spoilt traffic against codecs and centres: real frames, changed by a seeded hand, so that what fails fails again.
- *
- * <p>Read first: {@link simgsm.modem.fuzz.Mutator}; then {@link simgsm.modem.fuzz.CodecFuzz}, which spoils what one
- * program reads, and {@link simgsm.modem.fuzz.FuzzPeer}, a station whose every word may be spoilt.
- */
-package simgsm.modem.fuzz;

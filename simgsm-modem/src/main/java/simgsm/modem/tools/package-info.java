@@ -1,7 +1,0 @@
-/**
- * The command-line tools of {@code simgsm-modem.jar}: tones into a file, tones out of files, speech and short-message
- * codecs, load and spoilt frames for a centre.
- *
- * <p>Read first: {@link simgsm.modem.tools.Tool}.
- */
-package simgsm.modem.tools;

@@ -1,0 +1,9 @@
+/** The mobile station, and on top of it the GSM modem (M2). */
+module simgsm.station {
+    requires transitive simgsm.base;
+    requires transitive simgsm.air;
+    requires transitive simgsm.sound;
+
+    exports simgsm.modem;
+    exports simgsm.station;
+}

@@ -1,0 +1,33 @@
+package simgsm.station;
+
+enum MobileCallAction {
+    REQUEST_CONNECTION,
+    RELEASE_CONNECTION,
+    SEND_SETUP,
+    SEND_CALL_CONFIRMED,
+    SEND_ALERTING,
+    SEND_CONNECT,
+    SEND_CONNECT_ACKNOWLEDGE,
+    SEND_DISCONNECT,
+    SEND_RELEASE,
+    SEND_RELEASE_COMPLETE,
+    START_T303,
+    START_T305,
+    START_T308,
+    START_T308_AGAIN,
+    START_T310,
+    START_T313,
+    STOP_TIMERS,
+    /** If the network asks for it, what it plays is heard from now on (5.5.1). */
+    ATTACH_USER,
+    START_SPEECH,
+    STOP_SPEECH,
+    TELL_CALLING,
+    TELL_ALERTING,
+    TELL_RINGING,
+    TELL_CONNECTED,
+    TELL_RELEASED,
+    CHECK_COMPATIBILITY,
+    ALERT_USER,
+    LISTEN_FOR_TONES
+}

@@ -1,0 +1,72 @@
+package simgsm.station;
+
+import java.lang.System.Logger.Level;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage.Sapi;
+import simgsm.abis.RslMessage;
+import simgsm.air.CallControl;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.MobilityManagement;
+import simgsm.air.OctetString;
+import simgsm.air.ShortMessageControl;
+
+/** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
+final class MobileRadioConnection {
+    private final StationLog log;
+    private Uplink uplink = Uplink.DISCONNECTED;
+    private boolean open;
+    /** N(SD) of the next mobility management or call control message (TS 24.007, 11.2.3.2.3). */
+    private int sendSequence;
+
+    MobileRadioConnection(StationLog log) {
+        this.log = log;
+    }
+
+    void linkUp(Uplink newUplink) {
+        uplink = newUplink;
+        open = false;
+    }
+
+    void linkDown() {
+        uplink = Uplink.DISCONNECTED;
+        open = false;
+    }
+
+    boolean isOpen() {
+        return open;
+    }
+
+    void send(Layer3Message message) {
+        OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.UPLINK, nextSequence(message)));
+        Sapi sapi = message instanceof ShortMessageControl ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING;
+        log.trace(Level.DEBUG, "up {0}", message);
+        send(open ? new RslMessage.DataIndication(sapi, octets) : new RslMessage.EstablishIndication(sapi, octets));
+        open = true;
+    }
+
+    /** Leaves the channel, if there is one. */
+    void release() {
+        if (open) {
+            open = false;
+            send(new RslMessage.ReleaseIndication(Sapi.SIGNALLING));
+        }
+    }
+
+    private int nextSequence(Layer3Message message) {
+        if (!open) {
+            sendSequence = 0;
+        }
+        int sequence = sendSequence;
+        if (message instanceof MobilityManagement || message instanceof CallControl) {
+            sendSequence ^= 1;
+        }
+        return sequence;
+    }
+
+    private void send(RslMessage message) {
+        uplink.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+    }
+}

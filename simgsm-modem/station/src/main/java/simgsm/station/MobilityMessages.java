@@ -1,0 +1,87 @@
+package simgsm.station;
+
+import java.lang.System.Logger.Level;
+import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement.AuthenticationFailure;
+import simgsm.air.MobilityManagement.AuthenticationReject;
+import simgsm.air.MobilityManagement.AuthenticationRequest;
+import simgsm.air.MobilityManagement.AuthenticationResponse;
+import simgsm.air.MobilityManagement.CmServiceAccept;
+import simgsm.air.MobilityManagement.CmServiceReject;
+import simgsm.air.MobilityManagement.IdentityRequest;
+import simgsm.air.MobilityManagement.IdentityResponse;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingReject;
+import simgsm.air.MobilityManagement.MmInformation;
+import simgsm.air.MobilityManagement.MmStatus;
+import simgsm.air.MobilityManagement;
+import simgsm.air.RejectCause;
+
+/** Where the network's mobility management messages go; those that only need an answer are answered here. */
+final class MobilityMessages {
+    private final StationParts parts;
+    private final MobileRegistration registration;
+    private final ServiceRequests services;
+    private final Sim sim;
+    private String networkName = "";
+
+    MobilityMessages(StationParts parts, MobileRegistration registration, ServiceRequests services, Sim sim) {
+        this.parts = parts;
+        this.registration = registration;
+        this.services = services;
+        this.sim = sim;
+    }
+
+    String networkName() {
+        return networkName;
+    }
+
+    void forgetNetwork() {
+        networkName = "";
+    }
+
+    void arrived(MobilityManagement message) {
+        if (message instanceof LocationUpdatingAccept accept) {
+            registration.accepted(accept);
+            services.serve();
+        } else if (message instanceof LocationUpdatingReject reject) {
+            registration.rejected(reject.cause());
+        } else if (message instanceof CmServiceAccept) {
+            services.accepted();
+        } else if (message instanceof CmServiceReject reject) {
+            services.refused(reject.cause());
+        } else if (message instanceof IdentityRequest request) {
+            identify(request.identityType());
+        } else if (message instanceof AuthenticationRequest request) {
+            authenticate(request);
+        } else if (message instanceof AuthenticationReject) {
+            registration.authenticationRejected();
+        } else if (message instanceof MmInformation information) {
+            networkName = information.networkName();
+        } else if (message instanceof MmStatus status) {
+            parts.log().trace(Level.INFO, "MM STATUS {0}", status.cause().title());
+        } else {
+            parts.radio().send(new MmStatus(RejectCause.MESSAGE_TYPE_NON_EXISTENT));
+        }
+    }
+
+    /** TS 24.008, 4.3.3. A temporary identity that we do not have is answered with the permanent one. */
+    private void identify(MobileIdentity.Type type) {
+        MobileIdentity identity = switch (type) {
+            case IMSI -> parts.identity().imsi();
+            case TMSI -> registration.identity();
+            case IMEI, IMEISV -> parts.identity().imei();
+        };
+        parts.radio().send(new IdentityResponse(identity));
+    }
+
+    /** TS 24.008, 4.3.2. */
+    private void authenticate(AuthenticationRequest request) {
+        Sim.Answer answer = sim.authenticate(request.rand(), request.autn());
+        answer.response().ifPresent(response -> {
+            registration.setKeySequence(request.keySequence());
+            parts.radio().send(new AuthenticationResponse(response));
+        });
+        answer.failure().ifPresent(cause -> parts.radio().send(new AuthenticationFailure(cause, answer.auts())));
+    }
+}

@@ -1,0 +1,179 @@
+package simgsm.station;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.Queue;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import simgsm.state.StateTable;
+
+/** Walks all states of each machine with all events. */
+class TablesTest {
+    private static final Set<MobileCallState> TOLD_OF_RELEASE = EnumSet.of(
+            MobileCallState.NULL, MobileCallState.DISCONNECT_REQUEST, MobileCallState.DISCONNECT_INDICATION, MobileCallState.RELEASE_REQUEST);
+
+    @Test
+    void theEndOfACallIsToldExactlyOnceOnEveryWay() {
+        forAllCallRows((state, event, row) -> {
+            boolean begins = !TOLD_OF_RELEASE.contains(state) && TOLD_OF_RELEASE.contains(row.next());
+            int told = Collections.frequency(row.actions(), MobileCallAction.TELL_RELEASED);
+            assertEquals(begins ? 1 : 0, told, state + " " + event);
+        });
+    }
+
+    @Test
+    void everyWayIntoNullStopsTheTimersThatMayRun() {
+        forAllCallRows((state, event, row) -> {
+            boolean timerItself = event == MobileCallEvent.T308_EXPIRED_AGAIN;
+            if (row.next() == MobileCallState.NULL && state != MobileCallState.NULL && !timerItself) {
+                assertTrue(row.actions().contains(MobileCallAction.STOP_TIMERS), state + " " + event);
+            }
+        });
+    }
+
+    @Test
+    void everyWayIntoNullGivesTheRadioBackUnlessItIsGone() {
+        forAllCallRows((state, event, row) -> {
+            boolean neverAsked = state == MobileCallState.MM_CONNECTION_PENDING && event == MobileCallEvent.RADIO_LOST;
+            if (row.next() == MobileCallState.NULL && state != MobileCallState.NULL && !neverAsked) {
+                assertTrue(row.actions().contains(MobileCallAction.RELEASE_CONNECTION), state + " " + event);
+            }
+        });
+    }
+
+    @Test
+    void speechRunsInStateActiveOnly() {
+        forAllCallRows((state, event, row) -> {
+            boolean starts = state != MobileCallState.ACTIVE && row.next() == MobileCallState.ACTIVE;
+            boolean stops = state == MobileCallState.ACTIVE && row.next() != MobileCallState.ACTIVE;
+            assertEquals(starts, row.actions().contains(MobileCallAction.START_SPEECH), state + " " + event);
+            assertTrue(!stops || row.actions().contains(MobileCallAction.STOP_SPEECH), state + " " + event);
+        });
+    }
+
+    @Test
+    void everyStateButNullCanLoseTheRadioAndThePower() {
+        for (MobileCallState state : MobileCallState.values()) {
+            assertEquals(
+                    MobileCallState.NULL,
+                    MobileCallTable.ROWS
+                            .row(state, MobileCallEvent.RADIO_LOST)
+                            .orElseThrow()
+                            .next());
+            assertEquals(
+                    MobileCallState.NULL,
+                    MobileCallTable.ROWS.row(state, MobileCallEvent.POWER_OFF).orElseThrow().next());
+        }
+    }
+
+    @Test
+    void everyCallStateCanBeReached() {
+        assertEquals(
+                EnumSet.allOf(MobileCallState.class),
+                reachable(MobileCallTable.ROWS, MobileCallState.NULL, MobileCallState.class, MobileCallEvent.values()));
+    }
+
+    @Test
+    void everyRegistrationStateCanBeReached() {
+        assertEquals(
+                EnumSet.allOf(MobileRegistrationState.class),
+                reachable(
+                        MobileRegistrationTable.ROWS,
+                        MobileRegistrationState.NO_CELL_AVAILABLE,
+                        MobileRegistrationState.class,
+                        MobileRegistrationEvent.values()));
+    }
+
+    @Test
+    void everyOutgoingStateCanBeReached() {
+        assertEquals(
+                EnumSet.allOf(OutgoingState.class),
+                reachable(OutgoingTable.ROWS, OutgoingState.IDLE, OutgoingState.class, OutgoingEvent.values()));
+    }
+
+    @Test
+    void everyKeyStateCanBeReachedAndLeftByTheEndOfTheCall() {
+        assertEquals(
+                EnumSet.allOf(KeyState.class),
+                reachable(KeyTable.ROWS, KeyState.IDLE, KeyState.class, KeyEvent.values()));
+        for (KeyState state : KeyState.values()) {
+            assertEquals(
+                    KeyState.IDLE,
+                    KeyTable.ROWS.row(state, KeyEvent.CALL_ENDED).orElseThrow().next());
+        }
+    }
+
+    @Test
+    void everyEndOfAMessageIsToldExactlyOnce() {
+        for (OutgoingState state : OutgoingState.values()) {
+            for (OutgoingEvent event : OutgoingEvent.values()) {
+                OutgoingTable.ROWS.row(state, event).ifPresent(row -> {
+                    boolean ends = state != OutgoingState.IDLE && row.next() == OutgoingState.IDLE;
+                    long told = row.actions().stream()
+                            .filter(EnumSet.of(OutgoingAction.TELL_SENT, OutgoingAction.TELL_FAILED)::contains)
+                            .count();
+                    assertEquals(ends ? 1 : 0, told, state + " " + event);
+                });
+            }
+        }
+    }
+
+    @Test
+    void everyRegistrationStateCanLoseTheLink() {
+        for (MobileRegistrationState state : MobileRegistrationState.values()) {
+            assertTrue(
+                    MobileRegistrationTable.ROWS
+                            .row(state, MobileRegistrationEvent.LINK_LOST)
+                            .isPresent(),
+                    state.name());
+        }
+    }
+
+    @Test
+    void theNumbersOfTheStandardsTable() {
+        assertEquals("U11", MobileCallState.DISCONNECT_REQUEST.shortName());
+        assertEquals(11, MobileCallState.DISCONNECT_REQUEST.code());
+        Arrays.stream(MobileCallState.values())
+                .filter(state -> state != MobileCallState.MM_CONNECTION_PENDING)
+                .forEach(state -> assertEquals("U" + state.code(), state.shortName()));
+    }
+
+    @Test
+    void twoRowsForOneStateAndEventAreRefused() {
+        var table = new StateTable<MobileCallState, MobileCallEvent, MobileCallAction>()
+                .on(EnumSet.of(MobileCallState.NULL), MobileCallEvent.DIAL, MobileCallState.ACTIVE);
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> table.stay(EnumSet.of(MobileCallState.NULL), MobileCallEvent.DIAL, MobileCallAction.SEND_SETUP));
+    }
+
+    private interface RowCheck {
+        void check(MobileCallState state, MobileCallEvent event, StateTable.Row<MobileCallState, MobileCallAction> row);
+    }
+
+    private static void forAllCallRows(RowCheck check) {
+        for (MobileCallState state : MobileCallState.values()) {
+            for (MobileCallEvent event : MobileCallEvent.values()) {
+                MobileCallTable.ROWS.row(state, event).ifPresent(row -> check.check(state, event, row));
+            }
+        }
+    }
+
+    private static <S extends Enum<S>, E extends Enum<E>, A extends Enum<A>> Set<S> reachable(
+            StateTable<S, E, A> table, S start, Class<S> states, E[] events) {
+        Set<S> reached = EnumSet.of(start);
+        Queue<S> next = new ArrayDeque<>(reached);
+        for (S state = next.poll(); state != null; state = next.poll()) {
+            for (E event : events) {
+                table.row(state, event).filter(row -> reached.add(row.next())).ifPresent(row -> next.add(row.next()));
+            }
+        }
+        return states.isInstance(start) ? reached : EnumSet.noneOf(states);
+    }
+}

@@ -1,0 +1,107 @@
+package simgsm.tools;
+
+import java.io.PrintStream;
+import java.net.InetSocketAddress;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Random;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.ExitStatus;
+import simgsm.console.HostPort;
+import simgsm.console.Options;
+import simgsm.console.UnavailableException;
+import simgsm.tools.fuzz.CenterFuzz;
+import simgsm.tools.fuzz.CodecFuzz;
+import simgsm.tools.fuzz.Finding;
+
+/** {@code fuzz}: spoilt frames against our own decoders, or against a running centre. */
+final class FuzzTool implements Tool {
+    private static final long MOST_FRAMES = 100_000_000_000L;
+    /** By then every class is loaded and every table filled. */
+    private static final int WARM_UP_SHARE = 10;
+
+    private static final int OCTETS_PER_KIB = 1024;
+
+    @Override
+    public String word() {
+        return "fuzz";
+    }
+
+    @Override
+    public Options options() {
+        return new Options(
+                        "java -jar simgsm-modem.jar fuzz [--frames N] [--seed S] [--center HOST:PORT]",
+                        "Spoils real frames and gives them to every decoder; with --center has 16 stations talk to a running\n"
+                                + "centre, their frames spoilt on the way. Prints one line; ends with 1, and the frame, when something\n"
+                                + "broke, with 69 if there is no centre. Without --center the same seed does the same again.")
+                .value("frames", "N", "spoilt frames; to a centre all frames sent (1000000)")
+                .value("seed", "S", "of everything random; printed if not given")
+                .value("center", "HOST:PORT", "where the centre is")
+                .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (error)");
+    }
+
+    /** Stations warn of everything that is spoilt. */
+    @Override
+    public String logLevel() {
+        return "error";
+    }
+
+    @Override
+    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+        long frames = arguments.integer("frames", 1_000_000, 1, MOST_FRAMES);
+        long seed = arguments.integer("seed", new Random().nextInt(Integer.MAX_VALUE), Long.MIN_VALUE, Long.MAX_VALUE);
+        Optional<HostPort> center = arguments.hostPort("center");
+        try {
+            Event result = center.isPresent() ? overTcp(center.get(), frames, seed) : codec(frames, seed);
+            out.print(result + "\n");
+            out.flush();
+            return ExitStatus.OK;
+        } catch (Finding finding) {
+            err.println("simgsm-modem: fuzz --seed " + seed + ": " + finding.getMessage());
+            return ExitStatus.FAILED;
+        }
+    }
+
+    private static Event codec(long frames, long seed) {
+        CodecFuzz fuzz = new CodecFuzz(seed);
+        long began = System.nanoTime();
+        long warm = Math.max(1, frames / WARM_UP_SHARE);
+        while (fuzz.frames() < warm) {
+            fuzz.step();
+        }
+        long heapBefore = usedHeap();
+        while (fuzz.frames() < frames) {
+            fuzz.step();
+        }
+        return Event.of("fuzz")
+                .with("seed", seed)
+                .with("frames", fuzz.frames())
+                .with("read", fuzz.read())
+                .with("refused", fuzz.refused())
+                .with("seconds", seconds(began))
+                .with("growthkib", Math.max(0, usedHeap() - heapBefore) / OCTETS_PER_KIB);
+    }
+
+    private static Event overTcp(HostPort center, long frames, long seed) throws UnavailableException {
+        LoadTool.knock(center);
+        CenterFuzz fuzz = new CenterFuzz(new InetSocketAddress(center.host(), center.port()), seed);
+        long began = System.nanoTime();
+        fuzz.run(frames);
+        return Event.of("fuzz")
+                .with("seed", seed)
+                .with("frames", fuzz.frames())
+                .with("connections", fuzz.connections())
+                .with("seconds", seconds(began));
+    }
+
+    private static String seconds(long beganNanos) {
+        return String.format(Locale.ROOT, "%.1f", (System.nanoTime() - beganNanos) / 1e9);
+    }
+
+    /** What is really held, as far as one may ask. */
+    private static long usedHeap() {
+        System.gc();
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+    }
+}

@@ -1,0 +1,91 @@
+package simgsm.tools;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.Options;
+import simgsm.console.UsageException;
+import simgsm.speech.SpeechCodec;
+import simgsm.speech.WavWriter;
+import simgsm.tools.audio.SpeechFile;
+
+/** {@code gsm encode IN.wav OUT.gsm} and {@code gsm decode IN.gsm OUT.wav}: GSM 06.10, 33 octets a frame. */
+final class GsmTool implements Tool {
+    private static final SpeechCodec.Kind CODEC = SpeechCodec.Kind.GSM_FULL_RATE;
+
+    @Override
+    public String word() {
+        return "gsm";
+    }
+
+    @Override
+    public Options options() {
+        return new Options(
+                        "java -jar simgsm-modem.jar gsm encode IN.wav OUT.gsm | gsm decode IN.gsm OUT.wav",
+                        "Codes speech with GSM 06.10 full rate, 33 octets a frame of 20 ms, and back.\n"
+                                + "A last frame that is not full is filled up with silence.")
+                .arguments(3);
+    }
+
+    @Override
+    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+        if (arguments.rest().isEmpty()) {
+            throw new UsageException("missing encode or decode");
+        }
+        String direction = arguments.rest().get(0);
+        if (!direction.equals("encode") && !direction.equals("decode")) {
+            throw new UsageException("expected encode or decode, found " + direction);
+        }
+        if (arguments.rest().size() < 3) {
+            throw new UsageException("gsm " + direction + " needs an input and an output file");
+        }
+        Path from = Path.of(arguments.rest().get(1));
+        Path to = Path.of(arguments.rest().get(2));
+        if (direction.equals("encode")) {
+            encode(from, to);
+            return ExitStatus.OK;
+        }
+        return decode(from, to, err);
+    }
+
+    private static void encode(Path from, Path to) throws IOException {
+        SpeechCodec codec = CODEC.open();
+        try (SpeechFile file = SpeechFile.open(from);
+                OutputStream octets = new BufferedOutputStream(Files.newOutputStream(to))) {
+            short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
+            for (int n; (n = file.read(frame)) > 0; ) {
+                Arrays.fill(frame, n, frame.length, (short) 0);
+                octets.write(codec.encode(frame));
+            }
+        }
+    }
+
+    private static int decode(Path from, Path to, PrintStream err) throws IOException {
+        byte[] octets = Files.readAllBytes(from);
+        int length = CODEC.octetsPerFrame();
+        SpeechCodec codec = CODEC.open();
+        int status = ExitStatus.OK;
+        try (WavWriter wav = new WavWriter(to, 1)) {
+            for (int at = 0; at < octets.length; at += length) {
+                if (octets.length - at < length) {
+                    err.println("simgsm-modem: " + from + ": the last frame is cut off");
+                    status = ExitStatus.FAILED;
+                    break;
+                }
+                try {
+                    wav.write(codec.decode(Arrays.copyOfRange(octets, at, at + length)));
+                } catch (IllegalArgumentException e) {
+                    err.println("simgsm-modem: " + from + ": octet " + at + ": " + e.getMessage());
+                    return ExitStatus.FAILED;
+                }
+            }
+        }
+        return status;
+    }
+}

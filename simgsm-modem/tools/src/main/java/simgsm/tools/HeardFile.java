@@ -1,0 +1,85 @@
+package simgsm.tools;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import simgsm.console.ExitStatus;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfListener;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.tools.audio.NotAudioException;
+import simgsm.tools.audio.SpeechFile;
+
+/** What {@code decode} says about one file. */
+final class HeardFile {
+    private static final int BLOCK_SAMPLES = 8192;
+
+    private final String name;
+    private final StringBuilder keys = new StringBuilder();
+    private final StringBuilder millis = new StringBuilder();
+    private int status = ExitStatus.OK;
+    private String complaint;
+
+    private HeardFile(String name) {
+        this.name = name;
+    }
+
+    /** Listens to the file of that name, whatever it holds; never throws for what is in it. */
+    static HeardFile of(String name) {
+        HeardFile heard = new HeardFile(name);
+        try {
+            heard.listen(Path.of(name));
+        } catch (NotAudioException e) {
+            heard.failed(ExitStatus.FAILED, e.getMessage());
+        } catch (IOException | InvalidPathException e) {
+            heard.failed(ExitStatus.INPUT_OUTPUT, name + ": " + reason(e));
+        }
+        return heard;
+    }
+
+    private static String reason(Exception e) {
+        if (e instanceof NoSuchFileException) {
+            return "no such file";
+        }
+        return e instanceof AccessDeniedException ? "access denied" : e.getMessage();
+    }
+
+    private void failed(int newStatus, String text) {
+        status = newStatus;
+        complaint = text;
+    }
+
+    private void listen(Path path) throws IOException {
+        try (SpeechFile file = SpeechFile.openForKeys(path)) {
+            DtmfReceiver receiver = new DtmfReceiver(listener(file.lookAheadMillis()));
+            short[] block = new short[BLOCK_SAMPLES];
+            for (int n; (n = file.read(block)) >= 0; ) {
+                receiver.accept(block, 0, n);
+            }
+            receiver.finish();
+        }
+    }
+
+    private DtmfListener listener(double lookAheadMillis) {
+        return (DtmfDigit digit) -> {
+            keys.append(digit.key().symbol());
+            millis.append(millis.length() == 0 ? "" : ",")
+                    .append(Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis));
+        };
+    }
+
+    int status() {
+        return status;
+    }
+
+    /** Why there are no keys, or null. */
+    String complaint() {
+        return complaint;
+    }
+
+    String line() {
+        return name + "\t" + keys + "\t" + millis + "\n";
+    }
+}

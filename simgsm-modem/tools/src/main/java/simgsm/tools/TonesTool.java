@@ -1,0 +1,84 @@
+package simgsm.tools;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.List;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.Options;
+import simgsm.console.UsageException;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneLevel;
+import simgsm.dtmf.ToneShape;
+import simgsm.speech.WavWriter;
+
+/** {@code tones KEYS OUT.wav}: keys as sound. */
+final class TonesTool implements Tool {
+    private static final int MOST_MILLIS = 60_000;
+    private static final int MOST_SAMPLES = 1 << 29;
+
+    @Override
+    public String word() {
+        return "tones";
+    }
+
+    @Override
+    public Options options() {
+        return new Options(
+                        "java -jar simgsm-modem.jar tones KEYS OUT.wav [options]",
+                        "Writes keys (0-9 * # A-D, blanks ignored) as DTMF audio: WAV, 8 kHz, 16 bit, mono.")
+                .value("tone-ms", "N", "length of each tone, 1 to 60000 (100)")
+                .value("pause-ms", "N", "silence after each tone, 0 to 60000 (100)")
+                .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
+                .arguments(2);
+    }
+
+    @Override
+    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+        List<String> rest = arguments.rest();
+        if (rest.size() < 2) {
+            throw new UsageException(rest.isEmpty() ? "missing KEYS and OUT.wav" : "missing OUT.wav");
+        }
+        ToneShape shape = ToneShape.STANDARD
+                .withMillis((int) arguments.integer("tone-ms", 100, 1, MOST_MILLIS), (int)
+                        arguments.integer("pause-ms", 100, 0, MOST_MILLIS))
+                .withLevel(arguments.value("level", TonesTool::level).orElse(-10.0));
+        WavWriter.write(Path.of(rest.get(1)), sound(keys(rest.get(0)), shape));
+        return ExitStatus.OK;
+    }
+
+    private static double level(String text) {
+        if (text.matches("[-+]?[0-9]{1,4}(\\.[0-9]{1,9})?")) {
+            double dbm0 = Double.parseDouble(text);
+            if (dbm0 >= -100 && dbm0 <= ToneLevel.FULL_SCALE_DBM0) {
+                return dbm0;
+            }
+        }
+        throw new IllegalArgumentException("expected a level of -100 to 3.14 dBm0, found " + text);
+    }
+
+    private static List<DtmfKey> keys(String text) throws UsageException {
+        try {
+            List<DtmfKey> keys = DtmfKey.sequence(text);
+            if (!keys.isEmpty()) {
+                return keys;
+            }
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("KEYS: " + e.getMessage());
+        }
+        throw new UsageException("KEYS: no key");
+    }
+
+    private static short[] sound(List<DtmfKey> keys, ToneShape shape) throws UsageException {
+        long length = 8L * (shape.toneMillis() + shape.pauseMillis()) * keys.size();
+        if (length > MOST_SAMPLES) {
+            throw new UsageException("KEYS: longer than " + MOST_SAMPLES / 8000 + " s");
+        }
+        DtmfGenerator generator = new DtmfGenerator(shape, key -> {});
+        keys.forEach(generator::enqueue);
+        short[] samples = new short[(int) length];
+        generator.read(samples);
+        return samples;
+    }
+}

@@ -1,0 +1,171 @@
+package simgsm.tools.fuzz;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
+import simgsm.air.Direction;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.station.MobileStation;
+import simgsm.station.Sim;
+import simgsm.station.SpeechSource;
+import simgsm.station.StationIdentity;
+import simgsm.station.StationListener;
+import simgsm.station.StationOptions;
+import simgsm.station.Uplink;
+
+/**
+ * A real station core that does what comes to its mind, and whose frames are now and then spoilt, lost, repeated or
+ * replaced on their way: real dialogues, damaged anywhere. Knows no socket and no clock; whoever owns it gives it both.
+ */
+public final class FuzzPeer implements StationListener {
+    private static final int LONGEST_TEXT = 320;
+    private static final int LONGEST_TONE_MILLIS = 300;
+
+    private final SplittableRandom random;
+    private final Mutator mutator;
+    private final List<Traffic.Sample> traffic;
+    private final List<Msisdn> others;
+    private final MobileStation station;
+    /** Null without a connection. */
+    private Consumer<byte[]> wire;
+
+    private boolean isDropped;
+    private boolean isFramingBroken;
+    private long frames;
+
+    /** @param others whom it calls and writes to */
+    public FuzzPeer(Msisdn number, List<Msisdn> others, SplittableRandom random) {
+        this.random = random;
+        this.others = List.copyOf(others);
+        mutator = new Mutator(random);
+        traffic = Traffic.read().stream()
+                .filter(sample -> sample.direction() == Direction.UPLINK)
+                .toList();
+        station = new MobileStation(
+                StationIdentity.ofOpenNumber(number, Imei.random(random), "SimGSM fuzz"),
+                Sim.WITHOUT_KEY,
+                StationOptions.STANDARD,
+                SpeechSource.SILENCE,
+                this,
+                random);
+    }
+
+    /** @param wire takes octets for the centre, mostly whole frames */
+    public void connected(Consumer<byte[]> newWire, long nowNanos) {
+        wire = newWire;
+        isDropped = false;
+        isFramingBroken = false;
+        station.linkUp(
+                new Uplink() {
+                    @Override
+                    public void send(IpaFrame frame) {
+                        pass(frame);
+                    }
+
+                    @Override
+                    public void drop() {
+                        isDropped = true;
+                    }
+                },
+                nowNanos);
+    }
+
+    public void disconnected(long nowNanos) {
+        wire = null;
+        station.linkDown(nowNanos);
+    }
+
+    public void arrived(IpaFrame frame, long nowNanos) {
+        station.frameArrived(frame, nowNanos);
+    }
+
+    /** Whether it would rather have a new connection. */
+    public boolean wantsToLeave() {
+        return isDropped || isFramingBroken && random.nextInt(4) == 0 || random.nextInt(5_000) == 0;
+    }
+
+    /** Frames, spoilt or not, that went up. */
+    public long frames() {
+        return frames;
+    }
+
+    /** Time passes, and something is begun or ended. */
+    public void turn(long nowNanos) {
+        station.timePassed(nowNanos);
+        switch (random.nextInt(60)) {
+            case 0, 1 -> station.dial(anyone());
+            case 2 -> station.hangUp();
+            case 3, 4 -> station.sendMessage(anyone(), "x".repeat(1 + random.nextInt(LONGEST_TEXT)));
+            case 5 -> station.signalKey(DtmfKey.values()[random.nextInt(DtmfKey.values().length)], tone());
+            case 6 -> rarely(station::powerOff);
+            case 7, 8 -> station.powerOn();
+            case 9, 10, 11 -> alien();
+            default -> {}
+        }
+    }
+
+    private int tone() {
+        return 70 + random.nextInt(LONGEST_TONE_MILLIS);
+    }
+
+    private void rarely(Runnable act) {
+        if (random.nextInt(10) == 0) {
+            act.run();
+        }
+    }
+
+    private Msisdn anyone() {
+        return others.get(random.nextInt(others.size()));
+    }
+
+    @Override
+    public void ringing(Optional<Msisdn> from) {
+        if (random.nextInt(3) > 0) {
+            station.answer();
+        }
+    }
+
+    private void pass(IpaFrame frame) {
+        int fate = random.nextInt(100);
+        if (fate < 80) {
+            send(IpaFramer.encode(frame));
+        } else if (fate < 90) {
+            send(IpaFramer.encode(spoilt(frame)));
+        } else if (fate < 94) {
+            send(IpaFramer.encode(frame));
+            send(IpaFramer.encode(frame));
+        } else if (fate < 98) {
+            alien();
+        } else if (fate < 99) {
+            breakFraming(frame);
+        }
+        // What is left is lost.
+    }
+
+    private IpaFrame spoilt(IpaFrame frame) {
+        return new IpaFrame(frame.stream(), mutator.spoil(frame.payload(), IpaFrame.MAX_PAYLOAD));
+    }
+
+    /** A frame from another station's life. */
+    private void alien() {
+        IpaFrame frame = traffic.get(random.nextInt(traffic.size())).frame();
+        send(IpaFramer.encode(random.nextBoolean() ? frame : spoilt(frame)));
+    }
+
+    private void breakFraming(IpaFrame frame) {
+        isFramingBroken = true;
+        send(mutator.spoil(IpaFramer.encode(frame), IpaFrame.MAX_PAYLOAD));
+    }
+
+    private void send(byte[] octets) {
+        if (wire != null) {
+            frames++;
+            wire.accept(octets);
+        }
+    }
+}

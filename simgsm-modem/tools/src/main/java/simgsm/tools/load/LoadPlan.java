@@ -1,0 +1,49 @@
+package simgsm.tools.load;
+
+import simgsm.air.Msisdn;
+import simgsm.console.HostPort;
+
+/**
+ * What a load run does.
+ *
+ * @param center where the stations attach
+ * @param firstNumber the first station's number; the others count up from it
+ * @param phones stations to attach
+ * @param calls calls to hold at the same time, each between two stations of their own
+ * @param messages short messages to send, all in all
+ * @param seconds how long the calls talk, and how long the stations stay attached at least
+ */
+public record LoadPlan(HostPort center, long firstNumber, int phones, int calls, int messages, int seconds) {
+    /** As many terminals as a centre lets in. */
+    public static final int MOST_PHONES = 20_000;
+
+    public static final int MOST_MESSAGES = 1_000_000;
+    /** A day. */
+    public static final int MOST_SECONDS = 86_400;
+
+    /** The highest number that an open network makes an IMSI of. */
+    private static final long LAST_NUMBER = 9_999_999_999L;
+
+    /** IllegalArgumentException names the option that is out of range. */
+    public LoadPlan {
+        require("--phones", phones, 1, MOST_PHONES);
+        require("--sms", messages, 0, MOST_MESSAGES);
+        require("--seconds", seconds, 1, MOST_SECONDS);
+        require("--first-number", firstNumber, 1, LAST_NUMBER - phones + 1);
+        if (calls < 0 || calls > phones / 2) {
+            throw new IllegalArgumentException("--calls: expected 0 to " + phones / 2 + ", since a call takes two of "
+                    + phones + " phones, found " + calls);
+        }
+    }
+
+    private static void require(String option, long found, long least, long most) {
+        if (found < least || found > most) {
+            throw new IllegalArgumentException(
+                    option + ": expected a whole number of " + least + " to " + most + ", found " + found);
+        }
+    }
+
+    Msisdn number(int phone) {
+        return new Msisdn(String.valueOf(firstNumber + phone));
+    }
+}

@@ -1,8 +1,0 @@
-package simgsm.phone.handset;
-
-/** Where messages lie. */
-public enum Box {
-    INBOX,
-    OUTBOX,
-    BROADCASTS
-}

@@ -1,0 +1,8 @@
+package simgsm.phone.handset;
+
+/** Where messages lie. */
+public enum MessageFolder {
+    INBOX,
+    OUTBOX,
+    BROADCASTS
+}

@@ -1,0 +1,213 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.dtmf.ToneExperiment;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Exports;
+import simrobot.control.LoggedEvent;
+import simrobot.replay.RecordedEvent;
+import simrobot.replay.Recording;
+import simrobot.replay.ReplayThread;
+import simrobot.robot.Placement;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.Timeline;
+import simrobot.ui.WindowSnapshot;
+import simrobot.ui.floor.WorldPictures;
+import simrobot.ui.panel.Refusals;
+import simrobot.world.World;
+import vericommand.Pose;
+
+/** A recorded session as the window sees it: it can be looked at from any time, but nothing can be done to it. */
+public final class ReplayModel implements SimRobotActions {
+    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
+
+    private final ReplayThread replay;
+    private final Refusals refusals;
+    private final Timeline timeline;
+    private final List<LoggedEvent> events = new ArrayList<>();
+    private final String damage;
+    private volatile String notice = "";
+    private volatile long noticeNanos;
+    private WindowSnapshot newest;
+
+    public ReplayModel(ReplayThread replay, Refusals refusals) {
+        this.replay = replay;
+        this.refusals = refusals;
+        Recording recording = replay.recording();
+        timeline = new Timeline(recording.firstNanos(), recording.lastNanos(), recording.markers());
+        for (RecordedEvent event : recording.events()) {
+            ReplayedEvents.of(event).ifPresent(events::add);
+        }
+        damage = recording.damage().map(refusals::damaged).orElse("");
+    }
+
+    /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
+    public WindowSnapshot snapshot() {
+        SimulationSnapshot scene = replay.snapshot();
+        WindowSnapshot now = new WindowSnapshot(
+                scene,
+                List.of(),
+                replay.speed(),
+                replay.isPaused(),
+                replay.recording().path(),
+                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : damage,
+                List.of(),
+                until(scene.timeNanos()),
+                Optional.of(timeline),
+                Optional.empty(),
+                false);
+        if (!now.equals(newest)) {
+            newest = now;
+        }
+        return newest;
+    }
+
+    /** What has happened by then; the same list as long as nothing more has. */
+    private List<LoggedEvent> until(long nanos) {
+        int low = 0;
+        int high = events.size();
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (events.get(middle).timeNanos() <= nanos) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return newest != null && newest.events().size() == low ? newest.events() : List.copyOf(events.subList(0, low));
+    }
+
+    // ---- looking ---------------------------------------------------------------------------------------------------
+
+    @Override
+    public void seek(long nanos) {
+        replay.seek(nanos);
+    }
+
+    @Override
+    public void setSpeed(double simulatedSecondsPerSecond) {
+        replay.setSpeed(simulatedSecondsPerSecond);
+    }
+
+    @Override
+    public void setPaused(boolean paused) {
+        replay.setPaused(paused);
+    }
+
+    @Override
+    public void stepOnce() {
+        replay.stepOnce();
+    }
+
+    @Override
+    public void watch(String robot) {
+        replay.watch(robot == null ? "" : robot);
+    }
+
+    @Override
+    public void tell(String message) {
+        noticeNanos = System.nanoTime();
+        notice = message;
+    }
+
+    /** Pictures of the present moment, painted here; the track from the recording's beginning to its end, read elsewhere. */
+    @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        if (Exports.ending(file).equals("csv")) {
+            Thread reader = new Thread(() -> answer.accept(write(() -> track(robot), file)), "track");
+            reader.setDaemon(true);
+            reader.start();
+        } else {
+            SimulationSnapshot scene = replay.snapshot();
+            answer.accept(write(() -> new WorldPictures().of(scene, robot, Exports.ending(file)), file));
+        }
+    }
+
+    private byte[] track(String robot) throws IOException {
+        return RecordedTrack.csv(replay.recording().path(), robot).getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** What a file is to hold. */
+    private interface Content {
+        byte[] octets() throws IOException;
+    }
+
+    private Optional<String> write(Content content, Path file) {
+        try {
+            Exports.write(content.octets(), file);
+            return Optional.empty();
+        } catch (IOException impossible) {
+            return Optional.of(refusals.unwritable(file, impossible));
+        }
+    }
+
+    // ---- what cannot be done ---------------------------------------------------------------------------------------
+
+    @Override
+    public void setPower(String robot, boolean on) {
+        // it is past
+    }
+
+    @Override
+    public void setMotors(String robot, boolean on) {
+        // it is past
+    }
+
+    @Override
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
+        answer.accept(Placement.MOVING);
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        // it is past
+    }
+
+    @Override
+    public void brake(String robot) {
+        // it is past
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        // it is past
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        answer.accept(Optional.of(refusals.onlyLookedAt()));
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        // it is past
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        // nobody calls
+    }
+
+    @Override
+    public void load(Path worldFile) {
+        // it is past
+    }
+}

@@ -1,0 +1,133 @@
+package simrobot.app;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.sim.SimSlot;
+import simrobot.control.RobotName;
+import simrobot.pioneer.PioneerAddress;
+import simrobot.world.Home;
+import simrobot.world.World;
+
+/** Which robots a command line asks for. */
+public final class RequestedRobots {
+    static final String SINGLE_NAME = "robot";
+    private static final Msisdn DEFAULT_NUMBER = new Msisdn("5550200");
+
+    private RequestedRobots() {}
+
+    /**
+     * At least one robot; names and numbers are all different.
+     *
+     * @param slot if it holds just one card, that one's number is the single robot's
+     */
+    public static List<RobotName> of(Arguments arguments, SimSlot slot, World world) throws UsageException {
+        Msisdn number = firstNumber(arguments, slot);
+        if (arguments.has("robots")) {
+            arguments.choice("robots", "all");
+            return onAllHomes(world, number);
+        }
+        if (!arguments.has("robot")) {
+            return List.of(new RobotName(SINGLE_NAME, number));
+        }
+        List<RobotName> robots = new ArrayList<>();
+        for (String text : arguments.all("robot")) {
+            try {
+                RobotName robot = RobotName.parse(text);
+                number(robot.number().digits());
+                robots.add(robot);
+            } catch (IllegalArgumentException e) {
+                throw new UsageException("--robot: " + e.getMessage());
+            }
+        }
+        requireDifferent(robots);
+        return robots;
+    }
+
+    private static Msisdn firstNumber(Arguments arguments, SimSlot slot) throws UsageException {
+        Optional<Msisdn> given = arguments.value("number", RequestedRobots::number);
+        if (given.isPresent() || slot.isEmpty() || arguments.has("robot")) {
+            return given.orElse(DEFAULT_NUMBER);
+        }
+        return Arguments.checked(() -> slot.card(Optional.empty())).orElseThrow().number();
+    }
+
+    /** @throws IllegalArgumentException also for a number from which the open network can make no IMSI */
+    private static Msisdn number(String text) {
+        Msisdn number = Msisdn.parse(text);
+        Imsi.ofOpenNumber(number);
+        return number;
+    }
+
+    /** Where the one robot is real, its address. */
+    public static Optional<PioneerAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
+        Optional<PioneerAddress> address = arguments.value("pioneer", PioneerAddress::parse);
+        if (address.isPresent()) {
+            if (robots.size() > 1) {
+                throw new UsageException("--pioneer: expected one robot, found " + robots.size());
+            }
+            for (String option : List.of("p2os", "behaviour", "noise")) {
+                if (arguments.has(option)) {
+                    throw new UsageException("--" + option + ": a real robot (--pioneer) has none of that");
+                }
+            }
+        }
+        return address;
+    }
+
+    private static void requireDifferent(List<RobotName> robots) throws UsageException {
+        Set<String> names = new HashSet<>();
+        Set<Msisdn> numbers = new HashSet<>();
+        for (RobotName robot : robots) {
+            if (!names.add(robot.name())) {
+                throw new UsageException("--robot: two robots are called " + robot.name());
+            }
+            if (!numbers.add(robot.number())) {
+                throw new UsageException("--robot: two robots have the number " + robot.number());
+            }
+        }
+    }
+
+    private static List<RobotName> onAllHomes(World world, Msisdn first) throws UsageException {
+        if (world.homes().isEmpty()) {
+            throw new UsageException("--robots: " + world.name() + " has no RobotHome");
+        }
+        List<RobotName> robots = new ArrayList<>();
+        UniqueNames names = new UniqueNames();
+        for (Home home : world.homes()) {
+            String word = home.name().strip().replaceAll("[^\\p{L}\\p{N}_.+-]+", "_");
+            robots.add(new RobotName(names.of(word.isEmpty() ? SINGLE_NAME : word), plus(first, robots.size())));
+        }
+        return robots;
+    }
+
+    /** Makes names different where two are the same; ten thousand of one name as fast as any. */
+    private static final class UniqueNames {
+        private final Set<String> taken = new HashSet<>();
+        private final Map<String, Integer> counts = new HashMap<>();
+
+        public String of(String base) {
+            String name = base;
+            while (!taken.add(name)) {
+                name = base + "-" + counts.merge(base, 2, (count, first) -> count + 1);
+            }
+            return name;
+        }
+    }
+
+    private static Msisdn plus(Msisdn first, int count) throws UsageException {
+        try {
+            return number(Long.toString(Long.parseLong(first.digits()) + count));
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--number: too high to count up from: " + e.getMessage());
+        }
+    }
+}

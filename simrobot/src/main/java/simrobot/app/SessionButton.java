@@ -1,0 +1,64 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import simrobot.control.ControlListener;
+import simrobot.control.RobotEventPrinter;
+import simrobot.replay.Recorder;
+import simrobot.simulation.SimulationThread;
+
+/** Records the session while somebody at the window wishes so. */
+final class SessionButton {
+    private final SimulationThread simulation;
+    private final BiConsumer<Path, IOException> problem;
+    private volatile Recorder recorder;
+    private volatile Path file;
+
+    /** @param problem told why nothing is recorded; any thread tells */
+    SessionButton(SimulationThread simulation, BiConsumer<Path, IOException> problem) {
+        this.simulation = simulation;
+        this.problem = problem;
+    }
+
+    /** In which the session is being recorded. */
+    Optional<Path> file() {
+        return Optional.ofNullable(file);
+    }
+
+    /** What a robot's console would be told goes into the recording. */
+    ControlListener of(String robot) {
+        return new RobotEventPrinter(robot, event -> {
+            Recorder present = recorder;
+            if (present != null) {
+                present.event(event);
+            }
+        });
+    }
+
+    /** Ends what was begun, and begins anew if a file is named. */
+    void record(Optional<Path> wanted) {
+        simulation.withSimulation(owned -> {
+            close();
+            if (wanted.isPresent()) {
+                try {
+                    recorder = Recorder.open(wanted.get(), owned, simulation);
+                    file = wanted.get();
+                } catch (IOException e) {
+                    problem.accept(wanted.get(), e);
+                }
+            }
+        });
+    }
+
+    /** On the simulation's thread, or when that has ended. */
+    void close() {
+        Recorder present = recorder;
+        recorder = null;
+        file = null;
+        if (present != null) {
+            present.close();
+        }
+    }
+}

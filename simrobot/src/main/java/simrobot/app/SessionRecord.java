@@ -1,0 +1,48 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.UsageException;
+import simrobot.control.RobotEventPrinter;
+import simrobot.control.SimRobot;
+import simrobot.replay.Recorder;
+import simrobot.simulation.Simulation;
+
+/** The session's recording, if the command line asks for one. To be closed when the simulation has ended. */
+public final class SessionRecord implements AutoCloseable {
+    private final Optional<Recorder> recorder;
+
+    private SessionRecord(Optional<Recorder> recorder) {
+        this.recorder = recorder;
+    }
+
+    /** Begins it, before the simulation starts. */
+    public static SessionRecord open(Arguments arguments, Simulation simulation, SimRobot simRobot)
+            throws UsageException, IOException {
+        Optional<Path> file = arguments.path("record");
+        return new SessionRecord(
+                file.isPresent()
+                        ? Optional.of(Recorder.open(file.get(), simulation, simRobot.simulation()))
+                        : Optional.empty());
+    }
+
+    /** A console's events go into the recording, too. */
+    public Consumer<Event> with(Consumer<Event> console) {
+        return recorder.map(file -> console.andThen(file::event)).orElse(console);
+    }
+
+    /** Where there is no console: what it would be told. */
+    public void listenTo(SimRobot simRobot) {
+        recorder.ifPresent(
+                file -> simRobot.onAdded(robot -> robot.listen(new RobotEventPrinter(robot.name(), file::event))));
+    }
+
+    @Override
+    public void close() {
+        recorder.ifPresent(Recorder::close);
+    }
+}

@@ -1,0 +1,358 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.lang.System.Logger;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.speech.Loudspeaker;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Exports;
+import simrobot.control.Fleet;
+import simrobot.control.RobotEventLog;
+import simrobot.control.RobotName;
+import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.robot.Pioneer;
+import simrobot.robot.Placement;
+import simrobot.simulation.SimulationThread;
+import simrobot.ui.LineSnapshot;
+import simrobot.ui.OpenPort;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.WindowSnapshot;
+import simrobot.ui.floor.WorldPictures;
+import simrobot.ui.panel.Refusals;
+import simrobot.world.MapFile;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.Pose;
+
+/** The program as its window sees it: pictures from every thread's newest snapshots, acts to the threads that own things. */
+public final class WindowModel implements SimRobotActions {
+    private static final Logger LOG = System.getLogger(WindowModel.class.getName());
+    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
+
+    private final SimulationThread simulation;
+    private final Loudspeaker loudspeaker;
+    private final Fleet fleet;
+    private final Ports ports;
+    private final RobotEventLog log;
+    private final SessionButton sessions;
+    private final Exports exports;
+    private final Refusals refusals;
+    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
+    private final WorldWatch watch;
+    private volatile Path worldFile;
+    private volatile String notice = "";
+    private volatile long noticeNanos;
+    private WindowSnapshot newest;
+
+    /** A robot with its telephone, and what it has answered. */
+    private record Line(TelephoneRobot robot, SentTones sent) {}
+
+    /** To be made before the start, for it listens to the robots. */
+    public WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile, Refusals refusals) {
+        this.refusals = refusals;
+        this.worldFile = worldFile;
+        watch = new WorldWatch(slowActs, worldFile);
+        this.fleet = fleet;
+        this.ports = ports;
+        exports = new Exports(simRobot, new WorldPictures());
+        simulation = simRobot.simulation();
+        loudspeaker = simRobot.loudspeaker();
+        sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
+        log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
+        simRobot.onAdded(this::come);
+        simRobot.onRemoved(this::gone);
+    }
+
+    private static Thread daemon(Runnable acts) {
+        Thread thread = new Thread(acts, "window acts");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private void come(TelephoneRobot robot) {
+        Line line = new Line(robot, new SentTones());
+        robot.listen(line.sent());
+        robot.listen(log.of(robot.name()));
+        robot.listen(sessions.of(robot.name()));
+        log.added(robot);
+        lines.add(line);
+    }
+
+    private void gone(TelephoneRobot robot) {
+        lines.removeIf(line -> line.robot() == robot);
+        log.removed(robot);
+    }
+
+    /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
+    public WindowSnapshot snapshot() {
+        WindowSnapshot now = new WindowSnapshot(
+                simulation.snapshot(),
+                lines.stream().map(this::picture).toList(),
+                simulation.speed(),
+                simulation.isPaused(),
+                worldFile,
+                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : "",
+                openPorts(),
+                log.newest(),
+                Optional.empty(),
+                sessions.file(),
+                watch.hasChanged());
+        if (!now.equals(newest)) {
+            newest = now;
+        }
+        return newest;
+    }
+
+    private List<OpenPort> openPorts() {
+        List<OpenPort> open = new ArrayList<>();
+        for (Line line : lines) {
+            String name = line.robot().name();
+            ports.pioneers().of(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
+        }
+        ports.web().port().ifPresent(port -> open.add(new OpenPort("HTTP", "", port)));
+        return open;
+    }
+
+    private LineSnapshot picture(Line line) {
+        TelephoneRobot robot = line.robot();
+        return new LineSnapshot(
+                robot.name(),
+                robot.number().digits(),
+                robot.modem(),
+                robot.heard(),
+                robot.veriCommand(),
+                line.sent().tones(),
+                loudspeaker.isAudible());
+    }
+
+    /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
+    private void act(String name, Consumer<Pioneer> act) {
+        simulation.post(() -> robot(name).map(TelephoneRobot::robot).ifPresent(act));
+    }
+
+    private Optional<TelephoneRobot> robot(String name) {
+        return lines.stream()
+                .map(Line::robot)
+                .filter(robot -> robot.name().equals(name))
+                .findFirst();
+    }
+
+    @Override
+    public void setPower(String robot, boolean on) {
+        act(robot, owned -> owned.setPower(on));
+    }
+
+    @Override
+    public void setMotors(String robot, boolean on) {
+        act(robot, owned -> owned.setMotors(on));
+    }
+
+    @Override
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
+        act(robot, owned -> answer.accept(owned.place(xMeters, yMeters, headingRadians)));
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        lines.stream()
+                .map(Line::robot)
+                .filter(each -> each.name().equals(robot))
+                .forEach(each -> each.tryOut(experiment));
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        slowActs.execute(() -> answer.accept(add(name, number, place)));
+    }
+
+    private Optional<String> add(String name, String number, Optional<Pose> place) {
+        Msisdn called;
+        RobotName wanted;
+        try {
+            called = Msisdn.parse(number);
+        } catch (IllegalArgumentException noNumber) {
+            return Optional.of(refusals.noNumber(number));
+        }
+        try {
+            wanted = new RobotName(name, called);
+        } catch (IllegalArgumentException noName) {
+            return Optional.of(refusals.noName(name));
+        }
+        return add(wanted, place);
+    }
+
+    private Optional<String> add(RobotName wanted, Optional<Pose> place) {
+        try {
+            fleet.add(wanted, place);
+            return Optional.empty();
+        } catch (Fleet.Refusal refusal) {
+            LOG.log(Level.DEBUG, "not added: {0}", refusal.getMessage());
+            return Optional.of(refusals.notAdded(wanted.name(), wanted.number().digits(), refusal));
+        } catch (IOException unwritable) {
+            return Optional.of(String.valueOf(unwritable.getMessage()));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return Optional.of(refusals.late());
+        }
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        slowActs.execute(() -> {
+            try {
+                fleet.remove(robot);
+            } catch (IllegalStateException e) {
+                LOG.log(Level.WARNING, "{0} stays: {1}", robot, e.getMessage());
+                tell(refusals.late());
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
+    }
+
+    @Override
+    public void brake(String robot) {
+        act(robot, Pioneer::brake);
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        simulation.withSimulation(here -> here.robot(robot).ifPresent(owned -> {
+            if (!owned.autonomy().begin(kind)) {
+                tell(refusals.process(robot, kind, owned.status()));
+            }
+        }));
+    }
+
+    @Override
+    public void watch(String robot) {
+        loudspeaker.choose(robot);
+        simulation.withSimulation(owned -> owned.watch(owned.robot(robot).orElse(null)));
+    }
+
+    @Override
+    public void setSpeed(double simulatedSecondsPerSecond) {
+        simulation.setSpeed(simulatedSecondsPerSecond);
+    }
+
+    @Override
+    public void setPaused(boolean paused) {
+        simulation.setPaused(paused);
+    }
+
+    @Override
+    public void stepOnce() {
+        simulation.stepOnce();
+    }
+
+    @Override
+    public void load(Path file) {
+        slowActs.execute(() -> read(file));
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        simulation.withSimulation(owned -> {
+            try {
+                int moved = owned.change(world);
+                worldFile = file;
+                watch.isUpToDate(file);
+                tell("");
+                answer.accept(Optional.empty());
+                if (moved > 0) {
+                    LOG.log(Level.INFO, moved + " robots stood in the way of the changed world and went to homes");
+                }
+            } catch (IllegalArgumentException tooSmall) {
+                answer.accept(Optional.of(refusals.tooSmall(world.name())));
+            }
+        });
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        slowActs.execute(() -> {
+            try {
+                MapFile.save(world, file);
+                if (file.equals(worldFile)) {
+                    watch.isUpToDate(file);
+                }
+                answer.accept(Optional.empty());
+            } catch (IOException unwritable) {
+                answer.accept(Optional.of(refusals.unwritable(file, unwritable)));
+            }
+        });
+    }
+
+    /** Painted here, on the event thread, which owns the theme; written elsewhere. */
+    @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        try {
+            byte[] octets = exports.octets(simulation.snapshot(), robot, file);
+            slowActs.execute(() -> answer.accept(write(octets, file)));
+        } catch (IOException impossible) {
+            answer.accept(Optional.of(refusals.unwritable(file, impossible)));
+        }
+    }
+
+    private Optional<String> write(byte[] octets, Path file) {
+        try {
+            Exports.write(octets, file);
+            return Optional.empty();
+        } catch (IOException unwritable) {
+            return Optional.of(refusals.unwritable(file, unwritable));
+        }
+    }
+
+    /** A file that is no world leaves everything as it was, and says why. */
+    void read(Path file) {
+        try {
+            World world = WorldReader.read(file);
+            simulation.withSimulation(owned -> {
+                try {
+                    owned.load(world);
+                    worldFile = file;
+                    watch.isUpToDate(file);
+                    tell("");
+                } catch (IllegalArgumentException tooSmall) {
+                    tell(refusals.tooSmall(world.name()));
+                }
+            });
+        } catch (IOException unreadable) {
+            tell(refusals.unreadable(file, unreadable));
+        }
+    }
+
+    @Override
+    public void seek(long nanos) {
+        // time that runs cannot be turned back
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        sessions.record(file);
+    }
+
+    @Override
+    public void tell(String message) {
+        noticeNanos = System.nanoTime();
+        notice = message;
+    }
+
+    /** For the title. */
+    public String firstNumber() {
+        return lines.isEmpty() ? "" : lines.get(0).robot().number().digits();
+    }
+}

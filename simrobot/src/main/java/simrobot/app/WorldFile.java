@@ -1,0 +1,66 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+
+/** Finds a world: as named, else from the current folder or the jar's place upward, with or without {@code worlds/}. */
+public final class WorldFile {
+    private static final String DEFAULT = "worlds/demo.map";
+    /** The jar lies in target/dist of the source tree, or beside worlds/. */
+    private static final int FOLDERS_UPWARD = 3;
+
+    private WorldFile() {}
+
+    /** @param name empty: the demo's world, or a bare floor where that is not to be found */
+    public static World read(Optional<Path> name) throws IOException {
+        Path place = find(name);
+        if (Files.isDirectory(place)) {
+            throw new IOException(place + ": expected a world file, found a folder");
+        }
+        if (Files.exists(place)) {
+            return WorldReader.read(place);
+        }
+        if (name.isEmpty()) {
+            return World.bare();
+        }
+        throw new NoSuchFileException(place.toString());
+    }
+
+    /** Where the world's file is; as named when it is nowhere. */
+    public static Path find(Optional<Path> name) {
+        Path wanted = name.orElse(Path.of(DEFAULT));
+        return places(wanted).stream().filter(Files::exists).findFirst().orElse(wanted);
+    }
+
+    private static List<Path> places(Path wanted) {
+        List<Path> places = new ArrayList<>(List.of(wanted, Path.of("worlds").resolve(wanted)));
+        Path folder = programFolder();
+        for (int i = 0; i < FOLDERS_UPWARD && folder != null; i++) {
+            places.add(folder.resolve(wanted));
+            places.add(folder.resolve("worlds").resolve(wanted));
+            folder = folder.getParent();
+        }
+        return places;
+    }
+
+    /** Null where the program does not come from a file. */
+    private static Path programFolder() {
+        try {
+            CodeSource source = WorldFile.class.getProtectionDomain().getCodeSource();
+            return source == null
+                    ? null
+                    : Path.of(source.getLocation().toURI()).toAbsolutePath().getParent();
+        } catch (URISyntaxException | IllegalArgumentException e) {
+            return null;
+        }
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * The world editor's window. Read {@link simrobot.ui.editor.EditorPanel}.
+ */
+package simrobot.ui.editor;

@@ -1,0 +1,79 @@
+package simrobot.ui.floor;
+
+import simrobot.world.Area;
+
+/**
+ * Which part of the world is seen, and how large; the one place where y turns from up (world) to down (screen).
+ *
+ * @param centerX place in the middle of the view, metres
+ * @param pixelsPerMeter in logical pixels
+ * @param width of the view in logical pixels
+ */
+public record Viewport(double centerX, double centerY, double pixelsPerMeter, double width, double height) {
+    private static final double LEAST_PIXELS_PER_METER = 0.5;
+    private static final double MOST_PIXELS_PER_METER = 2000;
+
+    public Viewport {
+        pixelsPerMeter = Math.max(LEAST_PIXELS_PER_METER, Math.min(MOST_PIXELS_PER_METER, pixelsPerMeter));
+    }
+
+    /** All of an area with some room around it. */
+    public static Viewport fitting(Area area, double width, double height, double marginPixels) {
+        double wide = Math.max(area.maxXMeters() - area.minXMeters(), 1);
+        double high = Math.max(area.maxYMeters() - area.minYMeters(), 1);
+        double scale =
+                Math.min(Math.max(1, width - 2 * marginPixels) / wide, Math.max(1, height - 2 * marginPixels) / high);
+        double x = (area.minXMeters() + area.maxXMeters()) / 2;
+        double y = (area.minYMeters() + area.maxYMeters()) / 2;
+        return new Viewport(x, y, scale, width, height);
+    }
+
+    public double screenX(double xMeters) {
+        return width / 2 + (xMeters - centerX) * pixelsPerMeter;
+    }
+
+    public double screenY(double yMeters) {
+        return height / 2 - (yMeters - centerY) * pixelsPerMeter;
+    }
+
+    public double worldX(double screenX) {
+        return centerX + (screenX - width / 2) / pixelsPerMeter;
+    }
+
+    public double worldY(double screenY) {
+        return centerY - (screenY - height / 2) / pixelsPerMeter;
+    }
+
+    /** Larger or smaller, the place under that pixel staying where it is. */
+    public Viewport zoomedAt(double screenX, double screenY, double factor) {
+        Viewport scaled = new Viewport(centerX, centerY, pixelsPerMeter * factor, width, height);
+        return new Viewport(
+                centerX + worldX(screenX) - scaled.worldX(screenX),
+                centerY + worldY(screenY) - scaled.worldY(screenY),
+                scaled.pixelsPerMeter,
+                width,
+                height);
+    }
+
+    /** Moved so that the world follows the hand by that many pixels. */
+    public Viewport draggedBy(double dx, double dy) {
+        return centeredOn(centerX - dx / pixelsPerMeter, centerY + dy / pixelsPerMeter);
+    }
+
+    public Viewport centeredOn(double xMeters, double yMeters) {
+        return new Viewport(xMeters, yMeters, pixelsPerMeter, width, height);
+    }
+
+    /** The same middle and scale in a view of another size. */
+    public Viewport sized(double newWidth, double newHeight) {
+        return new Viewport(centerX, centerY, pixelsPerMeter, newWidth, newHeight);
+    }
+
+    /** True when a disc about that place is at least partly in view. */
+    public boolean shows(double xMeters, double yMeters, double radiusMeters) {
+        double reach = radiusMeters * pixelsPerMeter;
+        double x = screenX(xMeters);
+        double y = screenY(yMeters);
+        return x + reach >= 0 && x - reach <= width && y + reach >= 0 && y - reach <= height;
+    }
+}

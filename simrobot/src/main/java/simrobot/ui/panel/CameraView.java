@@ -1,0 +1,163 @@
+package simrobot.ui.panel;
+
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.RoundRectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import simgsm.ui.Drawing;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.camera.Camera;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.ui.PaintedComponent;
+import vericommand.RobotStatus;
+
+/**
+ * What the selected robot's camera sees. Pictures are drawn on a thread of its own, at most fifteen a second, only while
+ * the view is to be seen and only when something has moved.
+ */
+public final class CameraView extends PaintedComponent {
+    private static final int PERIOD_MILLIS = 66;
+    private static final double LEAST_SHARE = 0.6;
+
+    private final Texts texts;
+    private final Timer timer = new Timer(PERIOD_MILLIS, tick -> draw());
+    private final Camera camera = new Camera();
+    private ExecutorService drawer;
+    private Sight wanted;
+    private Sight drawn;
+    private boolean drawing;
+    private BufferedImage picture;
+
+    /** A robot in a scene. */
+    private record Sight(SimulationSnapshot scene, RobotSnapshot robot) {
+        /** Whether the same things stand in the same places. */
+        boolean looksLike(Sight other) {
+            if (other == null || !robot.name().equals(other.robot.name()) || scene.world() != other.scene.world()) {
+                return false;
+            }
+            List<RobotSnapshot> here = scene.robots();
+            List<RobotSnapshot> there = other.scene.robots();
+            boolean same = here.size() == there.size() && robot.powered() == other.robot.powered();
+            for (int i = 0; same && i < here.size(); i++) {
+                same = isThere(here.get(i), there.get(i));
+            }
+            return same;
+        }
+
+        private static boolean isThere(RobotSnapshot one, RobotSnapshot other) {
+            return one.xMeters() == other.xMeters()
+                    && one.yMeters() == other.yMeters()
+                    && one.headingRadians() == other.headingRadians();
+        }
+    }
+
+    public CameraView(Texts texts) {
+        super("camera");
+        this.texts = texts;
+        timer.setCoalesce(true);
+        say(texts.of("camera.none"));
+    }
+
+    /** To be told every newest snapshot; on the event thread. */
+    public void show(SimulationSnapshot scene, RobotSnapshot robot) {
+        wanted = new Sight(scene, robot);
+        String missing = missing();
+        say(missing.isEmpty() ? texts.of("camera.spoken", robot.name()) : missing);
+    }
+
+    /** Why there is no picture; empty when there is one. */
+    private String missing() {
+        if (wanted == null) {
+            return texts.of("camera.none");
+        }
+        if (!wanted.robot().simulated()) {
+            return texts.of("camera.real");
+        }
+        return wanted.robot().status() == RobotStatus.DISCONNECTED ? texts.of("camera.off") : "";
+    }
+
+    /** Draws the newest sight at once, on the calling thread; for tests and for who paints without a window. */
+    void drawNow() {
+        if (wanted != null) {
+            drawn = wanted;
+            picture = camera.picture(drawn.scene(), drawn.robot());
+        }
+    }
+
+    private void draw() {
+        if (drawing || !missing().isEmpty() || !isShowing() || getVisibleRect().isEmpty() || wanted.looksLike(drawn)) {
+            return;
+        }
+        Sight sight = wanted;
+        drawing = true;
+        drawer.execute(() -> {
+            BufferedImage seen = camera.picture(sight.scene(), sight.robot());
+            SwingUtilities.invokeLater(() -> {
+                drawing = false;
+                drawn = sight;
+                picture = seen;
+                repaint();
+            });
+        });
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        drawing = false;
+        drawer = Executors.newSingleThreadExecutor(work -> {
+            Thread thread = new Thread(work, "camera");
+            thread.setDaemon(true);
+            return thread;
+        });
+        timer.start();
+    }
+
+    @Override
+    public void removeNotify() {
+        timer.stop();
+        if (drawer != null) {
+            drawer.shutdown();
+        }
+        super.removeNotify();
+    }
+
+    @Override
+    protected Dimension preferred() {
+        int width = Theme.px(Camera.WIDTH * LEAST_SHARE);
+        return new Dimension(width, width * Camera.HEIGHT / Camera.WIDTH);
+    }
+
+    @Override
+    protected void paint(Graphics2D g, double width, double height) {
+        double share = Math.min(width / Camera.WIDTH, height / Camera.HEIGHT);
+        double w = Camera.WIDTH * share;
+        double h = Camera.HEIGHT * share;
+        double x = (width - w) / 2;
+        double y = (height - h) / 2;
+        double round = Theme.exact(6);
+        g.setColor(Ink.LINE.color());
+        g.fill(new RoundRectangle2D.Double(x, y, w, h, round, round));
+        String missing = missing();
+        if (picture != null && missing.isEmpty()) {
+            g.clip(new RoundRectangle2D.Double(x, y, w, h, round, round));
+            g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+            g.drawImage(picture, new AffineTransform(share, 0, 0, share, x, y), null);
+        } else {
+            g.setFont(Theme.base());
+            g.setColor(Ink.QUIET.color());
+            float left = (float) (x + (w - Drawing.width(Theme.base(), missing)) / 2);
+            g.drawString(missing, left, (float) (y + h / 2));
+        }
+    }
+}

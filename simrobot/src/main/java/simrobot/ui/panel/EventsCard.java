@@ -1,0 +1,182 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.AbstractListModel;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.ListCellRenderer;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Drawing;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.control.LoggedEvent;
+import simrobot.ui.CompactButtons;
+import simrobot.ui.PaintedComponent;
+import simrobot.ui.floor.WorldView;
+
+/** What happened, the newest at the bottom: of all robots or of the selected one; lines can be copied. */
+final class EventsCard extends JPanel {
+    private final EventTexts words;
+    private final Rows model = new Rows();
+    private final JList<LoggedEvent> list = new JList<>(model);
+    private final JScrollPane pane = new JScrollPane(list);
+    private final JCheckBox onlySelected;
+    private List<LoggedEvent> events = List.of();
+    private String selected = "";
+
+    EventsCard(Texts texts) {
+        super(new BorderLayout());
+        setOpaque(false);
+        words = new EventTexts(texts);
+        Named.name(list, "events", texts.of("log.title"));
+        list.setCellRenderer(new RowRenderer());
+        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        onlySelected = new JCheckBox(texts.of("log.only"));
+        onlySelected.setOpaque(false);
+        onlySelected.addActionListener(event -> filter());
+        Named.name(onlySelected, "events.only", texts.of("log.only"));
+        Act copy = new Act("events.copy", texts.of("log.copy"), this::copy).described(texts.of("log.copy.hint"));
+        copy.bind(list, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_C, InputEvent.CTRL_DOWN_MASK));
+        JPanel tools = Arrange.row(
+                Theme.HALF,
+                onlySelected,
+                Arrange.spring(),
+                Named.name(new JButton(copy), "events.copy", texts.of("log.copy.hint")));
+        CompactButtons.buttonsIn(tools);
+        add(new Card(texts.of("log.title"), Arrange.column(Theme.GRID, tools, Arrange.growing(pane))));
+    }
+
+    void show(List<LoggedEvent> newest, String robot) {
+        if (newest != events || !robot.equals(selected)) {
+            boolean sameRobot = robot.equals(selected);
+            events = newest;
+            selected = robot;
+            if (isShowing() || model.rows.isEmpty() || !sameRobot) {
+                filter();
+            }
+        }
+    }
+
+    /** Stays at the end when it was there, as a log does. */
+    private void filter() {
+        var bar = pane.getVerticalScrollBar();
+        boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - Theme.px(4);
+        model.show(
+                onlySelected.isSelected()
+                        ? events.stream()
+                                .filter(event -> event.robot().equals(selected))
+                                .toList()
+                        : events);
+        if (atEnd && model.getSize() > 0 && list.getSelectedIndex() < 0) {
+            list.ensureIndexIsVisible(model.getSize() - 1);
+        }
+    }
+
+    /** The selected lines, or all. */
+    String copied() {
+        List<LoggedEvent> chosen = list.getSelectedValuesList();
+        return (chosen.isEmpty() ? model.rows : chosen)
+                .stream().map(words::line).collect(Collectors.joining("\n", "", "\n"));
+    }
+
+    private void copy() {
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(copied()), null);
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(Theme.px(180), Theme.px(160));
+    }
+
+    /** The log grows at its end and is cut at its beginning, so a row is what it was when it is told once. */
+    private static final class Rows extends AbstractListModel<LoggedEvent> {
+        private List<LoggedEvent> rows = List.of();
+
+        void show(List<LoggedEvent> newRows) {
+            int before = rows.size();
+            boolean grown =
+                    newRows.size() >= before && (before == 0 || newRows.get(before - 1) == rows.get(before - 1));
+            rows = newRows;
+            if (!grown) {
+                fireContentsChanged(this, 0, Math.max(before, newRows.size()));
+            } else if (newRows.size() > before) {
+                fireIntervalAdded(this, before, newRows.size() - 1);
+            }
+        }
+
+        @Override
+        public int getSize() {
+            return rows.size();
+        }
+
+        @Override
+        public LoggedEvent getElementAt(int index) {
+            return rows.get(index);
+        }
+    }
+
+    /** Two lines: when and who, then what. */
+    private final class RowRenderer extends PaintedComponent implements ListCellRenderer<LoggedEvent> {
+        private LoggedEvent event;
+        private boolean chosen;
+
+        RowRenderer() {
+            super("event");
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<? extends LoggedEvent> owner, LoggedEvent value, int index, boolean isSelected, boolean focus) {
+            event = value;
+            chosen = isSelected;
+            say(words.line(value).replace('\t', ' '));
+            return this;
+        }
+
+        @Override
+        protected Dimension preferred() {
+            return new Dimension(Theme.px(120), Theme.px(36));
+        }
+
+        @Override
+        protected void paint(Graphics2D g, double width, double height) {
+            if (chosen) {
+                g.setColor(Ink.ACCENT_WASH.color());
+                g.fillRect(0, 0, getWidth(), getHeight());
+            }
+            double left = Theme.exact(8);
+            String time = WorldView.clockText(event.timeNanos());
+            g.setColor(Ink.QUIET.color());
+            g.setFont(Theme.monoSmall());
+            g.drawString(time, (float) left, Theme.exact(14));
+            double nameAt = left + Drawing.width(Theme.monoSmall(), time) + Theme.exact(8);
+            g.setFont(Theme.small());
+            g.drawString(
+                    Drawing.fitted(Theme.small(), event.robot(), width - nameAt - left),
+                    (float) nameAt,
+                    Theme.exact(14));
+            g.setColor(Ink.TEXT.color());
+            g.setFont(Theme.base());
+            g.drawString(
+                    Drawing.fitted(Theme.base(), words.of(event), width - 2 * left), (float) left, Theme.exact(30));
+        }
+    }
+}

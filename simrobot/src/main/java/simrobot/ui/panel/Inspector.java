@@ -1,0 +1,161 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.Dimension;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.ButtonGroup;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Named;
+import simgsm.ui.ScrolledColumn;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.ui.CompactButtons;
+import simrobot.ui.PoseTexts;
+import simrobot.ui.Reading;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.WindowSnapshot;
+import simrobot.ui.floor.WorldView;
+
+/** The column beside the floor: which robots there are, and all about the selected one. */
+final class Inspector extends JPanel {
+    private final RobotsCard robots;
+    private final NewRobotForm newcomer;
+    private final EventsCard events;
+    private final CardLayout sheets = new CardLayout();
+    private final JPanel sheet = new JPanel(sheets);
+    private final Reading x;
+    private final Reading y;
+    private final Reading heading;
+    private final Reading speed;
+    private final Reading turn;
+    private final Reading battery;
+    private final OdometryCard wheels;
+    private final SonarRose sonar;
+    private final CameraView camera;
+    private final String low;
+    private JPanel tabs;
+    private List<String> names = List.of();
+    private List<String> numbers = List.of();
+
+    Inspector(Texts texts, Consumer<String> selection, SimRobotActions operator, WorldView view) {
+        super(new BorderLayout());
+        setOpaque(false);
+        low = texts.of("pose.battery.low");
+        newcomer = new NewRobotForm(texts, operator, view);
+        robots = new RobotsCard(texts, selection, operator, this::askForNewcomer);
+        events = new EventsCard(texts);
+        x = new Reading("pose.x", "x", "m");
+        y = new Reading("pose.y", "y", "m");
+        heading = new Reading("pose.heading", texts.of("pose.heading"), "\u00b0");
+        speed = new Reading("pose.speed", texts.of("pose.speed"), "m/s");
+        turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
+        battery = new Reading("pose.battery", texts.of("pose.battery"), "V");
+        wheels = new OdometryCard(texts);
+        sonar = new SonarRose(texts);
+        camera = new CameraView(texts);
+        Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn, battery));
+        Card rose = new Card(texts.of("sonar.title"), sonar);
+        Card picture = new Card(texts.of("camera.title"), camera);
+        sheet.setOpaque(false);
+        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels)), "robot");
+        sheet.add(events, "events");
+        JPanel top = Arrange.column(Theme.GRID, robots, newcomer, tabs(texts));
+        add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
+    }
+
+    private static JScrollPane scrolled(JPanel content) {
+        JScrollPane all = new RoomForItsBar(new ScrolledColumn(content));
+        all.setBorder(null);
+        all.setViewportBorder(null);
+        all.setOpaque(false);
+        all.getViewport().setOpaque(false);
+        all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        return all;
+    }
+
+    /** What the lower part shows: the robot or the events. */
+    private JPanel tabs(Texts texts) {
+        JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, "robot");
+        JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, "events");
+        ButtonGroup one = new ButtonGroup();
+        one.add(robot);
+        one.add(log);
+        robot.setSelected(true);
+        tabs = Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log));
+        CompactButtons.buttonsIn(tabs);
+        return tabs;
+    }
+
+    private JToggleButton tab(String id, Texts texts, int key, String name) {
+        JToggleButton button = new JToggleButton();
+        Act act = new Act(id, texts.of(id), () -> {
+            button.setSelected(true);
+            sheets.show(sheet, name);
+        });
+        act.bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK));
+        button.setAction(act.described(texts.of(id) + "  (Alt+" + KeyEvent.getKeyText(key) + ")"));
+        return Named.name(button, id, texts.of(id));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (tabs != null) {
+            CompactButtons.buttonsIn(tabs);
+        }
+    }
+
+    private void askForNewcomer() {
+        newcomer.toggle(names, numbers);
+        revalidate();
+    }
+
+    /** As wide as its view and its scroll bar, so that nothing narrows when the bar appears. */
+    private static final class RoomForItsBar extends JScrollPane {
+        RoomForItsBar(ScrolledColumn column) {
+            super(column);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension view = super.getPreferredSize();
+            Dimension bar = getVerticalScrollBar().getPreferredSize();
+            return getVerticalScrollBar().isVisible() ? new Dimension(view.width + bar.width, view.height) : view;
+        }
+    }
+
+    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected, WindowSnapshot newest) {
+        names = rows.stream().map(RobotList.Row::name).toList();
+        numbers = rows.stream().map(RobotList.Row::number).toList();
+        robots.show(rows, selected, newest.ports());
+        robots.setLive(newest.timeline().isEmpty());
+        wheels.setVisible(newest.timeline().isEmpty());
+        selected.ifPresent(wheels::show);
+        events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
+        selected.ifPresent(this::show);
+        selected.ifPresent(robot -> camera.show(newest.simulation(), robot));
+    }
+
+    private void show(RobotSnapshot robot) {
+        x.show(PoseTexts.meters(robot.xMeters()));
+        y.show(PoseTexts.meters(robot.yMeters()));
+        heading.show(PoseTexts.degrees(robot.headingRadians()));
+        speed.show(PoseTexts.fixed(robot.speedMetersPerSecond(), 2));
+        turn.show(PoseTexts.fixed(Math.toDegrees(robot.turnRadiansPerSecond()), 1));
+        String volts = PoseTexts.fixed(robot.condition().batteryVolts(), 1);
+        battery.show(robot.condition().batteryLow() ? low + " " + volts : volts);
+        sonar.show(robot.sonarRangesMeters());
+    }
+}

@@ -1,0 +1,166 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.util.Locale;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.station.MobileCallState;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Lamp;
+import simgsm.ui.LinkState;
+import simgsm.ui.Mark;
+import simgsm.ui.Named;
+import simgsm.ui.SignalBars;
+import simgsm.ui.SpeechText;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simgsm.ui.ToneScopePanel;
+import simrobot.ui.LineSnapshot;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.TextLine;
+
+/** M2: its number, the network, the call, and what it hears. */
+final class ModemPanel extends JPanel {
+    private final Texts texts;
+    private final TextLine number = new TextLine("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
+    private final TextLine network = new TextLine("modem.network", Theme::base, Ink.QUIET);
+    private final SignalBars signal;
+    private final Lamp call;
+    private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
+    private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
+    private final JLabel sound = Named.name(new JLabel(), "modem.sound", "");
+    private final ToneScopePanel scope;
+    private final SimRobotActions operator;
+    /** Holds for whichever robot is shown. */
+    private ToneExperiment experiment = ToneExperiment.NONE;
+
+    private String robot = "";
+    private final Locale language;
+
+    ModemPanel(Texts texts, Locale language, SimRobotActions operator) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.language = language;
+        this.operator = operator;
+        setOpaque(false);
+        signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
+        call = new Lamp(texts.of("modem.call"));
+        call.setName("modem.call");
+        scope = new ToneScopePanel(language, this::tryOut);
+        JPanel facts = Arrange.column(
+                6,
+                Arrange.row(10, number, Arrange.spring(), signal),
+                network,
+                call,
+                peer,
+                codec,
+                Arrange.row(0, sound, Arrange.spring()),
+                Arrange.spring());
+        JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
+        Card card = new Card(texts.of("modem.title"), content);
+        add(card, BorderLayout.CENTER);
+        dress();
+    }
+
+    void show(LineSnapshot line) {
+        StationSnapshot modem = line.modem();
+        number.show(line.number());
+        network.show(network(modem));
+        signal.show(modem.registered() ? SignalBars.BARS : 0);
+        showCall(modem.callState());
+        peer.show(modem.peer().map(Msisdn::digits).orElse(""));
+        codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
+        showSound(line.audible());
+        robot = line.robot();
+        if (!line.heard().experiment().equals(experiment)) {
+            operator.tryOut(robot, experiment);
+        }
+        scope.show(line.heard());
+    }
+
+    private String network(StationSnapshot modem) {
+        if (modem.rejectCause().isPresent()) {
+            return refusal(modem);
+        }
+        return modem.registered() && !modem.networkName().isEmpty() ? modem.networkName() : texts.of("modem.noNetwork");
+    }
+
+    private String refusal(StationSnapshot modem) {
+        if (modem.cardRefused()) {
+            return texts.of("modem.refused.card");
+        }
+        RejectCause cause = modem.rejectCause().orElseThrow();
+        return switch (cause) {
+            // The centre says "illegal MS" to a second terminal that claims a number in use.
+            case ILLEGAL_MS -> texts.of("modem.refused.taken");
+            case IMSI_UNKNOWN_IN_HLR -> texts.of("modem.refused.unknown");
+            case ILLEGAL_ME -> texts.of("modem.refused.equipment");
+            case PLMN_NOT_ALLOWED -> texts.of("modem.refused.barred");
+            case CONGESTION -> texts.of("modem.refused.congestion");
+            case NETWORK_FAILURE -> texts.of("modem.refused.failure");
+            default -> texts.of("modem.refused.other", String.valueOf(cause.code()));
+        };
+    }
+
+    /** With little room the floor goes before the scope's faders. */
+    void beCompact(boolean compact) {
+        scope.beCompact(compact);
+    }
+
+    private void tryOut(ToneExperiment chosen) {
+        experiment = chosen;
+        if (!robot.isEmpty()) {
+            operator.tryOut(robot, chosen);
+        }
+    }
+
+    private void showSound(boolean audible) {
+        String words = texts.of(audible ? "modem.sound.on" : "modem.sound.off");
+        if (!words.equals(sound.getToolTipText())) {
+            sound.setIcon((audible ? Symbol.SPEAKER : Symbol.SPEAKER_OFF).icon());
+            sound.setText(audible ? "" : words);
+            sound.setToolTipText(words);
+            sound.getAccessibleContext().setAccessibleName(words);
+        }
+    }
+
+    private void dress() {
+        sound.setFont(Theme.small());
+        sound.setForeground(Ink.QUIET.color());
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (sound != null) {
+            dress();
+        }
+    }
+
+    private void showCall(MobileCallState state) {
+        if (state == MobileCallState.NULL) {
+            call.show(Mark.RING, Ink.QUIET, texts.of("modem.call.none"));
+        } else if (state == MobileCallState.ACTIVE) {
+            call.show(Mark.DISC, Ink.GOOD, texts.of("modem.call.active"));
+        } else {
+            call.show(Mark.HALF_DISC, Ink.WARNING, texts.of("modem.call.setup"));
+        }
+    }
+
+    static LinkState linkState(StationSnapshot modem) {
+        if (!modem.powered()) {
+            return LinkState.OFF;
+        }
+        if (modem.registered()) {
+            return LinkState.UP;
+        }
+        return modem.rejectCause().isPresent() ? LinkState.REFUSED : LinkState.SEARCHING;
+    }
+}

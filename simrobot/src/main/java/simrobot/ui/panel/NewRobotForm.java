@@ -1,0 +1,148 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.ui.CompactButtons;
+import simrobot.ui.EventThread;
+import simrobot.ui.PoseTexts;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.TextLine;
+import simrobot.ui.floor.RobotGhost;
+import simrobot.ui.floor.WorldView;
+import vericommand.Pose;
+
+/**
+ * Asks for a new robot: its name, its modem's number, and where it is to stand. The place may be typed, or shown on the
+ * floor; without one it goes to the first home that is free.
+ */
+final class NewRobotForm extends JPanel {
+    private final Texts texts;
+    private final SimRobotActions operator;
+    private final WorldView view;
+    private final JTextField name = new JTextField(8);
+    private final JTextField number = new JTextField(8);
+    private final JTextField x = new JTextField(2);
+    private final JTextField y = new JTextField(2);
+    private final JTextField heading = new JTextField(2);
+    private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).modest();
+    private String awaited = "";
+
+    NewRobotForm(Texts texts, SimRobotActions operator, WorldView view) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.operator = operator;
+        this.view = view;
+        setOpaque(false);
+        Act add = new Act("newcomer.add", texts.of("newcomer.add"), this::add);
+        Act cancel = new Act("newcomer.cancel", texts.of("newcomer.cancel"), this::close);
+        add.bind(this, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
+        cancel.bind(this, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        JPanel buttons = Arrange.row(
+                Theme.HALF,
+                Arrange.spring(),
+                Named.name(new JButton(cancel), cancel.id(), texts.of("newcomer.cancel")),
+                Named.name(new JButton(add), add.id(), texts.of("newcomer.add")));
+        CompactButtons.buttonsIn(buttons);
+        JPanel rows = Arrange.column(
+                6,
+                labelled("newcomer.name", name),
+                labelled("newcomer.number", number),
+                Arrange.row(
+                        Theme.HALF,
+                        Arrange.growing(labelled("newcomer.x", x)),
+                        Arrange.growing(labelled("newcomer.y", y)),
+                        Arrange.growing(labelled("newcomer.heading", heading))),
+                hint(),
+                problem,
+                buttons);
+        add(new Card(texts.of("newcomer.title"), rows));
+        setVisible(false);
+    }
+
+    /** It takes what room there is; the column does not grow for it. */
+    private TextLine hint() {
+        TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET).modest();
+        hint.show(texts.of("newcomer.hint"));
+        return hint;
+    }
+
+    private JPanel labelled(String key, JTextField field) {
+        JLabel label = new JLabel(texts.of(key));
+        label.setLabelFor(field);
+        Named.name(field, key, texts.of(key));
+        return Arrange.column(2, label, field);
+    }
+
+    /** Opens the form with a name and a number that are free, or closes it. */
+    void toggle(List<String> names, List<String> numbers) {
+        if (isVisible()) {
+            close();
+            return;
+        }
+        name.setText(NewRobot.freeName(names));
+        number.setText(NewRobot.freeNumber(numbers));
+        x.setText("");
+        y.setText("");
+        heading.setText("");
+        problem.show("");
+        setVisible(true);
+        view.askForPlace(this::placed);
+        name.selectAll();
+        name.requestFocusInWindow();
+    }
+
+    private void placed(double xMeters, double yMeters, double headingRadians) {
+        x.setText(PoseTexts.fixed(xMeters, 2));
+        y.setText(PoseTexts.fixed(yMeters, 2));
+        double shown = Double.isNaN(headingRadians) ? 0 : headingRadians;
+        heading.setText(PoseTexts.fixed(Math.toDegrees(shown), 0));
+        view.hand().show(new RobotGhost(xMeters, yMeters, shown, "", false));
+    }
+
+    private void add() {
+        try {
+            Optional<Pose> place = NewRobot.place(x.getText(), y.getText(), heading.getText());
+            awaited = name.getText().strip();
+            operator.addRobot(awaited, number.getText().strip(), place, EventThread.onEventThread(this::answered));
+        } catch (IllegalArgumentException notANumber) {
+            problem.show(texts.of("newcomer.numbers", notANumber.getMessage()));
+        }
+    }
+
+    private void answered(Optional<String> refusal) {
+        problem.show(refusal.orElse(""));
+        if (refusal.isEmpty()) {
+            view.wish(awaited);
+            close();
+        }
+    }
+
+    private void close() {
+        setVisible(false);
+        view.askForPlace(null);
+        view.requestFocusInWindow();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (getParent() != null) {
+            CompactButtons.buttonsIn(this);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import javax.swing.JPanel;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Texts;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.ui.PoseTexts;
+import simrobot.ui.Reading;
+import vericommand.Pose;
+
+/** Where the wheels say that the robot is, and how far that is from the truth. */
+final class OdometryCard extends JPanel {
+    private final Reading x = new Reading("odometry.x", "x", "m");
+    private final Reading y = new Reading("odometry.y", "y", "m");
+    private final Reading heading;
+    private final Reading error;
+    private final Reading turned;
+
+    OdometryCard(Texts texts) {
+        super(new BorderLayout());
+        setOpaque(false);
+        heading = new Reading("odometry.heading", texts.of("pose.heading"), "\u00b0");
+        error = new Reading("odometry.error", texts.of("odometry.error"), "m");
+        turned = new Reading("odometry.turned", texts.of("odometry.turned"), "\u00b0");
+        add(new Card(texts.of("odometry.title"), Arrange.column(0, x, y, heading, error, turned)));
+    }
+
+    void show(RobotSnapshot robot) {
+        Pose told = robot.condition().odometry();
+        Pose believed = robot.condition().believed();
+        x.show(PoseTexts.meters(told.xMeters()));
+        y.show(PoseTexts.meters(told.yMeters()));
+        heading.show(PoseTexts.degrees(Math.toRadians(told.headingDegrees())));
+        error.show(PoseTexts.meters(
+                Math.hypot(believed.xMeters() - robot.xMeters(), believed.yMeters() - robot.yMeters())));
+        turned.show(PoseTexts.fixed(
+                Math.IEEEremainder(believed.headingDegrees() - Math.toDegrees(robot.headingRadians()), 360), 1));
+    }
+}

@@ -1,0 +1,139 @@
+package simrobot.ui.panel;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.DefaultListModel;
+import javax.swing.JList;
+import javax.swing.JScrollPane;
+import javax.swing.ListCellRenderer;
+import javax.swing.ListSelectionModel;
+import simgsm.ui.Drawing;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.ui.PaintedComponent;
+import simrobot.ui.StatusLamps;
+import simrobot.ui.StatusLook;
+import vericommand.RobotStatus;
+
+/** All robots with their status and number; the selected one is what the rest of the window shows. */
+final class RobotList {
+    /**
+     * A robot in the list.
+     *
+     * @param number of its modem, empty when it has none
+     * @param calling whether it is in a call
+     */
+    record Row(String name, RobotStatus status, String number, boolean calling) {}
+
+    private static final int ROWS_SHOWN = 4;
+
+    private final DefaultListModel<Row> model = new DefaultListModel<>();
+    private final JList<Row> list = new JList<>(model);
+    private final JScrollPane pane = new JScrollPane(list);
+
+    RobotList(Texts texts, Consumer<String> selection) {
+        Named.name(list, "robots", texts.of("robots.name"));
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new RowRenderer(texts));
+        list.setVisibleRowCount(ROWS_SHOWN);
+        list.addListSelectionListener(event -> {
+            if (!event.getValueIsAdjusting() && list.getSelectedValue() != null) {
+                selection.accept(list.getSelectedValue().name());
+            }
+        });
+        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+    }
+
+    JList<Row> list() {
+        return list;
+    }
+
+    /** Selects a neighbour; after the last comes the first. */
+    void step(int by) {
+        if (!model.isEmpty()) {
+            list.setSelectedIndex(Math.floorMod(list.getSelectedIndex() + by, model.size()));
+            list.ensureIndexIsVisible(list.getSelectedIndex());
+        }
+    }
+
+    JScrollPane component() {
+        return pane;
+    }
+
+    void show(List<Row> rows, String selected) {
+        for (int i = 0; i < rows.size(); i++) {
+            if (i == model.size()) {
+                model.addElement(rows.get(i));
+            } else if (!model.get(i).equals(rows.get(i))) {
+                model.set(i, rows.get(i));
+            }
+        }
+        while (model.size() > rows.size()) {
+            model.remove(model.size() - 1);
+        }
+        list.setVisibleRowCount(Math.max(1, Math.min(ROWS_SHOWN, rows.size())));
+        for (int i = 0; i < rows.size(); i++) {
+            if (rows.get(i).name().equals(selected) && list.getSelectedIndex() != i) {
+                list.setSelectedIndex(i);
+                list.ensureIndexIsVisible(i);
+            }
+        }
+    }
+
+    private static final class RowRenderer extends PaintedComponent implements ListCellRenderer<Row> {
+        private final Texts texts;
+        private Row row = new Row("", RobotStatus.STOPPED, "", false);
+        private boolean chosen;
+
+        RowRenderer(Texts texts) {
+            super("robot");
+            this.texts = texts;
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<? extends Row> list, Row value, int index, boolean isSelected, boolean hasFocus) {
+            row = value;
+            chosen = isSelected;
+            String call = row.calling() ? " " + texts.of("robots.calling") : "";
+            say(row.name() + " " + StatusLamps.word(texts, row.status()) + " " + row.number() + call);
+            return this;
+        }
+
+        @Override
+        protected Dimension preferred() {
+            // The list gives a row all its width; asking for more would put the number under the scroll bar.
+            return new Dimension(Theme.px(120), Theme.px(26));
+        }
+
+        @Override
+        protected void paint(Graphics2D g, double width, double height) {
+            if (chosen) {
+                g.setColor(Ink.ACCENT_WASH.color());
+                g.fillRect(0, 0, getWidth(), getHeight());
+            }
+            double r = Theme.exact(5.5);
+            StatusLook.mark(row.status()).paint(g, Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
+            double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
+            double number = Drawing.width(Theme.mono(), row.number()) + Theme.exact(8);
+            double room = width - number - Theme.exact(row.calling() ? 22 : 4);
+            if (row.calling()) {
+                g.setColor(Ink.GOOD.color());
+                Symbol.CALL.paint(g, width - number - Theme.exact(10), height / 2, Theme.exact(12));
+            }
+            g.setFont(Theme.strong());
+            g.setColor(Ink.TEXT.color());
+            double left = Theme.exact(28);
+            g.drawString(Drawing.fitted(Theme.strong(), row.name(), room - left), (float) left, (float) base);
+            g.setFont(Theme.mono());
+            g.setColor(Ink.QUIET.color());
+            g.drawString(row.number(), (float) (width - number), (float) base);
+        }
+    }
+}

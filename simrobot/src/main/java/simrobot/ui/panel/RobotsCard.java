@@ -1,0 +1,150 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.AbstractButton;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import simgsm.ui.Act;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.ui.CompactButtons;
+import simrobot.ui.OpenPort;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.StatusLamps;
+import simrobot.ui.TextLine;
+
+/** Which robots there are, the selected one's status and ports, and the buttons that add and remove robots. */
+final class RobotsCard extends JPanel {
+    private final Texts texts;
+    private final RobotList robots;
+    private final StatusLamps statuses;
+    private final TextLine ports = new TextLine("ports", Theme::monoSmall, Ink.QUIET);
+    private final Act add;
+    private final Act remove;
+    private final JPanel buttons;
+    private final JPanel process;
+    private final JComboBox<String> behaviour = new JComboBox<>();
+    private String selected = "";
+    private BehaviourKind present = BehaviourKind.NONE;
+    private boolean showing;
+
+    /** @param newcomer opens and closes the form for a new robot */
+    RobotsCard(Texts texts, Consumer<String> selection, SimRobotActions operator, Runnable newcomer) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        robots = new RobotList(texts, selection);
+        statuses = new StatusLamps(texts);
+        add = new Act("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
+        add.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK));
+        remove = new Act("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
+                .with(Symbol.MINUS.icon(12));
+        remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
+        buttons = Arrange.row(
+                Theme.HALF,
+                button(add, texts.of("robot.add.hint")),
+                button(remove, texts.of("robot.remove.hint")),
+                Arrange.spring());
+        CompactButtons.buttonsIn(buttons);
+        for (BehaviourKind kind : BehaviourKind.values()) {
+            behaviour.addItem(word(texts, kind));
+        }
+        Named.name(behaviour, "robot.behaviour", texts.of("robot.behaviour"));
+        behaviour.setToolTipText(texts.of("robot.behaviour.hint"));
+        behaviour.addActionListener(event -> chosen(operator));
+        JLabel label = new JLabel(texts.of("robot.behaviour"));
+        label.setLabelFor(behaviour);
+        process = Arrange.row(Theme.GRID, label, Arrange.growing(behaviour));
+        step(KeyEvent.VK_DOWN, 1);
+        step(KeyEvent.VK_UP, -1);
+        add(new Card(
+                texts.of("robots.title"), Arrange.column(10, robots.component(), buttons, statuses, process, ports)));
+    }
+
+    private static AbstractButton button(Act act, String hint) {
+        JButton button = new JButton(act.described(hint));
+        return Named.name(button, act.id(), hint);
+    }
+
+    /** Ctrl and an arrow select the next or the last robot from everywhere in the window. */
+    private void step(int key, int by) {
+        new Act("robots.step." + by, "", () -> robots.step(by))
+                .bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        CompactButtons.buttonsIn(this);
+    }
+
+    /** Nothing can be done to the robots of a recording. */
+    void setLive(boolean live) {
+        buttons.setVisible(live);
+        add.setEnabled(live);
+        process.setVisible(live);
+    }
+
+    static String word(Texts texts, BehaviourKind kind) {
+        return switch (kind) {
+            case NONE -> texts.of("behaviour.none");
+            case WANDER -> texts.of("behaviour.wander");
+            case WALL_FOLLOW -> texts.of("behaviour.wallFollow");
+        };
+    }
+
+    /** A choice shows what is: it asks, and what the robot then does comes back. */
+    private void chosen(SimRobotActions operator) {
+        BehaviourKind kind = BehaviourKind.values()[behaviour.getSelectedIndex()];
+        if (!showing && kind != present) {
+            operator.setBehaviour(selected, kind);
+        }
+    }
+
+    private void show(Optional<RobotSnapshot> robot) {
+        present = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
+        behaviour.setEnabled(robot.isPresent());
+        if (behaviour.getSelectedIndex() != present.ordinal() && !behaviour.isPopupVisible()) {
+            showing = true;
+            behaviour.setSelectedIndex(present.ordinal());
+            showing = false;
+        }
+    }
+
+    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> shown, List<OpenPort> open) {
+        selected = shown.map(RobotSnapshot::name).orElse("");
+        robots.show(rows, selected);
+        show(shown);
+        statuses.show(shown.map(RobotSnapshot::status).orElse(null));
+        remove.setEnabled(shown.isPresent() && add.isEnabled());
+        String text = portsText(open);
+        ports.show(text);
+        if (ports.isVisible() == text.isEmpty()) {
+            ports.setVisible(!text.isEmpty());
+        }
+    }
+
+    private String portsText(List<OpenPort> open) {
+        List<String> own = open.stream()
+                .filter(port -> port.robot().isEmpty() || port.robot().equals(selected))
+                .map(port -> port.protocol() + " " + port.port())
+                .toList();
+        return own.isEmpty() ? "" : texts.of("robot.ports", String.join("  ", own));
+    }
+}

@@ -1,0 +1,40 @@
+package simrobot.ui.panel;
+
+import java.awt.Dimension;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import simgsm.ui.Newest;
+import simgsm.ui.ProgramWindow;
+import simgsm.ui.Symbol;
+import simgsm.ui.WindowIcon;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.WindowSnapshot;
+
+/** What SimRobot has in its window: {@link SimRobotPanel}, kept up to date. */
+public final class SimRobotWindow {
+    private static final Dimension SIZE = new Dimension(1120, 800);
+    private static final Dimension LEAST = new Dimension(640, 480);
+
+    private SimRobotWindow() {}
+
+    /**
+     * Made on the event thread.
+     *
+     * @param snapshots asked by the event thread; the same object as long as nothing has changed
+     */
+    public static ProgramWindow.Content content(
+            String title, Locale language, Supplier<WindowSnapshot> snapshots, SimRobotActions operator) {
+        SimRobotPanel panel = new SimRobotPanel(language, snapshots.get(), operator);
+        Newest<WindowSnapshot> newest = new Newest<>(snapshots, panel::show);
+        newest.start();
+        return new ProgramWindow.Content(
+                title,
+                WindowIcon.images(Symbol.ROBOT),
+                panel,
+                Optional.of(SIZE),
+                Optional.of(LEAST),
+                panel::focusFloor,
+                newest::stop);
+    }
+}

@@ -1,0 +1,70 @@
+package simrobot.ui.panel;
+
+import java.awt.event.ActionEvent;
+import javax.swing.JComboBox;
+import simgsm.ui.Named;
+import simgsm.ui.Texts;
+import simrobot.ui.SimRobotActions;
+
+/** How fast simulated time runs; a pace that came from the command line is listed, too. */
+final class SpeedChoice {
+    private static final double[] PACES = {0.1, 0.25, 0.5, 1, 2, 5, 10, 50, Double.POSITIVE_INFINITY};
+
+    private final Texts texts;
+    private final SimRobotActions operator;
+    private final JComboBox<String> box = new JComboBox<>();
+    private double shown = 1;
+    private boolean showing;
+
+    SpeedChoice(Texts texts, SimRobotActions operator) {
+        this.texts = texts;
+        this.operator = operator;
+        for (double pace : PACES) {
+            box.addItem(word(pace));
+        }
+        box.setSelectedItem(word(shown));
+        box.addActionListener(this::chosen);
+        Named.name(box, "tool.speed", texts.of("tool.speed"));
+        box.setToolTipText(texts.of("tool.speed"));
+    }
+
+    JComboBox<String> component() {
+        return box;
+    }
+
+    void show(double speed) {
+        if (speed != shown) {
+            shown = speed;
+            showing = true;
+            if (index(speed) < 0) {
+                box.addItem(word(speed));
+            }
+            box.setSelectedItem(word(speed));
+            showing = false;
+        }
+    }
+
+    private void chosen(ActionEvent event) {
+        int index = box.getSelectedIndex();
+        if (!showing && index >= 0 && index < PACES.length) {
+            operator.setSpeed(PACES[index]);
+        }
+    }
+
+    private static int index(double speed) {
+        for (int i = 0; i < PACES.length; i++) {
+            if (PACES[i] == speed) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private String word(double pace) {
+        if (Double.isInfinite(pace)) {
+            return "\u00d7 " + texts.of("tool.speed.max");
+        }
+        String number = pace == Math.rint(pace) ? String.valueOf((long) pace) : String.valueOf(pace);
+        return "\u00d7 " + number;
+    }
+}

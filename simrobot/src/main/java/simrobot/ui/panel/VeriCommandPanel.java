@@ -1,0 +1,94 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JPanel;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.Keycaps;
+import simgsm.ui.Lamp;
+import simgsm.ui.Mark;
+import simgsm.ui.Texts;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.ui.LineSnapshot;
+import simrobot.ui.TextLine;
+import vericommand.VeriCommandSnapshot;
+
+/** VeriCommand at work: the keys as they come, the order in words, the verdict, the replies. */
+final class VeriCommandPanel extends JPanel {
+    private static final int WIDTH_UNITS = 340;
+
+    private final Texts texts;
+    private final TextLine from = new TextLine("order.from", Theme::base, Ink.QUIET);
+    private final Keycaps keys;
+    private final TextLine words = new TextLine("order.words", Theme::strong, Ink.TEXT);
+    private final Lamp verdict;
+    private final ReplyChips replies;
+    private final TextLine reply = new TextLine("order.reply", Theme::small, Ink.QUIET).overTwoRows();
+
+    VeriCommandPanel(Texts texts, Locale language) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        keys = new Keycaps(texts.of("order.keys"));
+        keys.setName("order.keys");
+        verdict = new Lamp(texts.of("order.verdict"));
+        verdict.setName("order.verdict");
+        replies = new ReplyChips(language);
+        JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
+        add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
+    }
+
+    /** Wide enough for an order's keys; the scope beside it takes the rest. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
+    }
+
+    void show(LineSnapshot line) {
+        VeriCommandSnapshot order = line.orders();
+        from.show(origin(order));
+        keys.show(order.keys(), order.failingPosition());
+        words.show(order.words());
+        showVerdict(order);
+        replies.show(order.message() ? order.replies() : tones(line.tones()));
+        reply.show(newest(order.replies()));
+    }
+
+    private String origin(VeriCommandSnapshot order) {
+        if (order.from().isEmpty() && !order.inCall() && order.keys().isEmpty()) {
+            return texts.of("order.from.nobody");
+        }
+        String number = order.from().isEmpty() ? texts.of("order.from.unknown") : order.from();
+        String kind = order.message() ? "order.from.sms" : order.inCall() ? "order.from.call" : "order.from.ended";
+        return texts.of(kind, number);
+    }
+
+    private void showVerdict(VeriCommandSnapshot order) {
+        switch (order.verdictWord()) {
+            case "accepted" -> {
+                boolean going = order.underWay();
+                Mark mark = going ? Mark.ARROW : Mark.TICK;
+                verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, order.verdictText());
+            }
+            case "refused" -> verdict.show(Mark.CROSS, Ink.WARNING, order.verdictText());
+            case "invalid" -> verdict.show(Mark.CROSS, Ink.DANGER, order.verdictText());
+            default -> {
+                String waiting = order.keys().isEmpty() ? "order.waiting" : "order.reading";
+                verdict.show(order.keys().isEmpty() ? Mark.RING : Mark.HALF_DISC, Ink.QUIET, texts.of(waiting));
+            }
+        }
+    }
+
+    /** In a call the tones that have left are the answer, one chip each. */
+    private static List<String> tones(String digits) {
+        return digits.chars().mapToObj(digit -> String.valueOf((char) digit)).toList();
+    }
+
+    private static String newest(List<String> replies) {
+        return replies.isEmpty() ? "" : replies.get(replies.size() - 1);
+    }
+}

@@ -1,0 +1,104 @@
+package simrobot.ui.panel;
+
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JFileChooser;
+import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import simgsm.ui.Act;
+import simgsm.ui.Named;
+import simgsm.ui.Symbol;
+import simgsm.ui.Texts;
+import simrobot.ui.SimRobotActions;
+
+/** The present world's name; pressing it offers its neighbours in the folder, or any other file. */
+public final class WorldChoice {
+    private final Texts texts;
+    private final SimRobotActions operator;
+    private final Consumer<Boolean> editing;
+    private final JButton button;
+    private Path file = Path.of("");
+
+    /** @param editing told true for a new world, false for the present one */
+    WorldChoice(Texts texts, SimRobotActions operator, Consumer<Boolean> editing) {
+        this.texts = texts;
+        this.editing = editing;
+        this.operator = operator;
+        Act open = new Act("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
+        button = new JButton(open);
+        button.setHorizontalTextPosition(JButton.LEADING);
+        button.setToolTipText(texts.of("tool.world"));
+        open.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK));
+        new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK));
+        Named.name(button, "tool.world", texts.of("tool.world"));
+    }
+
+    JButton component() {
+        return button;
+    }
+
+    void show(Path worldFile) {
+        if (!worldFile.equals(file)) {
+            file = worldFile;
+            button.setText(String.valueOf(worldFile.getFileName()));
+            button.getAccessibleContext().setAccessibleName(texts.of("tool.world") + ": " + button.getText());
+        }
+    }
+
+    private void offer() {
+        menu().show(button, 0, button.getHeight());
+    }
+
+    public JPopupMenu menu() {
+        JPopupMenu menu = new JPopupMenu();
+        for (Path neighbour : neighbours()) {
+            String name = neighbour.getFileName().toString();
+            menu.add(new Act("world." + name, name, () -> operator.load(neighbour)));
+        }
+        menu.addSeparator();
+        menu.add(new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK)));
+        menu.add(new Act("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
+        menu.addSeparator();
+        menu.add(new Act("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
+        menu.add(new Act("world.open", texts.of("tool.world.open"), this::choose));
+        return menu;
+    }
+
+    /** The worlds beside this one; a folder that cannot be read has none. */
+    private List<Path> neighbours() {
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder == null) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(WorldChoice::isWorld).sorted().limit(30).toList();
+        } catch (IOException | java.io.UncheckedIOException unreadable) {
+            return List.of();
+        }
+    }
+
+    private static boolean isWorld(Path candidate) {
+        String name = candidate.getFileName().toString().toLowerCase(Locale.ROOT);
+        return name.endsWith(".map") || name.endsWith(".wld");
+    }
+
+    private void choose() {
+        JFileChooser chooser =
+                new JFileChooser(file.toAbsolutePath().getParent().toFile());
+        chooser.setFileFilter(new FileNameExtensionFilter(texts.of("tool.world.files"), "map", "wld"));
+        if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
+            operator.load(chooser.getSelectedFile().toPath());
+        }
+    }
+}

@@ -1,0 +1,243 @@
+package simrobot.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Arguments;
+import simgsm.speech.AudioOutput;
+import simgsm.speech.CallTap;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.StationOptions;
+import simrobot.SimRobotMain;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Fleet;
+import simrobot.control.LoggedEvent;
+import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.robot.Placement;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.ui.LineSnapshot;
+import simrobot.ui.panel.Refusals;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.Pose;
+import vericommand.ReplyTone;
+import vericommand.RobotStatus;
+import vericommand.Settings;
+
+/** The window's acts reach the simulation, and its pictures tell of them. */
+@Timeout(30)
+class WindowModelTest {
+    private static final Path WORLDS = Path.of("..", "worlds");
+
+    @TempDir
+    Path folder;
+
+    private SimRobot simRobot;
+    private SimulatedRobot robot;
+    private WindowModel model;
+    private Fleet fleet;
+    private final List<Placement> placements = new CopyOnWriteArrayList<>();
+
+    @BeforeEach
+    void aPausedSimulationWithoutACentre() throws Exception {
+        World world = WorldReader.read(WORLDS.resolve("empty.map"));
+        Simulation simulation = new Simulation(world, 1);
+        robot = simulation.addRobot("robot");
+        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        // nobody listens on port 1: the modem goes on looking
+        simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
+        simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
+        simRobot.simulation().setPaused(true);
+        fleet = new Fleet(
+                simRobot,
+                new Fleet.Kit(
+                        1,
+                        true,
+                        true,
+                        BehaviourKind.NONE,
+                        SpeechCodec.Kind.A_LAW,
+                        robot -> CallTap.NONE,
+                        number -> Optional.empty()));
+        model = modelIn(Locale.ENGLISH);
+        simRobot.start();
+    }
+
+    private WindowModel modelIn(Locale language) throws Exception {
+        Arguments plain = SimRobotMain.options().parse(List.of());
+        return new WindowModel(
+                simRobot, fleet, Ports.open(plain, simRobot), WORLDS.resolve("empty.map"), new Refusals(language));
+    }
+
+    @AfterEach
+    void end() {
+        simRobot.close();
+    }
+
+    /** All acts that were posted before are done then. */
+    private RobotStatus status() throws Exception {
+        return simRobot.onSimulation(robot::status);
+    }
+
+    @Test
+    void switchesReachTheRobot() throws Exception {
+        model.setMotors("robot", false);
+        assertEquals(RobotStatus.NO_MOTORS, status());
+        model.setPower("robot", false);
+        assertEquals(RobotStatus.DISCONNECTED, status());
+    }
+
+    @Test
+    void aRobotIsPutSomewhereElse() throws Exception {
+        model.place("robot", 3, 4, 1, placements::add);
+        status();
+        assertEquals(3, robot.xMeters());
+        model.place("robot", 100, 4, 1, placements::add);
+        status();
+        assertEquals(List.of(Placement.DONE, Placement.OUTSIDE), placements);
+    }
+
+    private String add(String name, String number, Optional<Pose> place) throws Exception {
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        model.addRobot(name, number, place, answer::complete);
+        return answer.get(20, TimeUnit.SECONDS).orElse("");
+    }
+
+    @Test
+    void aRobotIsAddedWithItsOwnTelephoneAndRemovedWithIt() throws Exception {
+        assertEquals("", add("anna", "5550209", Optional.of(new Pose(2, 1, 90))));
+        assertEquals(
+                List.of("robot", "anna"),
+                simRobot.robots().stream().map(TelephoneRobot::name).toList());
+        assertEquals("5550209", model.snapshot().lines().get(1).number());
+        assertTrue(model.snapshot().events().stream()
+                .anyMatch(event -> event.robot().equals("anna") && event.kind() == LoggedEvent.Kind.ADDED));
+        model.removeRobot("anna");
+        // the same thread does the next act, so the one before is done
+        assertEquals("", add("bert", "5550209", Optional.empty()));
+        assertEquals(
+                List.of("robot", "bert"),
+                model.snapshot().lines().stream().map(LineSnapshot::robot).toList());
+    }
+
+    @Test
+    void aNumberOrAPlaceThatIsTakenIsRefusedWithItsReason() throws Exception {
+        assertTrue(add("anna", "5550200", Optional.empty()).contains("another robot has the number 5550200"));
+        assertTrue(add("anna", "none", Optional.empty()).contains("not a telephone number"));
+        assertTrue(add("robot", "5550201", Optional.empty()).contains("there already"));
+        Pose taken = simRobot.onSimulation(robot::pose);
+        assertTrue(add("anna", "5550201", Optional.of(taken)).contains("in the way"));
+        assertEquals(1, simRobot.robots().size());
+    }
+
+    @Test
+    void aSpanishWindowRefusesInSpanish() throws Exception {
+        model = modelIn(Locale.forLanguageTag("es"));
+        assertEquals("otro robot tiene ya el número 5550200", add("anna", "5550200", Optional.empty()));
+        assertEquals("\"none\" no es un número de teléfono de 1 a 15 cifras", add("anna", "none", Optional.empty()));
+        assertTrue(add("a b", "5550201", Optional.empty()).endsWith("hay \"a b\""));
+        assertEquals("ya hay un robot robot", add("robot", "5550201", Optional.empty()));
+        Pose taken = simRobot.onSimulation(robot::pose);
+        assertEquals("hay algo en ese lugar", add("anna", "5550201", Optional.of(taken)));
+        assertEquals("fuera del mundo", add("anna", "5550201", Optional.of(new Pose(1e5, 0, 0))));
+        model.read(Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n"));
+        assertEquals(
+                "broken.map:3: hay el final de la línea, se esperaba y2 in mm",
+                model.snapshot().notice());
+        model.read(folder.resolve("nowhere.map"));
+        assertTrue(model.snapshot().notice().endsWith("nowhere.map: no existe el archivo"));
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        Path nowhere = folder.resolve("nowhere").resolve("a.map");
+        model.save(World.bare(), nowhere, answer::complete);
+        assertEquals(Optional.of(nowhere + ": la carpeta no existe"), answer.get(20, TimeUnit.SECONDS));
+        CompletableFuture<Optional<String>> picture = new CompletableFuture<>();
+        model.export("robot", folder.resolve("nowhere").resolve("a.csv"), picture::complete);
+        assertTrue(picture.get(20, TimeUnit.SECONDS).orElse("").endsWith("a.csv: la carpeta no existe"));
+    }
+
+    @Test
+    void aRobotThatIsNotThereGetsNoActs() throws Exception {
+        model.setPower("ghost", false);
+        model.place(null, 1, 1, 1, placements::add);
+        assertEquals(RobotStatus.STOPPED, status());
+    }
+
+    @Test
+    void pauseStepAndPaceReachTheSimulation() throws Exception {
+        long before = simRobot.onSimulation(() -> model.snapshot().simulation().timeNanos());
+        model.stepOnce();
+        model.setSpeed(5);
+        status();
+        assertTrue(model.snapshot().paused());
+        assertEquals(5, model.snapshot().speed());
+        assertTrue(before >= 0);
+        model.setPaused(false);
+        status();
+        assertFalse(model.snapshot().paused());
+    }
+
+    @Test
+    void anotherWorldIsLoaded() throws Exception {
+        model.read(WORLDS.resolve("office.map"));
+        status();
+        assertEquals("office.map", model.snapshot().worldFile().getFileName().toString());
+        assertEquals("", model.snapshot().notice());
+        assertEquals(9, robot.xMeters());
+    }
+
+    @Test
+    void aFileThatIsNoWorldLeavesEverythingAndSaysWhy() throws Exception {
+        Path broken = Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n");
+        model.read(broken);
+        status();
+        assertEquals("empty.map", model.snapshot().worldFile().getFileName().toString());
+        assertEquals(
+                "broken.map:3: found the end of the line, expected y2 in mm",
+                model.snapshot().notice());
+        model.read(folder.resolve("nowhere.map"));
+        assertTrue(model.snapshot().notice().endsWith("nowhere.map: no such file"));
+    }
+
+    @Test
+    void aRobotWhoseHomeIsOccupiedStandsBesideIt() throws Exception {
+        String map = "2D-Map\nCairn: RobotHome 0 0 0 \"\" ICON \"\"\nLINES\n0 0 1 1\n";
+        model.read(Files.writeString(folder.resolve("post.map"), map));
+        status();
+        assertEquals("post.map", model.snapshot().worldFile().getFileName().toString());
+        assertTrue(Math.hypot(robot.xMeters(), robot.yMeters()) >= 0.25);
+    }
+
+    @Test
+    void tonesThatHaveLeftAreRememberedUntilTheNextCall() {
+        SentTones tones = new SentTones();
+        tones.toneSent(ReplyTone.CONNECTION_ACCEPTED);
+        tones.toneSent(ReplyTone.EXECUTED);
+        assertEquals("13", tones.tones());
+        tones.call("5550100");
+        assertEquals("", tones.tones());
+        for (int i = 0; i < 100; i++) {
+            tones.toneSent(ReplyTone.EXECUTING);
+        }
+        assertEquals("6".repeat(24), tones.tones());
+    }
+}

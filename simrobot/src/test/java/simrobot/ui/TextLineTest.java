@@ -1,0 +1,41 @@
+package simrobot.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Font;
+import org.junit.jupiter.api.Test;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+
+class TextLineTest {
+    private static final String REPLY = "3 Done: #**20. Stopped at 0.200 -1.450 m, heading 90.0.";
+    private final Font face = Theme.small();
+
+    @Test
+    void aTextThatFitsStaysInOneRow() {
+        assertEquals(REPLY.length(), TextLine.firstRow(face, REPLY, Drawing.width(face, REPLY)));
+    }
+
+    @Test
+    void aLongerTextBreaksBehindTheLastWordThatFits() {
+        int end = TextLine.firstRow(face, REPLY, Drawing.width(face, REPLY) - 1.0);
+
+        assertEquals("3 Done: #**20. Stopped at 0.200 -1.450 m, heading", REPLY.substring(0, end));
+    }
+
+    @Test
+    void aWordThatIsTooLongIsNotBroken() {
+        assertEquals("Disconnected".length(), TextLine.firstRow(face, "Disconnected now", 5));
+    }
+
+    @Test
+    void twoRowsAreTwiceAsHigh() {
+        int one = new TextLine("one", Theme::small, Ink.TEXT).getPreferredSize().height;
+
+        assertEquals(
+                2 * one, new TextLine("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
+        assertTrue(one > 0);
+    }
+}

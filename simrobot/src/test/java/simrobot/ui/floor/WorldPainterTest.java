@@ -1,0 +1,164 @@
+package simrobot.ui.floor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.ui.Appearance;
+import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.ui.panel.WindowBench;
+import simrobot.world.World;
+import vericommand.Instruction;
+
+class WorldPainterTest {
+    private static final int WIDTH = 600;
+    private static final int HEIGHT = 400;
+
+    @BeforeEach
+    @AfterEach
+    void light() {
+        Theme.install(Appearance.LIGHT);
+    }
+
+    private static BufferedImage painted(Simulation simulation, Viewport view, Layers layers, double scale) {
+        BufferedImage image =
+                new BufferedImage((int) (WIDTH * scale), (int) (HEIGHT * scale), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        WorldPainter.paint(g, simulation.snapshot(), view, layers, "robot");
+        g.dispose();
+        return image;
+    }
+
+    private static Viewport closeUp() {
+        return new Viewport(0, 0, 400, WIDTH, HEIGHT);
+    }
+
+    private static Simulation onBareFloor() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simulation.addRobot("robot");
+        return simulation;
+    }
+
+    /** The octagon of 44 x 38 cm has 1,372 cm2; wheels, axle, nose and outline lie on top of it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.25, 2})
+    void theBodyHasTheSizeOfTheRealOne(double scale) {
+        int pixels = WindowBench.count(painted(onBareFloor(), closeUp(), Layers.ALL, scale), Ink.ROBOT);
+        double squareMeters = pixels / Math.pow(400 * scale, 2);
+        assertTrue(squareMeters > 0.105 && squareMeters < 0.137, squareMeters + " m2");
+    }
+
+    @Test
+    void theBodyTurnsWithTheHeading() {
+        Simulation simulation = onBareFloor();
+        SimulatedRobot robot = simulation.robots().get(0);
+        // the body's middle lies 4 cm behind the centre of rotation: 26 cm back, 18 cm ahead
+        int behind = (int) (WIDTH / 2 - 0.24 * 400);
+        assertEquals(
+                Ink.ROBOT.color().getRGB(),
+                painted(simulation, closeUp(), Layers.ALL, 1).getRGB(behind, 196));
+        robot.place(0, 0, Math.PI);
+        assertTrue(Ink.ROBOT.color().getRGB()
+                != painted(simulation, closeUp(), Layers.ALL, 1).getRGB(behind, 196));
+    }
+
+    @Test
+    void aRobotWithoutPowerIsGrey() {
+        Simulation simulation = onBareFloor();
+        simulation.robots().get(0).setPower(false);
+        assertEquals(0, WindowBench.count(painted(simulation, closeUp(), Layers.ALL, 1), Ink.ROBOT));
+    }
+
+    @Test
+    void theTrailFadesWithAgeAndCanBeSwitchedOff() {
+        Simulation simulation = onBareFloor();
+        simulation.robots().get(0).start(new Instruction.Forward(100), ended -> {});
+        simulation.run(500);
+        Viewport view = new Viewport(0.3, 0, 300, WIDTH, HEIGHT);
+        Layers bare = new Layers(false, false, false);
+        int none = blueish(painted(simulation, view, bare, 1));
+        int fresh = blueish(painted(simulation, view, bare.withTrail(true), 1));
+        simulation.run(20_000);
+        int old = blueish(painted(simulation, view, bare.withTrail(true), 1));
+        assertTrue(fresh > 2 * old, fresh + " then " + old);
+        assertTrue(old > none, old + " then " + none);
+    }
+
+    /** How much bluer than red the picture is left of the robot. */
+    private static int blueish(BufferedImage image) {
+        int sum = 0;
+        for (int x = 230; x < 380; x++) {
+            for (int y = 195; y < 205; y++) {
+                int rgb = image.getRGB(x, y);
+                sum += Math.max(0, (rgb & 0xFF) - (rgb >> 16 & 0xFF));
+            }
+        }
+        return sum;
+    }
+
+    @Test
+    void sonarEchoesAreDrawnAndCanBeSwitchedOff() throws Exception {
+        Simulation simulation = new Simulation(WindowBench.world("demo.map"), 1);
+        simulation.addRobot("robot");
+        Viewport view = Viewport.fitting(simulation.world().bounds(), WIDTH, HEIGHT, 20);
+        int with = WindowBench.count(painted(simulation, view, Layers.ALL, 2), Ink.FLOOR);
+        int without = WindowBench.count(painted(simulation, view, Layers.ALL.withSonar(false), 2), Ink.FLOOR);
+        assertTrue(without > with + 2000, with + " and " + without);
+    }
+
+    @Test
+    void theBeltsChevronsRunWithSimulatedTime() throws Exception {
+        Simulation simulation = new Simulation(WindowBench.world("treadmill.map"), 1);
+        Viewport view = Viewport.fitting(simulation.world().bounds(), WIDTH, HEIGHT, 20);
+        BufferedImage before = painted(simulation, view, Layers.ALL, 1);
+        simulation.run(30);
+        BufferedImage after = painted(simulation, view, Layers.ALL, 1);
+        int changed = 0;
+        for (int x = 0; x < WIDTH; x++) {
+            changed += before.getRGB(x, HEIGHT / 2 + 2) == after.getRGB(x, HEIGHT / 2 + 2) ? 0 : 1;
+        }
+        assertTrue(changed > 20, changed + " pixels");
+    }
+
+    @Test
+    void theScaleBarIsOneTwoOrFiveTimesAPowerOfTen() {
+        assertEquals(1, WorldPainter.scaleBarMeters(100));
+        assertEquals(2, WorldPainter.scaleBarMeters(50));
+        assertEquals(5, WorldPainter.scaleBarMeters(20));
+        assertEquals(0.2, WorldPainter.scaleBarMeters(500), 1e-12);
+    }
+
+    static List<Path> worlds() throws Exception {
+        try (Stream<Path> files = Files.list(Path.of("..", "worlds"))) {
+            return files.sorted().toList();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("worlds")
+    void everyWorldOfOursShowsItsWallsInBothAppearances(Path file) throws Exception {
+        Simulation simulation =
+                new Simulation(WindowBench.world(file.getFileName().toString()), 1);
+        Viewport view = Viewport.fitting(simulation.world().bounds(), WIDTH, HEIGHT, 20);
+        for (Appearance appearance : Appearance.values()) {
+            Theme.install(appearance);
+            BufferedImage image = painted(simulation, view, Layers.ALL, 2);
+            assertTrue(WindowBench.count(image, Ink.WALL) > 1000, file + " " + appearance);
+        }
+    }
+}

@@ -1,0 +1,153 @@
+package simrobot.ui.floor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Locale;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.ui.Appearance;
+import simgsm.ui.Theme;
+import simrobot.robot.SimulatedRobot;
+import simrobot.ui.panel.WindowBench;
+
+/** The floor by mouse and by keyboard. */
+class WorldViewTest {
+    private WindowBench bench;
+    private SimulatedRobot robot;
+    private WorldView view;
+
+    @BeforeEach
+    void aRobotInTheEmptyHall() throws Exception {
+        Theme.install(Appearance.LIGHT);
+        bench = new WindowBench("empty.map", Locale.ENGLISH, "robot");
+        robot = bench.simulation.robots().get(0);
+        view = bench.floor();
+    }
+
+    private void mouse(int id, double xMeters, double yMeters, int button, int modifiers, int clicks) {
+        int x = (int) Math.round(view.viewport().screenX(xMeters));
+        int y = (int) Math.round(view.viewport().screenY(yMeters));
+        MouseEvent event = new MouseEvent(view, id, 0, modifiers, x, y, clicks, false, button);
+        view.dispatchEvent(event);
+        bench.show();
+    }
+
+    private void drag(double fromX, double fromY, double toX, double toY, int button, int modifiers) {
+        mouse(MouseEvent.MOUSE_PRESSED, fromX, fromY, button, modifiers, 1);
+        mouse(MouseEvent.MOUSE_DRAGGED, toX, toY, button, modifiers, 1);
+        mouse(MouseEvent.MOUSE_RELEASED, toX, toY, button, 0, 1);
+    }
+
+    @Test
+    void aRobotIsDraggedWithTheMouse() {
+        drag(0, 0, 3, 2, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK);
+        assertEquals(3, robot.xMeters(), 0.1);
+        assertEquals(2, robot.yMeters(), 0.1);
+        assertEquals(0, robot.headingRadians());
+    }
+
+    @Test
+    void aRobotDraggedIntoAWallStaysWhereItLastFitted() {
+        drag(0, 0, 10, 0, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK);
+        assertEquals(0, robot.xMeters());
+    }
+
+    @Test
+    void theRightButtonTurnsARobotTowardsThePointerInWholeDegrees() {
+        drag(0, 0, 0.001, 3, MouseEvent.BUTTON3, InputEvent.BUTTON3_DOWN_MASK);
+        assertEquals(90, Math.toDegrees(robot.headingRadians()), 1e-9);
+        assertEquals(0, robot.xMeters());
+    }
+
+    @Test
+    void theHandleTurnsARobotWithShiftInStepsOfFifteenDegrees() {
+        view.zoom(5);
+        drag(
+                RobotPainter.HANDLE_METERS,
+                0,
+                0.5,
+                0.48,
+                MouseEvent.BUTTON1,
+                InputEvent.BUTTON1_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+        assertEquals(45, Math.toDegrees(robot.headingRadians()), 1e-9);
+    }
+
+    @Test
+    void draggingTheFloorPans() {
+        double before = view.viewport().centerX();
+        drag(5, 5, 4, 5, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK);
+        assertEquals(before + 1, view.viewport().centerX(), 0.1);
+        assertEquals(0, robot.xMeters());
+    }
+
+    @Test
+    void theWheelZoomsAtThePointerAndADoubleClickFits() {
+        double fitted = view.viewport().pixelsPerMeter();
+        double place = view.viewport().worldX(40);
+        view.dispatchEvent(new MouseWheelEvent(
+                view, MouseEvent.MOUSE_WHEEL, 0, 0, 40, 50, 0, false, MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, -3));
+        assertTrue(view.viewport().pixelsPerMeter() > 1.4 * fitted);
+        assertEquals(place, view.viewport().worldX(40), 1e-9);
+        mouse(
+                MouseEvent.MOUSE_CLICKED,
+                view.viewport().worldX(40),
+                view.viewport().worldY(50),
+                MouseEvent.BUTTON1,
+                0,
+                2);
+        assertEquals(fitted, view.viewport().pixelsPerMeter(), 1e-9);
+    }
+
+    private void press(int key, int modifiers) {
+        Object id = view.getInputMap().get(KeyStroke.getKeyStroke(key, modifiers));
+        view.getActionMap().get(id).actionPerformed(new ActionEvent(view, ActionEvent.ACTION_PERFORMED, ""));
+        bench.show();
+    }
+
+    @Test
+    void altAndArrowsMoveTheRobotAndPageKeysTurnIt() {
+        press(KeyEvent.VK_RIGHT, InputEvent.ALT_DOWN_MASK);
+        press(KeyEvent.VK_RIGHT, InputEvent.ALT_DOWN_MASK);
+        press(KeyEvent.VK_UP, InputEvent.ALT_DOWN_MASK);
+        press(KeyEvent.VK_PAGE_UP, InputEvent.ALT_DOWN_MASK);
+        assertEquals(0.2, robot.xMeters(), 1e-9);
+        assertEquals(0.1, robot.yMeters(), 1e-9);
+        assertEquals(5, Math.toDegrees(robot.headingRadians()), 1e-9);
+    }
+
+    @Test
+    void arrowsPanPlusZoomsAndHomeFits() {
+        double fitted = view.viewport().pixelsPerMeter();
+        press(KeyEvent.VK_RIGHT, 0);
+        assertTrue(view.viewport().centerX() > 0.5);
+        press(KeyEvent.VK_PLUS, 0);
+        assertEquals(1.25 * fitted, view.viewport().pixelsPerMeter(), 1e-9);
+        press(KeyEvent.VK_HOME, 0);
+        assertEquals(fitted, view.viewport().pixelsPerMeter(), 1e-9);
+        assertEquals(0, view.viewport().centerX());
+    }
+
+    @Test
+    void theClockTellsSimulatedTime() {
+        assertEquals("0:00:00.00", WorldView.clockText(0));
+        assertEquals("1:01:01.23", WorldView.clockText(3_661_230_000_000L));
+    }
+
+    @Test
+    void aFloorAtRestIsToldFromOneThatMoves() {
+        bench.simulation.step();
+        var before = bench.simulation.snapshot();
+        bench.simulation.step();
+        assertTrue(SnapshotComparison.between(before, bench.simulation.snapshot()));
+        robot.place(1, 1, 0);
+        assertFalse(SnapshotComparison.between(before, bench.simulation.snapshot()));
+    }
+}

@@ -1,0 +1,322 @@
+package simrobot.ui.panel;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
+import javax.swing.AbstractButton;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTrace;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.MobileCallState;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.Named;
+import simgsm.ui.Theme.Ink;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.LoggedEvent;
+import simrobot.robot.Placement;
+import simrobot.simulation.Simulation;
+import simrobot.ui.LineSnapshot;
+import simrobot.ui.OpenPort;
+import simrobot.ui.SimRobotActions;
+import simrobot.ui.Timeline;
+import simrobot.ui.WindowSnapshot;
+import simrobot.ui.floor.WorldView;
+import simrobot.world.MapFile;
+import simrobot.world.World;
+import simrobot.world.WorldReader;
+import vericommand.Pose;
+import vericommand.VeriCommandSnapshot;
+
+/** A window without a frame over a simulation that is moved by hand; it notes what its operator did. */
+public final class WindowBench implements SimRobotActions {
+    public final Simulation simulation;
+    public final SimRobotPanel panel;
+    public final List<String> acts = new ArrayList<>();
+    List<LineSnapshot> lines = List.of();
+    public boolean paused;
+    String notice = "";
+    List<OpenPort> ports = List.of();
+    List<LoggedEvent> events = List.of();
+    public Optional<Timeline> timeline = Optional.empty();
+    boolean worldChanged;
+    public Optional<Path> recording = Optional.empty();
+    Optional<String> refusal = Optional.empty();
+
+    public WindowBench(String worldFile, Locale language, String... robots) throws Exception {
+        simulation = new Simulation(world(worldFile), 1);
+        for (String robot : robots) {
+            simulation.addRobot(robot);
+        }
+        panel = new SimRobotPanel(language, picture(), this);
+        resize(1100, 800);
+    }
+
+    public static World world(String file) throws Exception {
+        return WorldReader.read(Path.of("..", "worlds", file));
+    }
+
+    WindowSnapshot picture() {
+        return new WindowSnapshot(
+                simulation.snapshot(),
+                lines,
+                1,
+                paused,
+                Path.of("..", "worlds", simulation.world().name()),
+                notice,
+                ports,
+                events,
+                timeline,
+                recording,
+                worldChanged);
+    }
+
+    /** Shows the simulation as it is now. */
+    public WindowBench show() {
+        panel.show(picture());
+        return this;
+    }
+
+    public WindowBench resize(int width, int height) {
+        panel.setSize(width, height);
+        layout(panel);
+        layout(panel);
+        for (var listener : component("world").getComponentListeners()) {
+            listener.componentResized(null);
+        }
+        return this;
+    }
+
+    private static void layout(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layout(inner);
+            }
+        }
+    }
+
+    public Component component(String name) {
+        return Named.find(panel, name).orElseThrow(() -> new AssertionError("no component " + name));
+    }
+
+    public String spoken(String name) {
+        return component(name).getAccessibleContext().getAccessibleName();
+    }
+
+    /** Answers that came from this thread are on the screen afterwards. */
+    public WindowBench settle() throws Exception {
+        SwingUtilities.invokeAndWait(() -> {});
+        return show();
+    }
+
+    void type(String name, String text) {
+        ((JTextField) component(name)).setText(text);
+    }
+
+    public void click(String name) {
+        ((AbstractButton) component(name)).doClick(0);
+    }
+
+    public WorldView floor() {
+        return (WorldView) component("world");
+    }
+
+    public static BufferedImage painted(Component component, double scale) {
+        BufferedImage image = new BufferedImage(
+                (int) Math.ceil(component.getWidth() * scale),
+                (int) Math.ceil(component.getHeight() * scale),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        component.paint(g);
+        g.dispose();
+        return image;
+    }
+
+    /** How many pixels are nearly of that colour. */
+    public static int count(BufferedImage image, Ink ink) {
+        int wanted = ink.color().getRGB();
+        int found = 0;
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                found += near(image.getRGB(x, y), wanted) ? 1 : 0;
+            }
+        }
+        return found;
+    }
+
+    private static boolean near(int a, int b) {
+        ToIntFunction<Integer> difference = shift -> Math.abs((a >> shift & 0xFF) - (b >> shift & 0xFF));
+        return difference.applyAsInt(16) < 6 && difference.applyAsInt(8) < 6 && difference.applyAsInt(0) < 6;
+    }
+
+    // ---- a telephone
+    // -------------------------------------------------------------------------------------------------
+
+    static LineSnapshot line(
+            String robot, boolean registered, boolean inCall, VeriCommandSnapshot orders, String tones) {
+        return line(robot, registered, inCall, orders, tones, Optional.empty());
+    }
+
+    static LineSnapshot line(
+            String robot,
+            boolean registered,
+            boolean inCall,
+            VeriCommandSnapshot orders,
+            String tones,
+            Optional<SpeechCodec.Kind> heardCodec) {
+        StationSnapshot modem = new StationSnapshot(
+                true,
+                registered,
+                registered,
+                Optional.empty(),
+                false,
+                "SimGSM",
+                inCall ? MobileCallState.ACTIVE : MobileCallState.NULL,
+                inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
+                SpeechCodec.Kind.A_LAW,
+                heardCodec);
+        return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
+    }
+
+    static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
+        return new VeriCommandSnapshot("5550100", false, true, false, keys, words, verdict, text, fault, List.of());
+    }
+
+    static VeriCommandSnapshot noOrders() {
+        return new VeriCommandSnapshot("", false, false, false, "", "", "", "", 0, List.of());
+    }
+
+    // ---- what the operator did
+    // -----------------------------------------------------------------------------------------
+
+    @Override
+    public void setPower(String robot, boolean on) {
+        acts.add("power " + robot + " " + on);
+        simulation.robot(robot).orElseThrow().setPower(on);
+    }
+
+    @Override
+    public void setMotors(String robot, boolean on) {
+        acts.add("motors " + robot + " " + on);
+        simulation.robot(robot).orElseThrow().setMotors(on);
+    }
+
+    @Override
+    public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
+        acts.add("place " + robot);
+        answer.accept(simulation.robot(robot).orElseThrow().place(xMeters, yMeters, headingRadians));
+    }
+
+    @Override
+    public void tryOut(String robot, ToneExperiment experiment) {
+        acts.add("try " + robot + " " + experiment.snrDecibels() + " dB " + experiment.shiftPercent() + " %");
+    }
+
+    @Override
+    public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
+        acts.add("add " + name + " " + number
+                + place.map(pose -> " at " + pose.xText(2) + " " + pose.yText(2))
+                        .orElse(""));
+        if (refusal.isEmpty()) {
+            simulation.addRobot(name);
+        }
+        answer.accept(refusal);
+    }
+
+    @Override
+    public void removeRobot(String robot) {
+        acts.add("remove " + robot);
+        simulation.removeRobot(simulation.robot(robot).orElseThrow());
+    }
+
+    @Override
+    public void brake(String robot) {
+        acts.add("brake " + robot);
+    }
+
+    @Override
+    public void setBehaviour(String robot, BehaviourKind kind) {
+        acts.add("behaviour " + robot + " " + kind);
+        simulation.robot(robot).orElseThrow().autonomy().begin(kind);
+    }
+
+    @Override
+    public void watch(String robot) {
+        acts.add("watch " + robot);
+    }
+
+    @Override
+    public void setSpeed(double simulatedSecondsPerSecond) {
+        acts.add("speed " + simulatedSecondsPerSecond);
+    }
+
+    @Override
+    public void setPaused(boolean pause) {
+        acts.add("pause " + pause);
+        paused = pause;
+    }
+
+    @Override
+    public void stepOnce() {
+        acts.add("step");
+        simulation.step();
+    }
+
+    @Override
+    public void apply(World world, Path file, Consumer<Optional<String>> answer) {
+        acts.add("apply " + file.getFileName());
+        simulation.change(world);
+        answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void save(World world, Path file, Consumer<Optional<String>> answer) {
+        acts.add("save " + file.getFileName());
+        try {
+            MapFile.save(world, file);
+            answer.accept(Optional.empty());
+        } catch (IOException refusal) {
+            answer.accept(Optional.of(refusal.getMessage()));
+        }
+    }
+
+    @Override
+    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
+        acts.add("export " + robot + " " + file.getFileName());
+        answer.accept(Optional.empty());
+    }
+
+    @Override
+    public void seek(long nanos) {
+        acts.add("seek " + nanos);
+    }
+
+    @Override
+    public void record(Optional<Path> file) {
+        acts.add("record " + file.isPresent());
+        recording = file;
+    }
+
+    @Override
+    public void tell(String message) {
+        notice = message;
+    }
+
+    @Override
+    public void load(Path worldFile) {
+        acts.add("load " + worldFile.getFileName());
+    }
+}

@@ -1,0 +1,97 @@
+package vericommand;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Locale;
+
+/** Collects what a window shows of the orders: bounded, the newest is kept. */
+final class OrderDisplay {
+    private static final int MAX_KEYS = 320;
+    private static final int MAX_REPLIES = 8;
+
+    private final Locale locale;
+    private final ReplyTexts texts;
+    private final StringBuilder keys = new StringBuilder();
+    private final Deque<String> replies = new ArrayDeque<>();
+    private String from = "";
+    private boolean message;
+    private String words = "";
+    private String verdictWord = "";
+    private String verdictText = "";
+    private int failingPosition;
+
+    OrderDisplay(Locale locale, ReplyTexts texts) {
+        this.locale = locale;
+        this.texts = texts;
+    }
+
+    void begin(String from, boolean message) {
+        this.from = from;
+        this.message = message;
+        replies.clear();
+        keys("");
+    }
+
+    void keys(String all) {
+        keys.setLength(0);
+        keys.append(all);
+        words = "";
+        verdictWord = "";
+        verdictText = "";
+        failingPosition = 0;
+    }
+
+    /**
+     * @param open the keys of the open order, empty if none is open. A new order takes the line over; but as the closing of
+     *     a broken order opens an empty one, a fault stays in view until more than stars have come
+     */
+    void key(char key, String open) {
+        boolean faultStays = failingPosition > 0 && open.chars().allMatch(c -> c == '*');
+        if (!open.isEmpty() && !faultStays) {
+            keys(open);
+        } else if (keys.length() < MAX_KEYS) {
+            keys.append(key);
+        }
+    }
+
+    boolean showsMessage() {
+        return message;
+    }
+
+    void verdict(Verdict verdict) {
+        keys(verdict.keys());
+        verdictWord = verdict.word();
+        if (verdict instanceof Verdict.Invalid invalid) {
+            failingPosition = invalid.fault().position();
+            verdictText = texts.invalid(invalid.fault()).text();
+        } else if (verdict instanceof Verdict.Refused refused) {
+            words = refused.order().words(locale);
+            verdictText = texts.refused(refused.tone(), refused.status()).text();
+        } else {
+            words = ((Verdict.Accepted) verdict).order().words(locale);
+            verdictText = texts.text("verdict.accepted");
+        }
+    }
+
+    void reply(Reply reply) {
+        if (replies.size() == MAX_REPLIES) {
+            replies.removeFirst();
+        }
+        replies.addLast(reply.message());
+    }
+
+    VeriCommandSnapshot snapshot(boolean inCall, boolean underWay) {
+        return new VeriCommandSnapshot(
+                from,
+                message,
+                inCall,
+                underWay,
+                keys.toString(),
+                words,
+                verdictWord,
+                verdictText,
+                failingPosition,
+                List.copyOf(replies));
+    }
+}
