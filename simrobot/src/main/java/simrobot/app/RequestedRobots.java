@@ -57,7 +57,9 @@ public final class RequestedRobots {
         if (given.isPresent() || slot.isEmpty() || arguments.has("robot")) {
             return given.orElse(DEFAULT_NUMBER);
         }
-        return Arguments.checked(() -> slot.card(Optional.empty())).orElseThrow().number();
+        return Arguments.checked(() -> slot.card(Optional.empty()))
+                .orElseThrow()
+                .number();
     }
 
     /** @throws IllegalArgumentException also for a number from which the open network can make no IMSI */

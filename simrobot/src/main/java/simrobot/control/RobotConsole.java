@@ -142,7 +142,8 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** A change tells itself; without a name, or without a change, the answer has still to come. */
-    private void behaviour(TelephoneRobot meant, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
+    private void behaviour(TelephoneRobot meant, ConsoleCommand command, RobotEventPrinter events)
+            throws CommandException {
         SimulatedRobot robot = meant.simulated()
                 .orElseThrow(
                         () -> new CommandException("behaviour: " + meant.name() + " is a real robot and runs none"));
@@ -184,7 +185,8 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** The picture is drawn and written here, not on the simulation's thread. */
-    private void camera(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
+    private void camera(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events)
+            throws CommandException {
         Path file = pictureFile(command);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
         onSimulation(() -> scene.set(simRobot.scene()));
@@ -217,7 +219,8 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** What the file is to hold is made and written here, not on the simulation's thread. */
-    private void export(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
+    private void export(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events)
+            throws CommandException {
         String text = command.text();
         Path file = exportFile(text);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();

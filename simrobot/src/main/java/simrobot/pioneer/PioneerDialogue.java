@@ -1,7 +1,7 @@
 package simrobot.pioneer;
 
-import java.lang.System.Logger.Level;
 import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import simrobot.p2os.CommandCodec;

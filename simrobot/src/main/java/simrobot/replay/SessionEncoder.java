@@ -156,7 +156,8 @@ final class SessionEncoder {
         if (open) {
             putIdle();
             byte[] told = entries.toArray();
-            RecordingWriter content = new RecordingWriter().fixed(openedAtNanos, 8).fixed(timeNanos, 8);
+            RecordingWriter content =
+                    new RecordingWriter().fixed(openedAtNanos, 8).fixed(timeNanos, 8);
             content.octets(told);
             entries.clear();
             open = false;

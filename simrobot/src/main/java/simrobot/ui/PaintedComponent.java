@@ -1,8 +1,8 @@
 package simrobot.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.ui.Drawing;
 import simgsm.ui.SpokenComponent;

@@ -3,8 +3,8 @@ package simrobot.ui;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** A name at the left, a number with its unit at the right: one line of an instrument. */
 public final class Reading extends PaintedComponent {

@@ -5,8 +5,8 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.function.Supplier;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** A line of text that takes what room there is, or two, and ends in an ellipsis when that is too little. */
 public final class TextLine extends PaintedComponent {

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Font;
 import org.junit.jupiter.api.Test;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 class TextLineTest {
     private static final String REPLY = "3 Done: #**20. Stopped at 0.200 -1.450 m, heading 90.0.";
@@ -35,7 +35,8 @@ class TextLineTest {
         int one = new TextLine("one", Theme::small, Ink.TEXT).getPreferredSize().height;
 
         assertEquals(
-                2 * one, new TextLine("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
+                2 * one,
+                new TextLine("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
         assertTrue(one > 0);
     }
 }

@@ -33,8 +33,9 @@ public final class CenterCommands implements Console.Commands {
             case "calls" ->
                 list(
                         command,
-                        exchange ->
-                                exchange.calls().stream().map(CenterEventPrinter::of).toList());
+                        exchange -> exchange.calls().stream()
+                                .map(CenterEventPrinter::of)
+                                .toList());
             case "messages" ->
                 list(
                         command,

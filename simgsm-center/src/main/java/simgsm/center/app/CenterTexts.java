@@ -9,6 +9,7 @@ public final class CenterTexts {
     private CenterTexts() {}
 
     public static Texts in(Locale language) {
-        return new Texts(ResourceBundle.getBundle("simgsm.center.app.messages", Texts.bundleLocale(language)), Locale.ROOT);
+        return new Texts(
+                ResourceBundle.getBundle("simgsm.center.app.messages", Texts.bundleLocale(language)), Locale.ROOT);
     }
 }

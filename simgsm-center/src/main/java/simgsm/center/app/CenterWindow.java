@@ -49,7 +49,8 @@ public final class CenterWindow implements CenterActions {
      *
      * @param children running children that end with the window; null for none
      */
-    public static int run(Center center, Arguments arguments, CenterSettings settings, ChildPrograms children, ProgramWindow window)
+    public static int run(
+            Center center, Arguments arguments, CenterSettings settings, ChildPrograms children, ProgramWindow window)
             throws InterruptedException {
         CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;

@@ -41,7 +41,12 @@ final class CallSwitch {
      * @param callWaiting whether a second call is offered to who is in one
      * @param changes told of each call that enters a state
      */
-    CallSwitch(Mobility mobility, Timers timers, Optional<ToneSet> tones, boolean callWaiting, Consumer<NetworkCall> changes) {
+    CallSwitch(
+            Mobility mobility,
+            Timers timers,
+            Optional<ToneSet> tones,
+            boolean callWaiting,
+            Consumer<NetworkCall> changes) {
         this.tones = tones;
         this.mobility = mobility;
         this.timers = timers;

@@ -101,7 +101,8 @@ final class NetworkCallTable {
         states.forEach(state -> on(state, event, next, actions));
     }
 
-    private static void on(NetworkCallState state, NetworkCallEvent event, NetworkCallState next, NetworkCallAction... actions) {
+    private static void on(
+            NetworkCallState state, NetworkCallEvent event, NetworkCallState next, NetworkCallAction... actions) {
         TABLE.computeIfAbsent(state, any -> new EnumMap<>(NetworkCallEvent.class))
                 .put(event, new Transition(next, List.of(actions)));
     }

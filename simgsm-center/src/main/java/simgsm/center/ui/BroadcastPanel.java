@@ -28,8 +28,8 @@ import simgsm.ui.Named;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /**
  * Cell broadcast: channel, language, how often, a text and how many pages it takes; below, what is repeated and can be

@@ -13,8 +13,8 @@ import simgsm.ui.Mark;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 import simgsm.ui.WindowKeys;
 
 /** Name, port, what is going on in numbers, and the way out. */

@@ -1,12 +1,12 @@
 package simgsm.center.ui;
 
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.Insets;
 import javax.swing.JTextArea;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** A text area that says, while it is empty, what belongs there: in a low window there is no line for a label. */
 final class HintedTextArea extends JTextArea {

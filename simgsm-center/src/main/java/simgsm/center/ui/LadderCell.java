@@ -3,16 +3,16 @@ package simgsm.center.ui;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 import simgsm.center.msc.LadderEntry;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** Paints a rung: the time, the lifelines, the arrow with the message's name on it, the protocol's tag. */
 final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {

@@ -1,14 +1,14 @@
 package simgsm.center.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import javax.swing.JList;
 import javax.swing.ListSelectionModel;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** The rungs. Fills the window's width, or scrolls once the lifelines would stand too close. */
 final class LadderList extends JList<LadderRow> {

@@ -1,14 +1,14 @@
 package simgsm.center.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.center.msc.LadderEntry;
 import simgsm.ui.Drawing;
 import simgsm.ui.SpokenComponent;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** The heads of the lifelines, above the ladder. */
 final class LifelineHeader extends SpokenComponent {

@@ -11,8 +11,8 @@ import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.ui.Arrange;
 import simgsm.ui.Named;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** The queue of messages and those that have ended lately; below, the history of the one that is chosen. */
 final class MessagesPanel extends JPanel {

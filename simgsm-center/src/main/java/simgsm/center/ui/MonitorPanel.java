@@ -13,16 +13,16 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import simgsm.center.msc.CallView;
-import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.ui.Act;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
 public final class MonitorPanel extends JPanel {

@@ -12,8 +12,8 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /**
  * The panel of the paper's figure 4, live: which telephone calls or writes (TEL entrante), through which centre (TEL

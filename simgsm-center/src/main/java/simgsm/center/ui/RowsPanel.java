@@ -4,8 +4,8 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -19,8 +19,8 @@ import javax.swing.table.DefaultTableCellRenderer;
 import simgsm.air.Msisdn;
 import simgsm.ui.Drawing;
 import simgsm.ui.Named;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** A table of a snapshot's rows; says in words when there are none. */
 final class RowsPanel<T> extends JPanel {

@@ -27,6 +27,7 @@ class WindowCascadeTest {
     void robotsComeFromTheRightButNeverLieBeyondTheLeftEdge() {
         assertEquals(1_610 - 1_130 - 36, new WindowCascade(SCREEN).nextRobot().x());
         assertEquals(
-                0, new WindowCascade(new WindowPlace(0, 0, 1_000, 700)).nextRobot().x());
+                0,
+                new WindowCascade(new WindowPlace(0, 0, 1_000, 700)).nextRobot().x());
     }
 }

@@ -370,7 +370,9 @@ class CallTest {
         call.called().leaveReleasedChannel();
         assertEquals(
                 1,
-                network.callStates().stream().filter(CallProgress.RELEASED::equals).count());
+                network.callStates().stream()
+                        .filter(CallProgress.RELEASED::equals)
+                        .count());
     }
 
     @Test

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.center.msc.NetworkCallTable.Transition;
 
 class CallTransitionsTest {
-    private static final Set<NetworkCallAction> CLEARING_MESSAGES =
-            EnumSet.of(NetworkCallAction.SEND_DISCONNECT, NetworkCallAction.SEND_RELEASE, NetworkCallAction.SEND_RELEASE_COMPLETE);
+    private static final Set<NetworkCallAction> CLEARING_MESSAGES = EnumSet.of(
+            NetworkCallAction.SEND_DISCONNECT, NetworkCallAction.SEND_RELEASE, NetworkCallAction.SEND_RELEASE_COMPLETE);
 
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
@@ -23,7 +23,9 @@ class CallTransitionsTest {
         if (state != NetworkCallState.NULL) {
             assertEquals(
                     NetworkCallState.NULL,
-                    NetworkCallTable.of(state, NetworkCallEvent.LINK_LOST).orElseThrow().next());
+                    NetworkCallTable.of(state, NetworkCallEvent.LINK_LOST)
+                            .orElseThrow()
+                            .next());
         }
     }
 

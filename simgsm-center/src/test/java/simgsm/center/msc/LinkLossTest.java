@@ -46,7 +46,9 @@ class LinkLossTest {
                 network.callStates().stream()
                         .filter(CallProgress.INITIATED::equals)
                         .count(),
-                network.callStates().stream().filter(CallProgress.RELEASED::equals).count());
+                network.callStates().stream()
+                        .filter(CallProgress.RELEASED::equals)
+                        .count());
         caller.vanish();
         called.vanish();
         assertTrue(network.exchange.nextDeadlineNanos().isEmpty());

@@ -19,7 +19,8 @@ class AdmissionsTest {
 
     @Test
     void oneAddressCannotTakeAllThePlaces() {
-        ConnectionLimits admissions = new ConnectionLimits(CenterLoop.MAX_CONNECTIONS, CenterLoop.MAX_CONNECTIONS_PER_ADDRESS);
+        ConnectionLimits admissions =
+                new ConnectionLimits(CenterLoop.MAX_CONNECTIONS, CenterLoop.MAX_CONNECTIONS_PER_ADDRESS);
         for (int i = 0; i < CenterLoop.MAX_CONNECTIONS_PER_ADDRESS; i++) {
             assertTrue(admissions.admit(remote(1)));
         }

@@ -53,7 +53,9 @@ class IntakeTest {
         int flood = 16_000;
         intake.accept(frames(flood));
         assertEquals(RateLimitedFrameReader.REMOTE_BURST_FRAMES, handedAt(intake, 0));
-        assertEquals(RateLimitedFrameReader.REMOTE_FRAMES_PER_SECOND, handedAt(intake, SECOND) - RateLimitedFrameReader.REMOTE_BURST_FRAMES);
+        assertEquals(
+                RateLimitedFrameReader.REMOTE_FRAMES_PER_SECOND,
+                handedAt(intake, SECOND) - RateLimitedFrameReader.REMOTE_BURST_FRAMES);
         for (int second = 2; handed.size() < flood; second++) {
             handedAt(intake, second * SECOND);
         }

@@ -51,7 +51,8 @@ public final class SmppBench {
         int outstanding;
         int sequence = 1;
 
-        Client(InetSocketAddress address, SmppCommand command, String id, String range, byte[] submit) throws IOException {
+        Client(InetSocketAddress address, SmppCommand command, String id, String range, byte[] submit)
+                throws IOException {
             this.submit = submit;
             channel = SocketChannel.open(address);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);

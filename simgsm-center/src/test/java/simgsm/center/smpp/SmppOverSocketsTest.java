@@ -143,9 +143,11 @@ class SmppOverSocketsTest {
     void dataSmIsTakenToo() throws IOException {
         try (SmppClient client = transceiver()) {
             Tlv payload = new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.ofHex("414243"));
-            client.send(new SmppPdu.Message(SmppCommand.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
+            client.send(
+                    new SmppPdu.Message(SmppCommand.DATA_SM, 9, with(text("1", SERVICE, ""), "", 0, List.of(payload))));
             assertEquals(
-                    SmppCommand.DATA_SM, client.read(SmppPdu.MessageResponse.class).command());
+                    SmppCommand.DATA_SM,
+                    client.read(SmppPdu.MessageResponse.class).command());
             assertEquals("414243", client.take().shortMessage().toString());
         }
     }

@@ -85,7 +85,8 @@ class SmppSessionTest extends SmppStage {
     void aSilentApplicationIsAskedAndThenClosed() {
         TestCenter.Application application = receiver(SERVICE);
         network.passSeconds(60);
-        assertEquals(SmppCommand.ENQUIRE_LINK, application.last(SmppPdu.Plain.class).command());
+        assertEquals(
+                SmppCommand.ENQUIRE_LINK, application.last(SmppPdu.Plain.class).command());
         application.say(new SmppPdu.PlainResponse(
                 SmppCommand.ENQUIRE_LINK,
                 SmppStatus.OK,

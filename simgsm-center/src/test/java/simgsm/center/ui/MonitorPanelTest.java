@@ -42,8 +42,8 @@ import simgsm.ui.Appearance;
 import simgsm.ui.Lamp;
 import simgsm.ui.Named;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();

@@ -2,8 +2,8 @@ package simgsm.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.ui.Theme.Ink;

@@ -1,8 +1,8 @@
 package simgsm.ui;
 
 import java.awt.Component;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import javax.swing.Icon;
 import simgsm.ui.Theme.Ink;
 

@@ -1,8 +1,8 @@
 package simgsm.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.ui.Theme.Ink;

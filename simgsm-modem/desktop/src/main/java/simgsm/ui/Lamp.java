@@ -2,8 +2,8 @@ package simgsm.ui;
 
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.util.Locale;
 import java.util.Objects;
 import javax.accessibility.AccessibleRole;

@@ -1,6 +1,5 @@
 package simgsm.speech;
 
-
 /** Where speech is heard. Never blocks: sound that comes faster than it can be played is dropped. */
 public interface AudioOutput extends AutoCloseable {
     /** Plays nothing. */

@@ -86,7 +86,8 @@ final class CallMessages {
 
     /** TS 24.008, 8.3.2: a transaction that we do not know is released, unless the network knows of none either. */
     private void arrivedOutsideCall(CallControl message) {
-        boolean agrees = message instanceof CallControl.Status status && status.callState() == MobileCallState.NULL.code();
+        boolean agrees =
+                message instanceof CallControl.Status status && status.callState() == MobileCallState.NULL.code();
         if (!agrees && !(message instanceof CallControl.ReleaseComplete)) {
             refuse(message.transaction(), Cause.INVALID_TRANSACTION_IDENTIFIER);
         }

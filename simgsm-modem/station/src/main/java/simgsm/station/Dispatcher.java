@@ -14,9 +14,9 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.OctetString;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
-import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;
 
 /** Brings what comes down the radio link to the machine that it is for, and answers what breaks the protocol. */

@@ -117,7 +117,8 @@ final class MobileCall implements ServiceRequests.User {
             giveUpNext(told);
             return true;
         }
-        return MobileCallTable.ROWS.row(state, MobileCallEvent.CLEAR).isPresent() && happens(MobileCallEvent.CLEAR, sent, told);
+        return MobileCallTable.ROWS.row(state, MobileCallEvent.CLEAR).isPresent()
+                && happens(MobileCallEvent.CLEAR, sent, told);
     }
 
     private void giveUpNext(Cause cause) {

@@ -290,7 +290,8 @@ public final class MobileStation {
     private void watchIdleChannel() {
         boolean idle = parts.radio().isOpen()
                 && !registration.needsRadio()
-                && (services.isAborting() || services.isIdle() && call.state() == MobileCallState.NULL && !messages.isBusy());
+                && (services.isAborting()
+                        || services.isIdle() && call.state() == MobileCallState.NULL && !messages.isBusy());
         if (!idle) {
             parts.timers().stop(StationTimer.T3240);
         } else if (!parts.timers().isRunning(StationTimer.T3240)) {

@@ -2,6 +2,7 @@ package simgsm.station;
 
 import java.lang.System.Logger.Level;
 import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement;
 import simgsm.air.MobilityManagement.AuthenticationFailure;
 import simgsm.air.MobilityManagement.AuthenticationReject;
 import simgsm.air.MobilityManagement.AuthenticationRequest;
@@ -14,7 +15,6 @@ import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
-import simgsm.air.MobilityManagement;
 import simgsm.air.RejectCause;
 
 /** Where the network's mobility management messages go; those that only need an answer are answered here. */

@@ -2,7 +2,11 @@ package simgsm.station;
 
 /** What all machines of one station share. */
 record StationParts(
-        StationIdentity identity, StationLog log, StationTimers timers, MobileRadioConnection radio, Notifications notifications) {
+        StationIdentity identity,
+        StationLog log,
+        StationTimers timers,
+        MobileRadioConnection radio,
+        Notifications notifications) {
 
     StationParts(StationIdentity identity, StationListener listener) {
         this(identity, new StationLog(identity), listener);

@@ -29,10 +29,10 @@ import simgsm.air.RelayMessage.RpAck;
 import simgsm.air.RelayMessage.RpData;
 import simgsm.air.RelayMessage.RpError;
 import simgsm.air.RpCause;
+import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
-import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 
 /** A network that sends whatever it likes, a user who does whatever he likes, and time. */

@@ -16,7 +16,10 @@ import simgsm.state.StateTable;
 /** Walks all states of each machine with all events. */
 class TablesTest {
     private static final Set<MobileCallState> TOLD_OF_RELEASE = EnumSet.of(
-            MobileCallState.NULL, MobileCallState.DISCONNECT_REQUEST, MobileCallState.DISCONNECT_INDICATION, MobileCallState.RELEASE_REQUEST);
+            MobileCallState.NULL,
+            MobileCallState.DISCONNECT_REQUEST,
+            MobileCallState.DISCONNECT_INDICATION,
+            MobileCallState.RELEASE_REQUEST);
 
     @Test
     void theEndOfACallIsToldExactlyOnceOnEveryWay() {
@@ -68,7 +71,10 @@ class TablesTest {
                             .next());
             assertEquals(
                     MobileCallState.NULL,
-                    MobileCallTable.ROWS.row(state, MobileCallEvent.POWER_OFF).orElseThrow().next());
+                    MobileCallTable.ROWS
+                            .row(state, MobileCallEvent.POWER_OFF)
+                            .orElseThrow()
+                            .next());
         }
     }
 

@@ -33,7 +33,9 @@ final class Mailbox {
 
     void broadcast(int channel, int pages, String text, Instant at) {
         String party = Integer.toString(channel);
-        add(MessageFolder.BROADCASTS, new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
+        add(
+                MessageFolder.BROADCASTS,
+                new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
     }
 
     void handedIn(int id, String to, String text, Instant at) {

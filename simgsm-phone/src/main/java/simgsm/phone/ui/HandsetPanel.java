@@ -1,7 +1,7 @@
 package simgsm.phone.ui;
 
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.Window;
 import java.awt.geom.Rectangle2D;
 import java.time.Clock;
@@ -24,8 +24,8 @@ import simgsm.ui.ScreenRoom;
 import simgsm.ui.SignalBars;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 import simgsm.ui.ToneScopePanel;
 
 /** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */

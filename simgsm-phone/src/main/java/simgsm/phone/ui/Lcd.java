@@ -1,7 +1,7 @@
 package simgsm.phone.ui;
 
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
 import java.util.Locale;

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /**
  * Writes on the phone's display: ink on paper, on a drawing of 280 by 180 units with its origin at the top left. Every

@@ -1,8 +1,8 @@
 package simgsm.phone.ui;
 
 import java.awt.Cursor;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.event.KeyEvent;
 import java.util.Locale;
 import javax.swing.JButton;

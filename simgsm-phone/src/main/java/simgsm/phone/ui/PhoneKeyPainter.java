@@ -6,8 +6,8 @@ import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** Paints a key of the handset: a face with a lower edge, its sign, its letters. */
 final class PhoneKeyPainter {

@@ -146,7 +146,8 @@ class HandsetCallTest {
         Bench bench = new Bench();
         bench.down(PhoneKey.ONE);
         bench.millis(1000);
-        assertEquals(new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
+        assertEquals(
+                new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
         assertEquals("", bench.snapshot().typed());
     }
 

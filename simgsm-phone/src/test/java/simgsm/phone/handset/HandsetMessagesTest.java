@@ -112,7 +112,8 @@ class HandsetMessagesTest {
         assertEquals(Delivery.DELIVERED, shownDelivery(bench));
         bench.ears.messageReceived("5", "3 Done");
         bench.tap(PhoneKey.OK);
-        assertEquals(new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
+        assertEquals(
+                new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
     }
 
     @Test
@@ -167,7 +168,8 @@ class HandsetMessagesTest {
         assertEquals(1, bench.snapshot().unread(MessageFolder.BROADCASTS));
         bench.tap(PhoneKey.MENU, PhoneKey.FOUR, PhoneKey.CALL, PhoneKey.OK, PhoneKey.CALL);
         assertEquals(
-                new Screen.MessageView(MessageFolder.BROADCASTS, 0, 0), bench.snapshot().screen());
+                new Screen.MessageView(MessageFolder.BROADCASTS, 0, 0),
+                bench.snapshot().screen());
         assertEquals(0, bench.snapshot().unread(MessageFolder.BROADCASTS));
         assertEquals(List.of(), bench.station.asked);
     }
@@ -186,7 +188,9 @@ class HandsetMessagesTest {
         bench.ears.messageReceived("5550200", "3 Done");
         assertEquals(1, bench.snapshot().unread());
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
-        assertEquals(new Screen.MessageView(MessageFolder.INBOX, 0, 0), bench.snapshot().screen());
+        assertEquals(
+                new Screen.MessageView(MessageFolder.INBOX, 0, 0),
+                bench.snapshot().screen());
         assertEquals(0, bench.snapshot().unread());
         bench.tap(PhoneKey.OK);
         bench.handset.charDown('k', bench.nowNanos);
@@ -200,7 +204,9 @@ class HandsetMessagesTest {
         bench.ears.messageReceived("1", "old");
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
         bench.ears.messageReceived("2", "new");
-        assertEquals(new Screen.MessageView(MessageFolder.INBOX, 1, 0), bench.snapshot().screen());
+        assertEquals(
+                new Screen.MessageView(MessageFolder.INBOX, 1, 0),
+                bench.snapshot().screen());
     }
 
     @Test
@@ -212,7 +218,8 @@ class HandsetMessagesTest {
         assertEquals(
                 List.of("old"),
                 bench.snapshot().inbox().stream().map(StoredMessage::text).toList());
-        assertEquals(new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
+        assertEquals(
+                new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
     }
 
     @Test

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Appearance;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 
 /** The handset's panel, built and painted without a display. */
 class HandsetPanelTest {

@@ -21,8 +21,8 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Named;
 import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 import simrobot.editor.Draft;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
@@ -271,13 +271,14 @@ public final class EditorPanel extends JPanel {
 
     private void leave(Optional<World> world) {
         if (world.isPresent() && world.get() != applied) {
-            operator.apply(world.get().named(file.getFileName().toString()), file, EventThread.onEventThread(refusal -> {
-                if (refusal.isEmpty()) {
-                    closed.run();
-                } else {
-                    say(refusal.get(), true);
-                }
-            }));
+            operator.apply(
+                    world.get().named(file.getFileName().toString()), file, EventThread.onEventThread(refusal -> {
+                        if (refusal.isEmpty()) {
+                            closed.run();
+                        } else {
+                            say(refusal.get(), true);
+                        }
+                    }));
         } else {
             closed.run();
         }

@@ -46,7 +46,8 @@ public final class RobotPlacing {
     }
 
     void put(RobotSnapshot robot, double x, double y, double heading) {
-        operator.place(robot.name(), x, y, heading, EventThread.onEventThread(answer -> answered(x, y, heading, answer)));
+        operator.place(
+                robot.name(), x, y, heading, EventThread.onEventThread(answer -> answered(x, y, heading, answer)));
     }
 
     private void answered(double x, double y, double heading, Placement answer) {

@@ -2,8 +2,8 @@ package simrobot.ui.floor;
 
 import java.awt.Graphics2D;
 import simgsm.ui.Drawing;
-import simgsm.ui.Theme.Ink;
 import simgsm.ui.Theme;
+import simgsm.ui.Theme.Ink;
 import simrobot.ui.PoseTexts;
 import simrobot.world.Position;
 

@@ -1,7 +1,7 @@
 package simgsm.tools.audio;
 
-import javax.sound.sampled.AudioFormat.Encoding;
 import javax.sound.sampled.AudioFormat;
+import javax.sound.sampled.AudioFormat.Encoding;
 import simgsm.speech.G711;
 
 /** How a file holds its samples; reads them as floats on the scale of 16 bits, the channels' mean. */

@@ -4,8 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import javax.sound.sampled.AudioFormat.Encoding;
 import javax.sound.sampled.AudioFormat;
+import javax.sound.sampled.AudioFormat.Encoding;
 
 /**
  * What the head of a RIFF or RF64 file says: how its samples are held, where they begin, and how many octets of them
