@@ -14,6 +14,8 @@ import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 
 public class CcmCodecTest {
+    CcmCodecTest() {}
+
     public record Example(CcmMessage message, String hex) {}
 
     public static List<Example> examples() {

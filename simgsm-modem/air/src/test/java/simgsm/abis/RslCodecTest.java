@@ -26,6 +26,8 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.Tmsi;
 
 public class RslCodecTest {
+    RslCodecTest() {}
+
     public record Example(RslMessage message, String hex) {}
 
     private static final String PAGE = "401100320f11" + "d7".repeat(82);

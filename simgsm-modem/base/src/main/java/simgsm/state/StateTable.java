@@ -1,45 +1,143 @@
 package simgsm.state;
 
-import java.util.HashMap;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /**
- * A state machine as data: which events a state accepts, where each leads and what is done on the way. An event without a
- * row is refused by whoever asks.
+ * A state machine as data: which events a state accepts, which state follows, and which actions are performed on the way,
+ * in order. An event without a row is refused. The table holds no current state; {@link StateMachine} does.
+ *
+ * <p>Rows are added once, while the table is built; afterwards any thread may read it.
+ *
+ * @param <S> states
+ * @param <E> events
+ * @param <A> actions
  */
 public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends Enum<A>> {
-    public record Row<S, A>(S next, List<A> actions) {}
+    /** One row: in {@code state}, {@code event} leads to {@code next} and performs {@code actions}. */
+    public record Row<S, E, A>(S state, E event, S next, List<A> actions) {}
 
     private record Key<S, E>(S state, E event) {}
 
-    private final Map<Key<S, E>, Row<S, A>> rows = new HashMap<>();
+    private final String name;
+    private final S initial;
+    private final Map<Key<S, E>, Row<S, E, A>> rows = new LinkedHashMap<>();
 
-    /** Adds a row for each of the states. */
+    /**
+     * An empty table.
+     *
+     * @param name titles the diagram and begins every log line, such as {@code "mobile call"}
+     * @param initial the state in which a machine begins
+     */
+    public StateTable(String name, S initial) {
+        this.name = name;
+        this.initial = initial;
+    }
+
+    /**
+     * Adds a row for each of the states.
+     *
+     * @throws IllegalArgumentException if one of them has a row for the event already
+     */
     @SafeVarargs
     @SuppressWarnings("varargs")
     public final StateTable<S, E, A> on(Set<S> states, E event, S next, A... actions) {
-        states.forEach(state -> add(state, event, new Row<>(next, List.of(actions))));
+        states.forEach(state -> add(new Row<>(state, event, next, List.of(actions))));
         return this;
     }
 
-    /** Adds a row for each of the states that leaves it where it is. */
+    /** Adds a row for one state; otherwise as {@link #on(Set, Enum, Enum, Enum[])}. */
+    @SafeVarargs
+    @SuppressWarnings("varargs")
+    public final StateTable<S, E, A> on(S state, E event, S next, A... actions) {
+        add(new Row<>(state, event, next, List.of(actions)));
+        return this;
+    }
+
+    /**
+     * Adds a row for each of the states that performs actions and keeps the state.
+     *
+     * @throws IllegalArgumentException if one of them has a row for the event already
+     */
     @SafeVarargs
     @SuppressWarnings("varargs")
     public final StateTable<S, E, A> stay(Set<S> states, E event, A... actions) {
-        states.forEach(state -> add(state, event, new Row<>(state, List.of(actions))));
+        states.forEach(state -> add(new Row<>(state, event, state, List.of(actions))));
         return this;
     }
 
-    private void add(S state, E event, Row<S, A> row) {
-        if (rows.put(new Key<>(state, event), row) != null) {
-            throw new IllegalArgumentException("two rows for " + state + " and " + event);
+    private void add(Row<S, E, A> row) {
+        if (rows.putIfAbsent(new Key<>(row.state, row.event), row) != null) {
+            throw new IllegalArgumentException(name + ": two rows for " + row.event + " in " + row.state);
         }
     }
 
-    public Optional<Row<S, A>> row(S state, E event) {
+    public String name() {
+        return name;
+    }
+
+    public S initial() {
+        return initial;
+    }
+
+    /** The row for an event in a state; empty when the event is refused there. */
+    public Optional<Row<S, E, A>> row(S state, E event) {
         return Optional.ofNullable(rows.get(new Key<>(state, event)));
+    }
+
+    /** All rows, in the order in which they were added. */
+    public Collection<Row<S, E, A>> rows() {
+        return List.copyOf(rows.values());
+    }
+
+    /** The states that can directly follow a state, itself included where a row keeps it. */
+    public Set<S> successors(S state) {
+        Set<S> next = EnumSet.noneOf(initial.getDeclaringClass());
+        rows.values().stream().filter(row -> row.state == state).forEach(row -> next.add(row.next));
+        return next;
+    }
+
+    /** The table as a PlantUML state diagram with the enums' own names. */
+    public String plantUml() {
+        return plantUml(Enum::name, Enum::name);
+    }
+
+    /**
+     * The table as a PlantUML state diagram. Events between the same two states share an arrow; rows that keep the state
+     * are not drawn.
+     */
+    public String plantUml(Function<S, String> stateText, Function<E, String> eventText) {
+        StringBuilder uml =
+                new StringBuilder("@startuml\n!include look.iuml\ntitle %s\nhide empty description\n".formatted(name));
+        for (S state : initial.getDeclaringClass().getEnumConstants()) {
+            uml.append("state \"%s\" as %s\n".formatted(stateText.apply(state), state.name()));
+        }
+        uml.append("[*] --> %s\n".formatted(initial.name()));
+        arrows().forEach((ends, events) -> uml.append("%s --> %s : %s\n"
+                .formatted(
+                        ends.get(0).name(),
+                        ends.get(1).name(),
+                        events.stream().map(eventText).collect(Collectors.joining("\\n")))));
+        return uml.append("@enduml\n").toString();
+    }
+
+    private Map<List<S>, Set<E>> arrows() {
+        Map<List<S>, Set<E>> arrows = new LinkedHashMap<>();
+        for (Row<S, E, A> row : rows.values()) {
+            if (row.state != row.next) {
+                arrows.computeIfAbsent(Arrays.asList(row.state, row.next), ends -> new LinkedHashSet<>())
+                        .add(row.event);
+            }
+        }
+        return arrows;
     }
 }

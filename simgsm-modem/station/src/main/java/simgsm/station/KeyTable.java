@@ -9,7 +9,8 @@ import simgsm.state.StateTable;
 
 /** Signalling of keys by the mobile (TS 24.008, 5.5.7): START DTMF, STOP DTMF and their acknowledgements. */
 final class KeyTable {
-    static final StateTable<KeyState, KeyEvent, KeyAction> ROWS = new StateTable<KeyState, KeyEvent, KeyAction>()
+    static final StateTable<KeyState, KeyEvent, KeyAction> ROWS = new StateTable<KeyState, KeyEvent, KeyAction>(
+                    "key signalling", KeyState.IDLE)
             .on(EnumSet.of(IDLE), NEXT, START_PENDING, SEND_START, START_T336)
             .on(EnumSet.of(START_PENDING), START_ACKNOWLEDGED, SOUNDING, STOP_TIMERS, START_TONE, TELL_SOUNDS)
             .on(EnumSet.of(START_PENDING), START_REJECTED, IDLE, STOP_TIMERS, TELL_REFUSED, FORGET_ALL)

@@ -24,7 +24,8 @@ final class MobileCallTable {
     /** The user has let go of the call, the network not yet. */
     static final Set<MobileCallState> CLEARING = EnumSet.of(DISCONNECT_REQUEST, DISCONNECT_INDICATION, RELEASE_REQUEST);
 
-    static final StateTable<MobileCallState, MobileCallEvent, MobileCallAction> ROWS = new StateTable<>();
+    static final StateTable<MobileCallState, MobileCallEvent, MobileCallAction> ROWS =
+            new StateTable<>("mobile call", NULL);
 
     static {
         originating();

@@ -10,7 +10,8 @@ import simgsm.state.StateTable;
 /** How a mobile registers, stays registered and leaves (TS 24.008, 4.4.4, 4.3.4 and 4.2.2). */
 final class MobileRegistrationTable {
     static final StateTable<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> ROWS =
-            new StateTable<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction>()
+            new StateTable<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction>(
+                            "mobile registration", MobileRegistrationState.NULL)
                     .on(
                             EnumSet.of(NULL, IMSI_DETACH_INITIATED),
                             POWER_ON,

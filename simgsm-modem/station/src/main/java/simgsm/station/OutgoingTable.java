@@ -14,7 +14,7 @@ final class OutgoingTable {
     private static final Set<OutgoingState> UNDER_WAY = EnumSet.complementOf(EnumSet.of(IDLE));
 
     static final StateTable<OutgoingState, OutgoingEvent, OutgoingAction> ROWS = new StateTable<
-                    OutgoingState, OutgoingEvent, OutgoingAction>()
+                    OutgoingState, OutgoingEvent, OutgoingAction>("outgoing short message", OutgoingState.IDLE)
             .on(EnumSet.of(IDLE), SEND, MM_CONNECTION_PENDING, START_WAIT, REQUEST_CONNECTION)
             .on(
                     EnumSet.of(MM_CONNECTION_PENDING),

@@ -1,7 +1,6 @@
 package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayDeque;
@@ -150,17 +149,11 @@ class TablesTest {
                 .forEach(state -> assertEquals("U" + state.code(), state.shortName()));
     }
 
-    @Test
-    void twoRowsForOneStateAndEventAreRefused() {
-        var table = new StateTable<MobileCallState, MobileCallEvent, MobileCallAction>()
-                .on(EnumSet.of(MobileCallState.NULL), MobileCallEvent.DIAL, MobileCallState.ACTIVE);
-        assertThrows(
-                IllegalArgumentException.class,
-                () -> table.stay(EnumSet.of(MobileCallState.NULL), MobileCallEvent.DIAL, MobileCallAction.SEND_SETUP));
-    }
-
     private interface RowCheck {
-        void check(MobileCallState state, MobileCallEvent event, StateTable.Row<MobileCallState, MobileCallAction> row);
+        void check(
+                MobileCallState state,
+                MobileCallEvent event,
+                StateTable.Row<MobileCallState, MobileCallEvent, MobileCallAction> row);
     }
 
     private static void forAllCallRows(RowCheck check) {
