@@ -14,6 +14,7 @@ public final class Options {
     private final String summary;
     private final Map<String, Option> options = new LinkedHashMap<>();
     private int maxArguments;
+    private String commands = "";
 
     /**
      * @param usage how the program is started, as {@code java -jar simgsm-phone.jar --number N [options]}
@@ -42,6 +43,12 @@ public final class Options {
     /** How many arguments that are no options may follow; none unless told. */
     public Options arguments(int most) {
         maxArguments = most;
+        return this;
+    }
+
+    /** Adds the console's commands to the help. */
+    public Options commands(CommandTable<?> table) {
+        commands = "\nConsole commands, with --headless:\n" + table.reference();
         return this;
     }
 
@@ -123,14 +130,17 @@ public final class Options {
     /** The text that {@code --help} prints. */
     public String help() {
         StringBuilder text = new StringBuilder("Usage: " + usage + "\n\n" + summary + "\n\nOptions:\n");
-        options.values().forEach(option -> describe(text, "    --" + option.name, option.value, option.help));
-        describe(text, "-h, --help", null, "print this and end");
-        describe(text, "-V, --version", null, "print the version and end");
-        return text.toString();
+        options.values()
+                .forEach(option ->
+                        describe(text, "    --" + option.name, option.value == null ? "" : option.value, option.help));
+        describe(text, "-h, --help", "", "print this and end");
+        describe(text, "-V, --version", "", "print the version and end");
+        return text.append(commands).toString();
     }
 
-    private static void describe(StringBuilder text, String name, String value, String help) {
-        String left = "  " + name + (value == null ? "" : " " + value);
+    /** Appends a name, its value and a text in two columns. */
+    static void describe(StringBuilder text, String name, String value, String help) {
+        String left = "  " + name + (value.isEmpty() ? "" : " " + value);
         String column = " ".repeat(30);
         text.append(left.length() < column.length() - 1 ? left + column.substring(left.length()) : left + "\n" + column)
                 .append(help.replace("\n", "\n" + column))
