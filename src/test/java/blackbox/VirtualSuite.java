@@ -17,7 +17,7 @@ import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
-import simrobot.control.Drivers;
+import simrobot.control.ControlThreads;
 import simrobot.control.RobotEventPrinter;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
@@ -61,7 +61,7 @@ final class VirtualSuite {
                 Sim.WITHOUT_KEY,
                 StationOptions.STANDARD,
                 new Settings(Locale.ENGLISH, Set.of(operators), onHangup),
-                new Drivers(underWay::add, underWay::add, () -> nowNanos));
+                new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
         telephone.listen(new RobotEventPrinter("robot", event -> robotLines.add(event.toString())));
         connect(telephone.station());
     }

@@ -28,23 +28,23 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.ProgramWindow;
 import simrobot.app.BatchRun;
+import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
-import simrobot.app.Ports;
-import simrobot.app.Recordings;
+import simrobot.app.ListeningPorts;
 import simrobot.app.ReplayModel;
 import simrobot.app.RequestedRobots;
 import simrobot.app.SessionRecord;
 import simrobot.app.WindowModel;
 import simrobot.app.WorldFile;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.control.Exports;
+import simrobot.control.FileExports;
 import simrobot.control.Fleet;
-import simrobot.control.PrintedWorld;
 import simrobot.control.RobotConsole;
 import simrobot.control.RobotEventPrinter;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.control.WorldPrinter;
 import simrobot.pioneer.PioneerAddress;
 import simrobot.replay.DamagedException;
 import simrobot.replay.Recording;
@@ -136,7 +136,7 @@ public final class SimRobotMain {
         Settings settings = settings(arguments);
         World world = WorldFile.read(arguments.path("world"));
         if (arguments.has("print-world")) {
-            PrintedWorld.print(world, Program.standardOutput());
+            WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
         }
         if (arguments.has("run")) {
@@ -144,7 +144,7 @@ public final class SimRobotMain {
         }
         // Reads the rest of the command line, so before anything is said about a display.
         Built built = build(arguments, settings, world);
-        Ports ports = Ports.open(arguments, built.simRobot());
+        ListeningPorts ports = ListeningPorts.open(arguments, built.simRobot());
         return arguments.has("headless")
                 ? headless(arguments, built, ports)
                 : windowed(
@@ -190,12 +190,13 @@ public final class SimRobotMain {
 
     private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet) {}
 
-    private static int windowed(Arguments arguments, ProgramWindow window, Built built, Ports opened, Path worldFile)
+    private static int windowed(
+            Arguments arguments, ProgramWindow window, Built built, ListeningPorts opened, Path worldFile)
             throws UsageException, IOException, InterruptedException {
         Locale language = arguments.language();
         try (SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
                 SimRobot simRobot = built.simRobot();
-                Ports ports = opened) {
+                ListeningPorts ports = opened) {
             endInOrder(simRobot, record);
             record.listenTo(simRobot);
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new Refusals(language));
@@ -235,7 +236,7 @@ public final class SimRobotMain {
     private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean alone) throws UsageException {
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
-        Recordings recordings = new Recordings(arguments.path("record-audio"), alone);
+        CallRecordings recordings = new CallRecordings(arguments.path("record-audio"), alone);
         return new Fleet.Kit(
                 seed(arguments),
                 power,
@@ -276,12 +277,12 @@ public final class SimRobotMain {
                 : new Random().nextLong();
     }
 
-    private static int headless(Arguments arguments, Built built, Ports opened)
+    private static int headless(Arguments arguments, Built built, ListeningPorts opened)
             throws UsageException, IOException, InterruptedException {
         try (Console console = Console.onStandardOutput();
                 SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
                 SimRobot simRobot = built.simRobot();
-                Ports ports = opened) {
+                ListeningPorts ports = opened) {
             Consumer<Event> out = record.with(console::emit);
             simRobot.onAdded(robot -> robot.listen(new RobotEventPrinter(robot.name(), out)));
             endInOrder(simRobot, record);
@@ -294,7 +295,7 @@ public final class SimRobotMain {
                     new RobotConsole(
                             simRobot,
                             built.fleet(),
-                            new Exports(simRobot, new WorldPictures()),
+                            new FileExports(simRobot, new WorldPictures()),
                             file -> WorldFile.read(Optional.of(file)),
                             out));
             return console.exitStatus();

@@ -16,7 +16,7 @@ import simrobot.SimRobotMain;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.RobotEventPrinter;
 import simrobot.control.RobotName;
-import simrobot.replay.Recorder;
+import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -88,8 +88,9 @@ public final class BatchRun {
         simulation.addRobots(robots.stream().map(RobotName::name).toList());
         Optional<Path> file = arguments.path("record");
         // nobody runs acts here, so what is recorded is written as there is enough of it
-        Optional<Recorder> recorder =
-                file.isPresent() ? Optional.of(Recorder.open(file.get(), simulation, act -> {})) : Optional.empty();
+        Optional<SessionRecorder> recorder = file.isPresent()
+                ? Optional.of(SessionRecorder.open(file.get(), simulation, act -> {}))
+                : Optional.empty();
         for (SimulatedRobot robot : simulation.robots()) {
             recorder.ifPresent(events -> listen(robot, new RobotEventPrinter(robot.name(), events::event)));
             robot.setMotors(arguments.choice("motors", "on", "off").equals("on"));
@@ -99,7 +100,7 @@ public final class BatchRun {
         for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
             simulation.step();
         }
-        recorder.ifPresent(Recorder::close);
+        recorder.ifPresent(SessionRecorder::close);
     }
 
     private static void listen(SimulatedRobot robot, RobotEventPrinter events) {

@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.dtmf.ToneExperiment;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.control.Exports;
+import simrobot.control.FileExports;
 import simrobot.control.LoggedEvent;
 import simrobot.replay.RecordedEvent;
 import simrobot.replay.Recording;
@@ -121,13 +121,13 @@ public final class ReplayModel implements SimRobotActions {
     /** Pictures of the present moment, painted here; the track from the recording's beginning to its end, read elsewhere. */
     @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
-        if (Exports.ending(file).equals("csv")) {
+        if (FileExports.ending(file).equals("csv")) {
             Thread reader = new Thread(() -> answer.accept(write(() -> track(robot), file)), "track");
             reader.setDaemon(true);
             reader.start();
         } else {
             SimulationSnapshot scene = replay.snapshot();
-            answer.accept(write(() -> new WorldPictures().of(scene, robot, Exports.ending(file)), file));
+            answer.accept(write(() -> new WorldPictures().of(scene, robot, FileExports.ending(file)), file));
         }
     }
 
@@ -142,7 +142,7 @@ public final class ReplayModel implements SimRobotActions {
 
     private Optional<String> write(Content content, Path file) {
         try {
-            Exports.write(content.octets(), file);
+            FileExports.write(content.octets(), file);
             return Optional.empty();
         } catch (IOException impossible) {
             return Optional.of(refusals.unwritable(file, impossible));

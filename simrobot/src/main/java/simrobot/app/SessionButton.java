@@ -6,14 +6,14 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import simrobot.control.ControlListener;
 import simrobot.control.RobotEventPrinter;
-import simrobot.replay.Recorder;
+import simrobot.replay.SessionRecorder;
 import simrobot.simulation.SimulationThread;
 
 /** Records the session while somebody at the window wishes so. */
 final class SessionButton {
     private final SimulationThread simulation;
     private final BiConsumer<Path, IOException> problem;
-    private volatile Recorder recorder;
+    private volatile SessionRecorder recorder;
     private volatile Path file;
 
     /** @param problem told why nothing is recorded; any thread tells */
@@ -30,7 +30,7 @@ final class SessionButton {
     /** What a robot's console would be told goes into the recording. */
     ControlListener of(String robot) {
         return new RobotEventPrinter(robot, event -> {
-            Recorder present = recorder;
+            SessionRecorder present = recorder;
             if (present != null) {
                 present.event(event);
             }
@@ -43,7 +43,7 @@ final class SessionButton {
             close();
             if (wanted.isPresent()) {
                 try {
-                    recorder = Recorder.open(wanted.get(), owned, simulation);
+                    recorder = SessionRecorder.open(wanted.get(), owned, simulation);
                     file = wanted.get();
                 } catch (IOException e) {
                     problem.accept(wanted.get(), e);
@@ -54,7 +54,7 @@ final class SessionButton {
 
     /** On the simulation's thread, or when that has ended. */
     void close() {
-        Recorder present = recorder;
+        SessionRecorder present = recorder;
         recorder = null;
         file = null;
         if (present != null) {

@@ -9,14 +9,14 @@ import simgsm.console.Event;
 import simgsm.console.UsageException;
 import simrobot.control.RobotEventPrinter;
 import simrobot.control.SimRobot;
-import simrobot.replay.Recorder;
+import simrobot.replay.SessionRecorder;
 import simrobot.simulation.Simulation;
 
 /** The session's recording, if the command line asks for one. To be closed when the simulation has ended. */
 public final class SessionRecord implements AutoCloseable {
-    private final Optional<Recorder> recorder;
+    private final Optional<SessionRecorder> recorder;
 
-    private SessionRecord(Optional<Recorder> recorder) {
+    private SessionRecord(Optional<SessionRecorder> recorder) {
         this.recorder = recorder;
     }
 
@@ -26,7 +26,7 @@ public final class SessionRecord implements AutoCloseable {
         Optional<Path> file = arguments.path("record");
         return new SessionRecord(
                 file.isPresent()
-                        ? Optional.of(Recorder.open(file.get(), simulation, simRobot.simulation()))
+                        ? Optional.of(SessionRecorder.open(file.get(), simulation, simRobot.simulation()))
                         : Optional.empty());
     }
 
@@ -43,6 +43,6 @@ public final class SessionRecord implements AutoCloseable {
 
     @Override
     public void close() {
-        recorder.ifPresent(Recorder::close);
+        recorder.ifPresent(SessionRecorder::close);
     }
 }

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.RobotEventPrinter;
-import simrobot.replay.Recorder;
+import simrobot.replay.SessionRecorder;
 import simrobot.robot.RobotState;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.WanderRun;
@@ -22,7 +22,7 @@ final class WanderRecording implements AutoCloseable {
 
     private final WanderRun run;
     private final Simulation stage;
-    private final Recorder recorder;
+    private final SessionRecorder recorder;
     private final double[] startX;
     private final double[] startY;
     private final double[] startHeading;
@@ -42,7 +42,7 @@ final class WanderRecording implements AutoCloseable {
         stage = new Simulation(world, 0);
         stage.restoreRobots(names, states);
         // nobody runs acts here, so what is recorded is written as there is enough of it
-        recorder = Recorder.open(file, stage, act -> {});
+        recorder = SessionRecorder.open(file, stage, act -> {});
         for (String name : names) {
             RobotEventPrinter events = new RobotEventPrinter(name, recorder::event);
             events.behaviour(BehaviourKind.WANDER);

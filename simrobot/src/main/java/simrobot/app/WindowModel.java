@@ -16,7 +16,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.Loudspeaker;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.control.Exports;
+import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEventLog;
 import simrobot.control.RobotName;
@@ -44,10 +44,10 @@ public final class WindowModel implements SimRobotActions {
     private final SimulationThread simulation;
     private final Loudspeaker loudspeaker;
     private final Fleet fleet;
-    private final Ports ports;
+    private final ListeningPorts ports;
     private final RobotEventLog log;
     private final SessionButton sessions;
-    private final Exports exports;
+    private final FileExports exports;
     private final Refusals refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
@@ -58,16 +58,16 @@ public final class WindowModel implements SimRobotActions {
     private WindowSnapshot newest;
 
     /** A robot with its telephone, and what it has answered. */
-    private record Line(TelephoneRobot robot, SentTones sent) {}
+    private record Line(TelephoneRobot robot, SentToneHistory sent) {}
 
     /** To be made before the start, for it listens to the robots. */
-    public WindowModel(SimRobot simRobot, Fleet fleet, Ports ports, Path worldFile, Refusals refusals) {
+    public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, Refusals refusals) {
         this.refusals = refusals;
         this.worldFile = worldFile;
         watch = new WorldWatch(slowActs, worldFile);
         this.fleet = fleet;
         this.ports = ports;
-        exports = new Exports(simRobot, new WorldPictures());
+        exports = new FileExports(simRobot, new WorldPictures());
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
         sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
@@ -83,7 +83,7 @@ public final class WindowModel implements SimRobotActions {
     }
 
     private void come(TelephoneRobot robot) {
-        Line line = new Line(robot, new SentTones());
+        Line line = new Line(robot, new SentToneHistory());
         robot.listen(line.sent());
         robot.listen(log.of(robot.name()));
         robot.listen(sessions.of(robot.name()));
@@ -309,7 +309,7 @@ public final class WindowModel implements SimRobotActions {
 
     private Optional<String> write(byte[] octets, Path file) {
         try {
-            Exports.write(octets, file);
+            FileExports.write(octets, file);
             return Optional.empty();
         } catch (IOException unwritable) {
             return Optional.of(refusals.unwritable(file, unwritable));

@@ -24,9 +24,9 @@ public final class Camera {
     /** A camera that gets no power. */
     private static final int DARK = 0x101214;
 
-    private final Canvas canvas = new Canvas(WIDTH, HEIGHT);
+    private final PixelBuffer canvas = new PixelBuffer(WIDTH, HEIGHT);
     private World world;
-    private Walls walls;
+    private WallPainter walls;
 
     /** What this robot's camera sees; dark when the robot is switched off. */
     public BufferedImage picture(SimulationSnapshot scene, RobotSnapshot robot) {
@@ -41,10 +41,10 @@ public final class Camera {
     private void paint(SimulationSnapshot scene, RobotSnapshot robot) {
         if (scene.world() != world) {
             world = scene.world();
-            walls = new Walls(world);
+            walls = new WallPainter(world);
         }
         double heading = robot.headingRadians();
-        Eye eye = Eye.at(
+        PinholeView eye = PinholeView.at(
                 robot.xMeters() + MOUNT_X_METERS * Math.cos(heading),
                 robot.yMeters() + MOUNT_X_METERS * Math.sin(heading),
                 MOUNT_Z_METERS,
@@ -52,9 +52,9 @@ public final class Camera {
                 canvas.width,
                 canvas.height,
                 OPENING_RADIANS);
-        new Backdrop(canvas, eye).paint(world);
+        new BackgroundPainter(canvas, eye).paint(world);
         walls.paint(canvas, eye);
-        Bodies bodies = new Bodies(canvas, eye);
+        ObjectPainter bodies = new ObjectPainter(canvas, eye);
         for (Box box : world.boxes()) {
             bodies.furniture(box);
         }

@@ -4,14 +4,14 @@ package simrobot.camera;
 final class Lit {
     private Lit() {}
 
-    static double towards(Eye eye, double x1, double y1, double x2, double y2) {
+    static double towards(PinholeView eye, double x1, double y1, double x2, double y2) {
         double nx = y2 - y1;
         double ny = x1 - x2;
         double length = Math.sqrt(nx * nx + ny * ny);
         if (length == 0) {
-            return Light.on(0, 0);
+            return Shading.on(0, 0);
         }
         double sense = (eye.x() - x1) * nx + (eye.y() - y1) * ny < 0 ? -1 / length : 1 / length;
-        return Light.on(nx * sense, ny * sense);
+        return Shading.on(nx * sense, ny * sense);
     }
 }

@@ -49,7 +49,7 @@ final class ModemLink implements ModemListener, ModemPort {
     private int tonesToLeave;
     private boolean clearWhenSilent;
 
-    ModemLink(StationIdentity identity, Sim sim, StationOptions options, Drivers drivers) {
+    ModemLink(StationIdentity identity, Sim sim, StationOptions options, ControlThreads drivers) {
         stations = drivers.stations();
         simulation = drivers.simulation();
         clockNanos = drivers.clockNanos();

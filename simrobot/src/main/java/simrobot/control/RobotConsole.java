@@ -29,7 +29,7 @@ public final class RobotConsole implements Console.Commands {
 
     private final SimRobot simRobot;
     private final FleetConsole fleet;
-    private final Exports exports;
+    private final FileExports exports;
     private final WorldConsole world;
     private final Consumer<Event> out;
     private final Camera camera = new Camera();
@@ -40,7 +40,7 @@ public final class RobotConsole implements Console.Commands {
      * @param worlds reads the files that {@code world} names
      * @param out any thread may call it
      */
-    public RobotConsole(SimRobot simRobot, Fleet fleet, Exports exports, Worlds worlds, Consumer<Event> out) {
+    public RobotConsole(SimRobot simRobot, Fleet fleet, FileExports exports, Worlds worlds, Consumer<Event> out) {
         this.simRobot = simRobot;
         this.exports = exports;
         this.fleet = new FleetConsole(simRobot, fleet, out);
@@ -226,7 +226,7 @@ public final class RobotConsole implements Console.Commands {
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
         onSimulation(() -> scene.set(simRobot.scene()));
         try {
-            Exports.write(exports.octets(scene.get(), robot.name(), file), file);
+            FileExports.write(exports.octets(scene.get(), robot.name(), file), file);
         } catch (IOException e) {
             throw new CommandException("export: " + e.getMessage());
         }
@@ -236,7 +236,7 @@ public final class RobotConsole implements Console.Commands {
     private static Path exportFile(String text) throws CommandException {
         try {
             Path file = Path.of(text);
-            if (Exports.isNamedWell(file)) {
+            if (FileExports.isNamedWell(file)) {
                 return file;
             }
         } catch (InvalidPathException e) {

@@ -26,7 +26,7 @@ final class RobotControl {
     private final Settings settings;
     private final ModemPort modem;
     private final ControlListeners listener = new ControlListeners();
-    private final OrderStopwatch stopwatch;
+    private final OrderLatencyLog stopwatch;
     private final VeriCommand veriCommand;
     private long callNumber;
     private volatile RobotStatus status;
@@ -36,7 +36,7 @@ final class RobotControl {
         this.robot = robot;
         this.settings = settings;
         this.modem = modem;
-        stopwatch = new OrderStopwatch(robot.name(), clockNanos);
+        stopwatch = new OrderLatencyLog(robot.name(), clockNanos);
         veriCommand = new VeriCommand(robot, settings, new Answers());
         status = robot.status();
         snapshot = veriCommand.snapshot();

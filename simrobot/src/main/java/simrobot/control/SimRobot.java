@@ -44,7 +44,7 @@ public final class SimRobot implements AutoCloseable {
     private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
     private final InetSocketAddress center;
     private final Settings settings;
-    private final Drivers drivers;
+    private final ControlThreads drivers;
     private final Duration patience;
     private final List<TelephoneRobot> robots = new CopyOnWriteArrayList<>();
     private final Map<TelephoneRobot, CallTap> taps = new ConcurrentHashMap<>();
@@ -73,7 +73,7 @@ public final class SimRobot implements AutoCloseable {
         this.simulation = simulation;
         simulationThread = new SimulationThread(simulation);
         tracks = new TrackLog(simulation);
-        drivers = new Drivers(stationThread::execute, simulationThread, System::nanoTime);
+        drivers = new ControlThreads(stationThread::execute, simulationThread, System::nanoTime);
     }
 
     /**

@@ -27,7 +27,7 @@ public final class TelephoneRobot {
             Sim sim,
             StationOptions options,
             Settings settings,
-            Drivers drivers) {
+            ControlThreads drivers) {
         number = identity.number();
         link = new ModemLink(identity, sim, options, drivers);
         control = new RobotControl(robot, settings, link, drivers.clockNanos());

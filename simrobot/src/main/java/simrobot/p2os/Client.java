@@ -17,7 +17,7 @@ import vericommand.Pose;
  * A client's connection. Its bytes go to the session on the simulation's thread, one chunk at a time, so that a flood
  * waits in the sender's own buffers; packets to a client that does not read are dropped.
  */
-final class Client implements Wire {
+final class Client implements PacketOutput {
     private static final Logger LOG = System.getLogger(Client.class.getName());
     private static final int CHUNK = 2048;
 

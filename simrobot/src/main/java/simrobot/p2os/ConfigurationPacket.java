@@ -27,11 +27,14 @@ final class ConfigurationPacket {
         int acceleration = (int) Math.round(Drive.AHEAD_LIMITS.acceleration() * 1000);
         int topTurn = (int) Math.round(Math.toDegrees(Drive.TURN_LIMITS.top()));
         int turnAcceleration = (int) Math.round(Math.toDegrees(Drive.TURN_LIMITS.acceleration()));
-        Octets octets =
-                new Octets().int1(ID).text(Scale.CLASS).text(Scale.SUBCLASS).text(SIMULATED);
+        P2osFieldWriter octets = new P2osFieldWriter()
+                .int1(ID)
+                .text(P3dxScale.CLASS)
+                .text(P3dxScale.SUBCLASS)
+                .text(SIMULATED);
         octets.int1(0)
-                .int2s(Scale.MOST_DEGREES_PER_SECOND, Scale.MOST_MILLIMETERS_PER_SECOND)
-                .int2s(Scale.MOST_DEGREES_PER_SECOND, Scale.MOST_MILLIMETERS_PER_SECOND)
+                .int2s(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
+                .int2s(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
                 // motor power, name, information packets every 100 ms, both baud rates, no gripper
                 .int2(500)
                 .text(name)
@@ -59,7 +62,7 @@ final class ConfigurationPacket {
                 .int2(0)
                 .int1(0)
                 .int1(0)
-                .int2(Scale.TICKS_PER_MILLIMETER)
+                .int2(P3dxScale.TICKS_PER_MILLIMETER)
                 .int2(0)
                 .text(FIRMWARE)
                 // gyro scales, kinematics delay, nothing sideways, no charging threshold
@@ -67,6 +70,6 @@ final class ConfigurationPacket {
                 .int1(0)
                 .int2s(0, 0, 0, 0, 0)
                 .int2(0);
-        return Packet.of(octets.toBytes());
+        return P2osPacket.of(octets.toBytes());
     }
 }

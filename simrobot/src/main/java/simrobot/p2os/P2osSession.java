@@ -33,14 +33,14 @@ public final class P2osSession {
 
     private final SimulatedRobot robot;
     private final Pose start;
-    private final Wire wire;
-    private final PacketReader reader = new PacketReader(this::heard);
-    private final Motion motion;
-    private final Report report;
-    private final Stall stall;
+    private final PacketOutput wire;
+    private final P2osPacketReader reader = new P2osPacketReader(this::heard);
+    private final P2osMotionCommands motion;
+    private final P2osReports report;
+    private final StallDetector stall;
     private volatile Stage stage = Stage.HANDSHAKE;
-    private Told encoders = Told.NEVER;
-    private Told simulator = Told.NEVER;
+    private ReportMode encoders = ReportMode.NEVER;
+    private ReportMode simulator = ReportMode.NEVER;
     private boolean silent;
     private long simulatedNanos;
     private long nanos;
@@ -52,13 +52,13 @@ public final class P2osSession {
      * @param start where the robot is put when the client resets the simulator
      * @param nanos real time now
      */
-    public P2osSession(SimulatedRobot robot, Pose start, Wire wire, long nanos) {
+    public P2osSession(SimulatedRobot robot, Pose start, PacketOutput wire, long nanos) {
         this.robot = robot;
         this.start = start;
         this.wire = wire;
-        motion = new Motion(robot);
-        stall = new Stall(robot);
-        report = new Report(robot, stall);
+        motion = new P2osMotionCommands(robot);
+        stall = new StallDetector(robot);
+        report = new P2osReports(robot, stall);
         heardNanos = nanos;
     }
 
@@ -122,7 +122,7 @@ public final class P2osSession {
             silent = false;
             motion.setSuspended(false);
         }
-        P2osCommand command = CommandCodec.decode(data);
+        P2osCommand command = P2osCommandCodec.decode(data);
         if (command instanceof P2osCommand.Pulse) {
             pulse();
         } else if (command instanceof P2osCommand.Open) {
@@ -139,13 +139,13 @@ public final class P2osSession {
     private void pulse() {
         if (stage != Stage.OPEN) {
             stage = Stage.HANDSHAKE;
-            wire.send(CommandCodec.packet(CommandNumber.PULSE));
+            wire.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
         }
     }
 
     private void open() {
         if (stage == Stage.HANDSHAKE) {
-            wire.send(CommandCodec.packet(CommandNumber.OPEN));
+            wire.send(P2osCommandCodec.packet(P2osCommandNumber.OPEN));
         } else if (stage == Stage.INTRODUCED) {
             stage = Stage.OPEN;
             motion.begin();
@@ -178,9 +178,9 @@ public final class P2osSession {
         } else if (command instanceof P2osCommand.Configuration) {
             wire.send(ConfigurationPacket.of(report.name()));
         } else if (command instanceof P2osCommand.Encoders wanted) {
-            encoders = Told.ofMode(wanted.mode());
+            encoders = ReportMode.ofMode(wanted.mode());
         } else if (command instanceof P2osCommand.SimStatus wanted) {
-            simulator = Told.ofMode(wanted.mode());
+            simulator = ReportMode.ofMode(wanted.mode());
         } else if (command instanceof P2osCommand.Sonar sonar) {
             report.setSonar(sonar.on());
         } else if (command instanceof P2osCommand.Polling polling) {
@@ -223,11 +223,11 @@ public final class P2osSession {
                 late || simulatedNanos - sipSimulatedNanos < SIP_NANOS ? simulatedNanos : sipSimulatedNanos + SIP_NANOS;
         sipNanos = nanos;
         wire.send(report.standard(simulatedNanos));
-        if (encoders != Told.NEVER) {
+        if (encoders != ReportMode.NEVER) {
             encoders = encoders.afterTelling();
             wire.send(report.encoders());
         }
-        if (simulator != Told.NEVER) {
+        if (simulator != ReportMode.NEVER) {
             simulator = simulator.afterTelling();
             wire.send(report.simulator());
         }

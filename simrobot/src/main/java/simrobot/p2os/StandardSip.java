@@ -51,7 +51,7 @@ record StandardSip(
     private static final int NO_THERMOMETER = -127;
 
     byte[] packet() {
-        Octets octets = new Octets()
+        P2osFieldWriter octets = new P2osFieldWriter()
                 .int1(moving ? MOVING_ID : STOPPED_ID)
                 .int2s(x, y, heading, left, right)
                 .int1(batteryDecivolts)
@@ -66,6 +66,6 @@ record StandardSip(
         }
         octets.int1(0).int1(0).int1(0).int1(OPEN_INPUTS).int1(0);
         octets.int2(batteryDecivolts).int1(0).int2s(turnDecidegreesPerSecond, 0, 0);
-        return Packet.of(octets.int1(NO_THERMOMETER).int1(chargePercent).toBytes());
+        return P2osPacket.of(octets.int1(NO_THERMOMETER).int1(chargePercent).toBytes());
     }
 }

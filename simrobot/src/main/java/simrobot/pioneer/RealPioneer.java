@@ -6,9 +6,9 @@ import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.p2os.CommandCodec;
-import simrobot.p2os.CommandNumber;
-import simrobot.p2os.PacketReader;
+import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommandNumber;
+import simrobot.p2os.P2osPacketReader;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Condition;
@@ -41,13 +41,13 @@ public final class RealPioneer implements Pioneer {
     private final StatusMachine machine = new StatusMachine(RobotStatus.DISCONNECTED);
     private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
     private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
-    private PacketReader reader = new PacketReader(this::heard);
-    private final PioneerDialogue conversation;
+    private P2osPacketReader reader = new P2osPacketReader(this::heard);
+    private final P2osClientSession conversation;
     private final DeadReckoning place;
     private final Trail trail = new Trail();
     private final int[] sonars = new int[SonarRing.COUNT];
     private Information newest;
-    private Travel travel;
+    private InstructionLegs travel;
     private boolean motorsWanted;
     private long switchedNanos;
 
@@ -66,7 +66,7 @@ public final class RealPioneer implements Pioneer {
         this.line = Objects.requireNonNull(line);
         place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
         motorsWanted = motors;
-        conversation = new PioneerDialogue(name, line, this::opened, this::said);
+        conversation = new P2osClientSession(name, line, this::opened, this::said);
         forgetSonars();
     }
 
@@ -79,7 +79,7 @@ public final class RealPioneer implements Pioneer {
     /** The line is connected. */
     public void connected(long nowNanos) {
         nanos = nowNanos;
-        reader = new PacketReader(this::heard);
+        reader = new P2osPacketReader(this::heard);
         conversation.begin(nanos);
     }
 
@@ -120,24 +120,24 @@ public final class RealPioneer implements Pioneer {
         int turn = (int) Math.round(Math.toDegrees(Pioneer2Dx.TOP_TURN_RADIANS_PER_SECOND));
         int acceleration = (int) Math.round(Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2 * 1000);
         int turnAcceleration = (int) Math.round(Math.toDegrees(Pioneer2Dx.TURN_ACCELERATION_RADIANS_PER_SECOND2));
-        tell(CommandNumber.SETV, speed);
-        tell(CommandNumber.SETRV, turn);
-        tell(CommandNumber.SETA, acceleration);
-        tell(CommandNumber.SETA, -acceleration);
-        tell(CommandNumber.SETRA, turnAcceleration);
-        tell(CommandNumber.SETRA, -turnAcceleration);
-        tell(CommandNumber.BUMPSTALL, BOTH_BUMPERS_STALL);
-        tell(CommandNumber.SONAR, 1);
-        tell(CommandNumber.ENABLE, motorsWanted ? 1 : 0);
+        tell(P2osCommandNumber.SETV, speed);
+        tell(P2osCommandNumber.SETRV, turn);
+        tell(P2osCommandNumber.SETA, acceleration);
+        tell(P2osCommandNumber.SETA, -acceleration);
+        tell(P2osCommandNumber.SETRA, turnAcceleration);
+        tell(P2osCommandNumber.SETRA, -turnAcceleration);
+        tell(P2osCommandNumber.BUMPSTALL, BOTH_BUMPERS_STALL);
+        tell(P2osCommandNumber.SONAR, 1);
+        tell(P2osCommandNumber.ENABLE, motorsWanted ? 1 : 0);
         switchedNanos = nanos;
     }
 
     private void tell(int command, int argument) {
-        conversation.send(CommandCodec.packet(command, argument), nanos);
+        conversation.send(P2osCommandCodec.packet(command, argument), nanos);
     }
 
     private void stop() {
-        conversation.send(CommandCodec.packet(CommandNumber.STOP), nanos);
+        conversation.send(P2osCommandCodec.packet(P2osCommandNumber.STOP), nanos);
     }
 
     private void said(byte[] data) {
@@ -181,9 +181,9 @@ public final class RealPioneer implements Pioneer {
 
     // ---- motion --------------------------------------------------------------------------------------------------
 
-    private void follow(Travel under, Information information) {
+    private void follow(InstructionLegs under, Information information) {
         boolean hadMoved = under.hasMoved();
-        Travel.Progress progress = under.judge(information, nanos);
+        InstructionLegs.Progress progress = under.judge(information, nanos);
         if (!hadMoved && under.hasMoved()) {
             firstMotionListeners.forEach(Runnable::run);
         }
@@ -206,7 +206,7 @@ public final class RealPioneer implements Pioneer {
         }
     }
 
-    private void rest(Travel under, Information information, boolean atGoal) {
+    private void rest(InstructionLegs under, Information information, boolean atGoal) {
         boolean blocked = under.begunInCollision() && information.stalled();
         MotionOutcome.Kind well = atGoal ? MotionOutcome.Kind.DONE : MotionOutcome.Kind.BRAKED;
         finish(
@@ -216,7 +216,7 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void finish(StatusEvent event, MotionOutcome.Kind kind, boolean atGoal) {
-        Travel over = travel;
+        InstructionLegs over = travel;
         travel = null;
         settled = false;
         change(event);
@@ -243,7 +243,7 @@ public final class RealPioneer implements Pioneer {
         if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
-        travel = new Travel(motion, ended, status() == RobotStatus.COLLISION, place, nanos);
+        travel = new InstructionLegs(motion, ended, status() == RobotStatus.COLLISION, place, nanos);
         change(StatusEvent.MOTION_STARTED);
         conversation.send(travel.nextLeg(nanos), nanos);
     }
@@ -265,7 +265,7 @@ public final class RealPioneer implements Pioneer {
             line.call();
         } else {
             stop();
-            conversation.send(CommandCodec.packet(CommandNumber.CLOSE), nanos);
+            conversation.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE), nanos);
             conversation.end();
             line.hangUp();
             lose();
@@ -276,14 +276,14 @@ public final class RealPioneer implements Pioneer {
     public void setMotors(boolean on) {
         motorsWanted = on;
         if (isPowered() && on != hasMotors()) {
-            tell(CommandNumber.ENABLE, on ? 1 : 0);
+            tell(P2osCommandNumber.ENABLE, on ? 1 : 0);
             switchedNanos = nanos;
             cut(on ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
         }
     }
 
     private void cut(StatusEvent event) {
-        Travel cutShort = travel;
+        InstructionLegs cutShort = travel;
         travel = null;
         change(event);
         if (cutShort != null) {
@@ -365,7 +365,7 @@ public final class RealPioneer implements Pioneer {
                         bumpers,
                         pose(),
                         new Pose(0, 0, 0)),
-                trail.crumbs(),
+                trail.points(),
                 BehaviourKind.NONE,
                 false);
     }

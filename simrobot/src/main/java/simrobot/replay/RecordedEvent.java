@@ -19,16 +19,16 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
     }
 
     /** What a timeline shows of it, if anything. */
-    Optional<Marker> marker() {
-        return kind().map(kind -> new Marker(timeNanos, kind, robot, line));
+    Optional<TimelineMarker> marker() {
+        return kind().map(kind -> new TimelineMarker(timeNanos, kind, robot, line));
     }
 
-    private Optional<Marker.Kind> kind() {
+    private Optional<TimelineMarker.Kind> kind() {
         return switch (name) {
-            case "order" -> Optional.of(Marker.Kind.ORDER);
-            case "outcome" -> Optional.of(Marker.Kind.REPLY);
-            case "call", "released" -> Optional.of(Marker.Kind.CALL);
-            case "status" -> line.endsWith(COLLISION) ? Optional.of(Marker.Kind.COLLISION) : Optional.empty();
+            case "order" -> Optional.of(TimelineMarker.Kind.ORDER);
+            case "outcome" -> Optional.of(TimelineMarker.Kind.REPLY);
+            case "call", "released" -> Optional.of(TimelineMarker.Kind.CALL);
+            case "status" -> line.endsWith(COLLISION) ? Optional.of(TimelineMarker.Kind.COLLISION) : Optional.empty();
             default -> Optional.empty();
         };
     }

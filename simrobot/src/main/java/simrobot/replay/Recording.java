@@ -21,7 +21,7 @@ import simrobot.world.World;
  */
 public final class Recording implements AutoCloseable {
     /** A KEY or CHANGES record. @param scene which world and cast it belongs to */
-    record Part(long offset, Layout.Kind kind, long beginNanos, long endNanos, Scene scene) {}
+    record Part(long offset, RecordingFormat.Kind kind, long beginNanos, long endNanos, Scene scene) {}
 
     /** A world and the robots in it. */
     record Scene(World world, List<String> robots) {}
@@ -30,7 +30,7 @@ public final class Recording implements AutoCloseable {
     private final RandomAccessFile file;
     private final List<Part> parts = new ArrayList<>();
     private final List<RecordedEvent> events = new ArrayList<>();
-    private List<Marker> markers = List.of();
+    private List<TimelineMarker> markers = List.of();
     private boolean torn;
     private String damage = "";
 
@@ -64,27 +64,27 @@ public final class Recording implements AutoCloseable {
     }
 
     private void readHeader(DataInputStream in) throws IOException {
-        byte[] header = in.readNBytes(Layout.HEADER_OCTETS);
-        byte[] ours = RecordFile.header();
-        int magic = Layout.MAGIC.length();
+        byte[] header = in.readNBytes(RecordingFormat.HEADER_OCTETS);
+        byte[] ours = RecordCodec.header();
+        int magic = RecordingFormat.MAGIC.length();
         if (header.length < ours.length || !Arrays.equals(header, 0, magic, ours, 0, magic)) {
             throw new IOException(path + ": no SimRobot recording, expected a file made by --record");
         }
         RecordingReader rest = new RecordingReader(Arrays.copyOfRange(header, magic, header.length));
         long version = rest.fixed(2);
         long stepNanos = rest.fixed(8);
-        if (version != Layout.VERSION || stepNanos != Simulation.STEP_NANOS) {
+        if (version != RecordingFormat.VERSION || stepNanos != Simulation.STEP_NANOS) {
             throw new IOException(path + ": a recording of version " + version + " with steps of " + stepNanos
-                    + " ns, expected version " + Layout.VERSION + " with " + Simulation.STEP_NANOS);
+                    + " ns, expected version " + RecordingFormat.VERSION + " with " + Simulation.STEP_NANOS);
         }
     }
 
     private void scan(DataInputStream in, long size) throws IOException {
-        long offset = Layout.HEADER_OCTETS;
+        long offset = RecordingFormat.HEADER_OCTETS;
         World world = World.bare();
         Scene scene = new Scene(world, List.of());
         try {
-            RecordFile.Stored record = RecordFile.read(in);
+            RecordCodec.Stored record = RecordCodec.read(in);
             while (record != null) {
                 switch (record.meaning()) {
                     case WORLD -> world = WorldCodec.read(new RecordingReader(record.inflated()));
@@ -92,8 +92,8 @@ public final class Recording implements AutoCloseable {
                     case EVENTS -> addEvents(new RecordingReader(record.inflated()));
                     case KEY, CHANGES -> addPart(offset, record, scene);
                 }
-                offset += Layout.FRAME_OCTETS + record.content().length;
-                record = RecordFile.read(in);
+                offset += RecordingFormat.FRAME_OCTETS + record.content().length;
+                record = RecordCodec.read(in);
             }
             torn = offset != size;
         } catch (DamagedException e) {
@@ -104,11 +104,12 @@ public final class Recording implements AutoCloseable {
         }
     }
 
-    private void addPart(long offset, RecordFile.Stored record, Scene scene) {
+    private void addPart(long offset, RecordCodec.Stored record, Scene scene) {
         RecordingReader times = new RecordingReader(record.content());
         Part part = new Part(offset, record.meaning(), times.fixed(8), times.fixed(8), scene);
         boolean first = parts.isEmpty();
-        if (part.endNanos < part.beginNanos || (first ? part.kind != Layout.Kind.KEY : part.beginNanos < lastNanos())) {
+        if (part.endNanos < part.beginNanos
+                || (first ? part.kind != RecordingFormat.Kind.KEY : part.beginNanos < lastNanos())) {
             throw new DamagedException("a record from " + part.beginNanos + " to " + part.endNanos + " ns");
         }
         parts.add(part);
@@ -162,7 +163,7 @@ public final class Recording implements AutoCloseable {
     }
 
     /** What a timeline shows, in its order. */
-    public List<Marker> markers() {
+    public List<TimelineMarker> markers() {
         return markers;
     }
 
@@ -189,7 +190,7 @@ public final class Recording implements AutoCloseable {
         int kind = file.readUnsignedByte();
         byte[] content = new byte[length];
         file.readFully(content);
-        RecordingReader in = new RecordingReader(new RecordFile.Stored(kind, content).inflated());
+        RecordingReader in = new RecordingReader(new RecordCodec.Stored(kind, content).inflated());
         in.fixed(8);
         in.fixed(8);
         return in;

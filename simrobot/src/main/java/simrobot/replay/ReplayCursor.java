@@ -77,7 +77,7 @@ public final class ReplayCursor {
         List<Recording.Part> parts = recording.parts();
         int found = 0;
         for (int i = 0; i < parts.size() && parts.get(i).beginNanos() <= target; i++) {
-            if (parts.get(i).kind() == Layout.Kind.KEY) {
+            if (parts.get(i).kind() == RecordingFormat.Kind.KEY) {
                 found = i;
             }
         }
@@ -86,7 +86,7 @@ public final class ReplayCursor {
         for (int i = found;
                 i >= 0 && parts.get(i).scene() == there && there.robots().size() <= MOST_TRAILS;
                 i--) {
-            if (parts.get(i).kind() == Layout.Kind.KEY) {
+            if (parts.get(i).kind() == RecordingFormat.Kind.KEY) {
                 from = i;
                 if (parts.get(i).beginNanos() <= target - TRAIL_NANOS) {
                     break;
@@ -107,7 +107,7 @@ public final class ReplayCursor {
         entries = recording.entries(entered);
         idleSteps = 0;
         timeNanos = entered.beginNanos();
-        if (entered.kind() == Layout.Kind.KEY) {
+        if (entered.kind() == RecordingFormat.Kind.KEY) {
             boolean sameScene = entered.scene() == scene;
             scene = entered.scene();
             tracks = sameScene ? tracks : newTracks(scene.robots().size());
@@ -162,7 +162,7 @@ public final class ReplayCursor {
                     return;
                 }
                 enter(part + 1);
-            } else if ((entries.peek() & 3) == Layout.STEP && timeNanos + Simulation.STEP_NANOS > target) {
+            } else if ((entries.peek() & 3) == RecordingFormat.STEP && timeNanos + Simulation.STEP_NANOS > target) {
                 return;
             } else {
                 readEntry();
@@ -174,12 +174,12 @@ public final class ReplayCursor {
         long entry = entries.number();
         long number = entry >>> 2;
         switch ((int) (entry & 3)) {
-            case Layout.IDLE_STEPS -> idleSteps = number;
-            case Layout.STEP -> {
+            case RecordingFormat.IDLE_STEPS -> idleSteps = number;
+            case RecordingFormat.STEP -> {
                 timeNanos += Simulation.STEP_NANOS;
                 readChanges(number);
             }
-            case Layout.IN_PLACE -> readChanges(number);
+            case RecordingFormat.IN_PLACE -> readChanges(number);
             default -> throw new DamagedException("an entry of an unknown kind");
         }
     }

@@ -9,7 +9,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
-/** Turns a simulation's steps and events into records; the core of {@link Recorder}, without file and thread. */
+/** Turns a simulation's steps and events into records; the core of {@link SessionRecorder}, without file and thread. */
 final class SessionEncoder {
     /** A record is handed on when it is so long ... */
     private static final int RECORD_OCTETS = 64 << 10;
@@ -20,21 +20,21 @@ final class SessionEncoder {
     private static final int STEPS_BETWEEN_KEYS = 300;
 
     private final Simulation simulation;
-    private final BiConsumer<Layout.Kind, byte[]> sink;
+    private final BiConsumer<RecordingFormat.Kind, byte[]> sink;
     private final RecordingWriter entries = new RecordingWriter();
     private final List<RecordedEvent> events = new ArrayList<>();
     private World world;
     private List<SimulatedRobot> cast = List.of();
     private Track[] tracks = {};
     private boolean open;
-    private Layout.Kind openKind;
+    private RecordingFormat.Kind openKind;
     private long openedAtNanos;
     private long timeNanos;
     private int idleSteps;
     private int changesSinceKey;
     private int stepsSinceKey;
 
-    SessionEncoder(Simulation simulation, BiConsumer<Layout.Kind, byte[]> sink) {
+    SessionEncoder(Simulation simulation, BiConsumer<RecordingFormat.Kind, byte[]> sink) {
         this.simulation = simulation;
         this.sink = sink;
         timeNanos = simulation.timeNanos();
@@ -56,7 +56,7 @@ final class SessionEncoder {
         } else {
             openRecord();
             putIdle();
-            entries.number((long) changed << 2 | Layout.STEP);
+            entries.number((long) changed << 2 | RecordingFormat.STEP);
             putChanges();
             changesSinceKey += changed;
             stepsSinceKey++;
@@ -78,7 +78,7 @@ final class SessionEncoder {
             if (changed > 0) {
                 openRecord();
                 putIdle();
-                entries.number((long) changed << 2 | Layout.IN_PLACE);
+                entries.number((long) changed << 2 | RecordingFormat.IN_PLACE);
                 putChanges();
             }
         }
@@ -104,12 +104,12 @@ final class SessionEncoder {
             world = simulation.world();
             RecordingWriter out = new RecordingWriter();
             WorldCodec.write(world, out);
-            sink.accept(Layout.Kind.WORLD, out.toArray());
+            sink.accept(RecordingFormat.Kind.WORLD, out.toArray());
         }
         cast = simulation.robots();
         RecordingWriter names = new RecordingWriter().number(cast.size());
         cast.forEach(robot -> names.text(robot.name()));
-        sink.accept(Layout.Kind.CAST, names.toArray());
+        sink.accept(RecordingFormat.Kind.CAST, names.toArray());
         tracks = new Track[cast.size()];
         RecordingWriter nothing = new RecordingWriter();
         for (int i = 0; i < tracks.length; i++) {
@@ -129,19 +129,19 @@ final class SessionEncoder {
         if (changesSinceKey >= CHANGES_BETWEEN_KEYS || stepsSinceKey >= STEPS_BETWEEN_KEYS) {
             openKey();
         } else {
-            open(Layout.Kind.CHANGES);
+            open(RecordingFormat.Kind.CHANGES);
         }
     }
 
     /** Time that passed idly before it belongs to what goes on from there. */
-    private void open(Layout.Kind kind) {
+    private void open(RecordingFormat.Kind kind) {
         open = true;
         openKind = kind;
         openedAtNanos = timeNanos - idleSteps * Simulation.STEP_NANOS;
     }
 
     private void openKey() {
-        open(Layout.Kind.KEY);
+        open(RecordingFormat.Kind.KEY);
         for (Track track : tracks) {
             track.writeWhole(track.state(), entries);
         }
@@ -174,7 +174,7 @@ final class SessionEncoder {
                 before = event.timeNanos();
             }
             events.clear();
-            sink.accept(Layout.Kind.EVENTS, content.toArray());
+            sink.accept(RecordingFormat.Kind.EVENTS, content.toArray());
         }
     }
 
@@ -182,7 +182,7 @@ final class SessionEncoder {
 
     private void putIdle() {
         if (idleSteps > 0) {
-            entries.number((long) idleSteps << 2 | Layout.IDLE_STEPS);
+            entries.number((long) idleSteps << 2 | RecordingFormat.IDLE_STEPS);
             idleSteps = 0;
         }
     }

@@ -21,14 +21,14 @@ public record Bumpers(int front, int rear) {
     private static final int FEELERS = 4 * COUNT_EACH;
 
     /** All that presses on the robot, felt for all round; in a corner more than one. */
-    static Bumpers pressed(SimulatedRobot robot, Floor floor, Touch touch) {
+    static Bumpers pressed(SimulatedRobot robot, Floor floor, ContactDirection touch) {
         if (!touch.holds(robot, floor)) {
             return NONE;
         }
         int bits = bit(touch.bearing(robot.headingRadians()));
         for (int i = 0; i < FEELERS; i++) {
             double direction = i * 2 * Math.PI / FEELERS;
-            Touch felt = Touch.of(
+            ContactDirection felt = ContactDirection.of(
                     floor.sweep(robot, GRIP_METERS * StrictMath.cos(direction), GRIP_METERS * StrictMath.sin(direction))
                             .contact());
             if (felt.isSomething()) {

@@ -14,7 +14,7 @@ final class OrderedMotion {
     private final SimulatedRobot robot;
     private final Floor floor;
     private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
-    private Errand errand;
+    private MotionProgress errand;
     private boolean hasMoved;
 
     OrderedMotion(SimulatedRobot robot, Floor floor) {
@@ -32,7 +32,8 @@ final class OrderedMotion {
 
     void begin(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
         boolean inCollision = robot.status() == RobotStatus.COLLISION;
-        errand = new Errand(motion, ended, inCollision, robot.xMeters(), robot.yMeters(), robot.headingRadians());
+        errand = new MotionProgress(
+                motion, ended, inCollision, robot.xMeters(), robot.yMeters(), robot.headingRadians());
         hasMoved = false;
         robot.change(StatusEvent.MOTION_STARTED);
     }
@@ -64,7 +65,7 @@ final class OrderedMotion {
     }
 
     private void goForward(double seconds, double beltX, double beltY) {
-        Errand under = errand;
+        MotionProgress under = errand;
         Trapezoid.Stretch stretch = under.next(robot.speedMetersPerSecond(), seconds);
         double wheelX = stretch.way() * under.aheadX();
         double wheelY = stretch.way() * under.aheadY();
@@ -128,7 +129,7 @@ final class OrderedMotion {
 
     /** The robot stands; the status changes, then the order hears of it. */
     void finish(StatusEvent event, MotionOutcome.Kind kind) {
-        Errand over = errand;
+        MotionProgress over = errand;
         errand = null;
         robot.stand();
         robot.change(event);

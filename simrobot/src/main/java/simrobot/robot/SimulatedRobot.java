@@ -45,7 +45,7 @@ public final class SimulatedRobot implements Pioneer {
     private final Odometry odometry = new Odometry();
     private Pose odometryZero;
     private final Battery battery = new Battery();
-    private Touch touch = Touch.NONE;
+    private ContactDirection touch = ContactDirection.NONE;
     private Noise noise = Noise.NONE;
     private long steps;
 
@@ -196,7 +196,7 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     void touch(Floor.Encounter encounter) {
-        Touch here = Touch.of(encounter.contact());
+        ContactDirection here = ContactDirection.of(encounter.contact());
         touch(here);
         if (encounter.isRobot()) {
             encounter.robot().touch(here.opposite());
@@ -210,7 +210,7 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     /** A moving robot that touches something stands still at once. */
-    private void touch(Touch here) {
+    private void touch(ContactDirection here) {
         touch = here;
         if (ordered.isUnderWay()) {
             ordered.finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION);
@@ -341,7 +341,7 @@ public final class SimulatedRobot implements Pioneer {
     /** The true pose, its heading in [0, 360); rounding dust below a nanometre and a nanodegree is wiped off. */
     @Override
     public Pose pose() {
-        return Cleaned.pose(x, y, heading);
+        return PoseRounding.pose(x, y, heading);
     }
 
     /** Where its wheels say that it is. */
@@ -371,7 +371,7 @@ public final class SimulatedRobot implements Pioneer {
                 battery.isLow(),
                 status() == RobotStatus.COLLISION,
                 bumpers(),
-                Cleaned.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()),
+                PoseRounding.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()),
                 odometryZero);
     }
 

@@ -4,20 +4,20 @@ import java.util.Arrays;
 
 /** Breadcrumbs: where a robot has been. Old ones make room, so a robot may run for weeks. */
 public final class Trail {
-    /** Crumbs that are kept; at their spacing 80 m of way. */
+    /** Points that are kept; at their spacing 80 m of way. */
     public static final int CAPACITY = 4000;
 
     private static final int FIRST_ROOM = 16;
     private static final double SPACING_METERS = 0.02;
 
     /**
-     * The crumbs, oldest first; immutable.
+     * The points, oldest first; immutable.
      *
      * @param xy x and y of each, metres; both NaN where the robot was lifted
      * @param timesNanos simulated time of each
      */
-    public record Crumbs(double[] xy, long[] timesNanos) {
-        public static final Crumbs NONE = new Crumbs(new double[0], new long[0]);
+    public record Points(double[] xy, long[] timesNanos) {
+        public static final Points NONE = new Points(new double[0], new long[0]);
 
         public int size() {
             return timesNanos.length;
@@ -31,20 +31,20 @@ public final class Trail {
     private long[] times = new long[FIRST_ROOM];
     private int count;
     private int next;
-    private Crumbs published = Crumbs.NONE;
+    private Points published = Points.NONE;
     private boolean changed;
 
-    /** No crumbs yet. */
+    /** No points yet. */
     public Trail() {}
 
-    /** Drops a crumb when the robot has come a crumb's spacing from the last one. */
+    /** Drops a point when the robot has come a point's spacing from the last one. */
     public void pass(double x, double y, long timeNanos) {
         if (count == 0 || !(Math.hypot(x - xs[last()], y - ys[last()]) < SPACING_METERS)) {
             add(x, y, timeNanos);
         }
     }
 
-    /** The robot leaves the floor: no line leads from here to the next crumb. */
+    /** The robot leaves the floor: no line leads from here to the next point. */
     void lift() {
         if (count > 0 && !Double.isNaN(xs[last()])) {
             add(Double.NaN, Double.NaN, times[last()]);
@@ -82,8 +82,8 @@ public final class Trail {
         changed = true;
     }
 
-    /** The crumbs so far; the same object as long as nothing has changed. */
-    public Crumbs crumbs() {
+    /** The points so far; the same object as long as nothing has changed. */
+    public Points points() {
         if (changed) {
             double[] xy = new double[2 * count];
             long[] at = new long[count];
@@ -93,7 +93,7 @@ public final class Trail {
                 xy[2 * i + 1] = ys[from];
                 at[i] = times[from];
             }
-            published = new Crumbs(xy, at);
+            published = new Points(xy, at);
             changed = false;
         }
         return published;

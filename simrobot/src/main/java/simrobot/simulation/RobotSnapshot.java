@@ -25,6 +25,6 @@ public record RobotSnapshot(
         double turnRadiansPerSecond,
         double[] sonarRangesMeters,
         Condition condition,
-        Trail.Crumbs trail,
+        Trail.Points trail,
         BehaviourKind behaviour,
         boolean simulated) {}

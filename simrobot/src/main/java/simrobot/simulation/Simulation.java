@@ -34,7 +34,7 @@ public final class Simulation {
     private final List<LongConsumer> stepListeners = new ArrayList<>();
     private final List<Supplier<RobotSnapshot>> guests = new ArrayList<>();
     private final Random random;
-    private final Crowd crowd;
+    private final SimulatedFloor crowd;
     /** In the order in which they were added; a new list at every change, so that who walks it may add and remove. */
     private List<SimulatedRobot> robots = List.of();
 
@@ -48,7 +48,7 @@ public final class Simulation {
     /** An empty floor of this world; the seed feeds {@link #random()}. */
     public Simulation(World world, long seed) {
         this.world = world;
-        crowd = new Crowd(world);
+        crowd = new SimulatedFloor(world);
         random = new Random(seed);
         this.seed = seed;
     }
@@ -90,7 +90,7 @@ public final class Simulation {
 
     /** The same for many at once, in their order. */
     public List<SimulatedRobot> addRobots(List<String> names) {
-        Parking parking = new Parking(world, (x, y) -> crowd.isFree(null, x, y));
+        StartPlaces parking = new StartPlaces(world, (x, y) -> crowd.isFree(null, x, y));
         List<SimulatedRobot> added = new ArrayList<>(names.size());
         try {
             for (String name : names) {
@@ -150,7 +150,7 @@ public final class Simulation {
      * @throws IllegalArgumentException when the robots do not all fit into it; then nothing has changed
      */
     public void load(World next) {
-        List<Home> spots = Parking.spots(next, robots.size());
+        List<Home> spots = StartPlaces.spots(next, robots.size());
         robots.forEach(SimulatedRobot::halt);
         robots.forEach(crowd::remove);
         world = next;
@@ -183,7 +183,7 @@ public final class Simulation {
                 going.add(robot);
             }
         }
-        List<Home> spots = Parking.spots(next, obstacles, going.size(), staying);
+        List<Home> spots = StartPlaces.spots(next, obstacles, going.size(), staying);
         robots.forEach(SimulatedRobot::halt);
         going.forEach(crowd::remove);
         world = next;
@@ -295,7 +295,7 @@ public final class Simulation {
                 robot.turnRadiansPerSecond(),
                 sonars ? robot.sonarRangesMeters() : new double[0],
                 robot.condition(),
-                robot.trail().crumbs(),
+                robot.trail().points(),
                 robot.autonomy().kind(),
                 true);
     }

@@ -68,7 +68,7 @@ public final class WanderRun {
         ranges = new double[robots * SonarRing.COUNT];
         surroundings =
                 new Surroundings(obstacles, discs, xs, ys, RANGE + ARM, RADIUS, Wander.METERS_PER_SECOND * SECONDS);
-        List<Home> spots = Parking.spots(world, robots);
+        List<Home> spots = StartPlaces.spots(world, robots);
         for (int i = 0; i < robots; i++) {
             rules[i] = new Wander(i);
             Position place = spots.get(i).position();

@@ -1,14 +1,14 @@
 package simrobot.ui;
 
 import java.util.List;
-import simrobot.replay.Marker;
+import simrobot.replay.TimelineMarker;
 
 /**
  * A recording that is played: where it begins and ends, in simulated time, and what is marked in it.
  *
  * @param markers in their order
  */
-public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
+public record Timeline(long firstNanos, long lastNanos, List<TimelineMarker> markers) {
     public Timeline {
         markers = List.copyOf(markers);
         if (lastNanos < firstNanos) {
@@ -24,7 +24,7 @@ public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
     /** The time of the next marker behind a time, or the end. */
     public long next(long nanos) {
         return markers.stream()
-                .mapToLong(Marker::timeNanos)
+                .mapToLong(TimelineMarker::timeNanos)
                 .filter(at -> at > nanos)
                 .findFirst()
                 .orElse(lastNanos);
@@ -33,7 +33,7 @@ public record Timeline(long firstNanos, long lastNanos, List<Marker> markers) {
     /** The time of the marker before a time, or the beginning. */
     public long previous(long nanos) {
         long before = firstNanos;
-        for (Marker marker : markers) {
+        for (TimelineMarker marker : markers) {
             if (marker.timeNanos() < nanos) {
                 before = Math.max(before, marker.timeNanos());
             }

@@ -24,9 +24,9 @@ import simgsm.speech.AudioOutput;
 import simgsm.station.StationOptions;
 import simrobot.control.LoggedEvent;
 import simrobot.control.SimRobot;
-import simrobot.replay.Marker;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
+import simrobot.replay.TimelineMarker;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.WindowSnapshot;
@@ -89,8 +89,8 @@ class ReplayModelTest {
             WindowSnapshot first = model.snapshot();
             assertTrue(first.paused());
             assertEquals(0, first.simulation().robots().get(0).xMeters());
-            Marker collision = first.timeline().orElseThrow().markers().stream()
-                    .filter(marker -> marker.kind() == Marker.Kind.COLLISION)
+            TimelineMarker collision = first.timeline().orElseThrow().markers().stream()
+                    .filter(marker -> marker.kind() == TimelineMarker.Kind.COLLISION)
                     .findFirst()
                     .orElseThrow();
             model.seek(collision.timeNanos());

@@ -86,7 +86,11 @@ class WindowModelTest {
     private WindowModel modelIn(Locale language) throws Exception {
         Arguments plain = SimRobotMain.options().parse(List.of());
         return new WindowModel(
-                simRobot, fleet, Ports.open(plain, simRobot), WORLDS.resolve("empty.map"), new Refusals(language));
+                simRobot,
+                fleet,
+                ListeningPorts.open(plain, simRobot),
+                WORLDS.resolve("empty.map"),
+                new Refusals(language));
     }
 
     @AfterEach
@@ -229,7 +233,7 @@ class WindowModelTest {
 
     @Test
     void tonesThatHaveLeftAreRememberedUntilTheNextCall() {
-        SentTones tones = new SentTones();
+        SentToneHistory tones = new SentToneHistory();
         tones.toneSent(ReplyTone.CONNECTION_ACCEPTED);
         tones.toneSent(ReplyTone.EXECUTED);
         assertEquals("13", tones.tones());

@@ -84,7 +84,7 @@ class CameraTest {
     void aWallIsAsHighAsItsDistanceSays() {
         double focal = Camera.WIDTH / 2.0 / Math.tan(Math.toRadians(31));
         for (double x : new double[] {2, 3, 5, 8}) {
-            double expected = HORIZON - focal * (Walls.HEIGHT_METERS - 0.35) / (x - 0.1);
+            double expected = HORIZON - focal * (WallPainter.HEIGHT_METERS - 0.35) / (x - 0.1);
             assertEquals(expected, topOfWhatStands(seen(wallAt(x)), MIDDLE), 1.0, "wall at " + x + " m");
         }
     }

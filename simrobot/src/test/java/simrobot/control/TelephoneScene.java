@@ -76,7 +76,7 @@ final class TelephoneScene implements Uplink {
     TelephoneScene(String... operators) {
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
-        Drivers drivers = new Drivers(Runnable::run, this::simulate, () -> nowNanos);
+        ControlThreads drivers = new ControlThreads(Runnable::run, this::simulate, () -> nowNanos);
         link = new ModemLink(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, drivers);
         Settings settings = new Settings(Locale.ENGLISH, Set.of(operators), Settings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);

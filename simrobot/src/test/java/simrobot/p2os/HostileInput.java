@@ -11,7 +11,7 @@ final class HostileInput {
             case 0 -> noise(random, 1 + random.nextInt(4000));
             case 1 -> new byte[] {(byte) 0xFA, (byte) 0xFB, (byte) random.nextInt(3)};
             case 2 -> header(random, random.nextInt(256));
-            case 3 -> Packet.of(noise(random, 1 + random.nextInt(198)));
+            case 3 -> P2osPacket.of(noise(random, 1 + random.nextInt(198)));
             case 4 -> manyCommands(random);
             case 5 -> cutOff(random);
             case 6 -> wrongChecksum(random);
@@ -26,9 +26,9 @@ final class HostileInput {
     }
 
     private static byte[] header(Random random, int count) {
-        return new Octets()
-                .int1(Packet.HEADER_1)
-                .int1(Packet.HEADER_2)
+        return new P2osFieldWriter()
+                .int1(P2osPacket.HEADER_1)
+                .int1(P2osPacket.HEADER_2)
                 .int1(count)
                 .raw(noise(random, random.nextInt(300)))
                 .toBytes();
@@ -36,32 +36,32 @@ final class HostileInput {
 
     /** Good packets with any number and any argument, the sensible and the senseless. */
     private static byte[] manyCommands(Random random) {
-        Octets octets = new Octets();
+        P2osFieldWriter octets = new P2osFieldWriter();
         for (int i = 0; i < 200; i++) {
             int number = random.nextInt(256);
-            if (number == CommandNumber.CLOSE) {
+            if (number == P2osCommandNumber.CLOSE) {
                 continue;
             }
-            octets.raw(CommandCodec.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
+            octets.raw(P2osCommandCodec.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
         }
         return octets.toBytes();
     }
 
     private static byte[] cutOff(Random random) {
-        byte[] whole = CommandCodec.packet(CommandNumber.MOVE, random.nextInt(1000));
+        byte[] whole = P2osCommandCodec.packet(P2osCommandNumber.MOVE, random.nextInt(1000));
         return java.util.Arrays.copyOf(whole, random.nextInt(whole.length));
     }
 
     private static byte[] wrongChecksum(Random random) {
-        byte[] packet = CommandCodec.packet(random.nextInt(256), random.nextInt(1000));
+        byte[] packet = P2osCommandCodec.packet(random.nextInt(256), random.nextInt(1000));
         packet[packet.length - 1] ^= (byte) (1 + random.nextInt(255));
         return packet;
     }
 
     /** A text that says it is longer than it is, a pose that ends early. */
     private static byte[] lyingLength(Random random) {
-        int number = random.nextBoolean() ? CommandNumber.POLLING : CommandNumber.SIM_SET_POSE;
-        return Packet.of(new Octets()
+        int number = random.nextBoolean() ? P2osCommandNumber.POLLING : P2osCommandNumber.SIM_SET_POSE;
+        return P2osPacket.of(new P2osFieldWriter()
                 .int1(number)
                 .int1(0x2B)
                 .int1(200 + random.nextInt(56))

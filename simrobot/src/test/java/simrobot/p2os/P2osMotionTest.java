@@ -23,7 +23,7 @@ class P2osMotionTest {
     @ValueSource(ints = {500, -300, -400, -197, 1, 749})
     void moveIsExactAheadAndBack(int millimeters) {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.MOVE, millimeters).seconds(8);
+        bench.say(P2osCommandNumber.MOVE, millimeters).seconds(8);
         assertEquals(millimeters / 1000.0, bench.robot.xMeters(), 1e-9);
         assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
         int units = bench.sip().x();
@@ -33,7 +33,7 @@ class P2osMotionTest {
     @Test
     void moveTakesNoLongerThanItsProfile() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.MOVE, 500).seconds(2.6);
+        bench.say(P2osCommandNumber.MOVE, 500).seconds(2.6);
         assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
     }
 
@@ -41,7 +41,7 @@ class P2osMotionTest {
     @CsvSource({"90, 90", "-90, -90", "1, 1", "180, 180", "270, 270", "-360, -360"})
     void relativeTurnsAreExact(int degrees, double expected) {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.DHEAD, degrees).seconds(8);
+        bench.say(P2osCommandNumber.DHEAD, degrees).seconds(8);
         assertEquals(expected, Math.toDegrees(bench.robot.headingRadians()), 1e-7);
     }
 
@@ -49,14 +49,14 @@ class P2osMotionTest {
     @CsvSource({"90, 90", "-90, -90", "270, -90", "350, -10", "-170, -170", "0, 0", "720, 0"})
     void absoluteHeadingsAreExactAndTakeTheShortWay(int degrees, double expected) {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.HEAD, degrees).seconds(8);
+        bench.say(P2osCommandNumber.HEAD, degrees).seconds(8);
         assertEquals(expected, Math.toDegrees(bench.robot.headingRadians()), 1e-7);
     }
 
     @Test
     void theTargetHeadingIsToldAndTurnsFromItAddUp() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.HEAD, 30).say(CommandNumber.DCHEAD, 15).seconds(0.1);
+        bench.say(P2osCommandNumber.HEAD, 30).say(P2osCommandNumber.DCHEAD, 15).seconds(0.1);
         assertEquals(512, bench.sip().target());
         bench.seconds(5);
         assertEquals(45, bench.sip().headingDegrees(), 0.05);
@@ -65,13 +65,13 @@ class P2osMotionTest {
     @Test
     void velocityIsReachedWithTheSetAccelerationAndTold() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.SETA, 100).say(CommandNumber.VEL, 200).seconds(1);
+        bench.say(P2osCommandNumber.SETA, 100).say(P2osCommandNumber.VEL, 200).seconds(1);
         assertEquals(0.1, bench.robot.speedMetersPerSecond(), 1e-9);
         bench.seconds(2);
         assertEquals(200, bench.sip().left());
         assertEquals(200, bench.sip().right());
         assertEquals(StandardSip.MOVING_ID, bench.sip().id());
-        bench.say(CommandNumber.SETA, -400).say(CommandNumber.STOP).seconds(0.25);
+        bench.say(P2osCommandNumber.SETA, -400).say(P2osCommandNumber.STOP).seconds(0.25);
         assertEquals(0.1, bench.robot.speedMetersPerSecond(), 1e-9);
         bench.seconds(1);
         assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
@@ -80,14 +80,16 @@ class P2osMotionTest {
     @Test
     void topSpeedsHold() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.SETV, 150).say(CommandNumber.VEL, -400).seconds(3);
+        bench.say(P2osCommandNumber.SETV, 150).say(P2osCommandNumber.VEL, -400).seconds(3);
         assertEquals(-150, bench.sip().left());
-        bench.say(CommandNumber.SETV, 30000).say(CommandNumber.SETA, 30000).say(CommandNumber.VEL, 30000);
+        bench.say(P2osCommandNumber.SETV, 30000)
+                .say(P2osCommandNumber.SETA, 30000)
+                .say(P2osCommandNumber.VEL, 30000);
         bench.seconds(1);
         assertEquals(2200, bench.sip().left());
-        bench.say(CommandNumber.STOP)
-                .say(CommandNumber.SETRV, 20)
-                .say(CommandNumber.RVEL, 90)
+        bench.say(P2osCommandNumber.STOP)
+                .say(P2osCommandNumber.SETRV, 20)
+                .say(P2osCommandNumber.RVEL, 90)
                 .seconds(9);
         assertEquals(200, bench.sip().turn());
     }
@@ -95,7 +97,7 @@ class P2osMotionTest {
     @Test
     void turningIsToldByTheWheelsToo() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.RVEL, 30).seconds(2);
+        bench.say(P2osCommandNumber.RVEL, 30).seconds(2);
         Sip sip = bench.sip();
         assertEquals(300, sip.turn());
         // what ARIA computes: half the difference times 0.0056 radians
@@ -106,8 +108,8 @@ class P2osMotionTest {
     @Test
     void twoWheelsMakeAnArc() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.SETA, 30000).say(CommandNumber.SETRA, 30000);
-        bench.say(CommandNumber.VEL2, 5 << 8 | 10).seconds(1);
+        bench.say(P2osCommandNumber.SETA, 30000).say(P2osCommandNumber.SETRA, 30000);
+        bench.say(P2osCommandNumber.VEL2, 5 << 8 | 10).seconds(1);
         assertEquals(100, bench.sip().left());
         assertEquals(200, bench.sip().right());
         assertTrue(bench.robot.headingRadians() > 0);
@@ -116,9 +118,9 @@ class P2osMotionTest {
     @Test
     void theEmergencyStopTakesNoWay() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 300).seconds(1.5);
+        bench.say(P2osCommandNumber.VEL, 300).seconds(1.5);
         double x = bench.robot.xMeters();
-        bench.say(CommandNumber.E_STOP).seconds(1);
+        bench.say(P2osCommandNumber.E_STOP).seconds(1);
         assertEquals(x, bench.robot.xMeters());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
     }
@@ -126,11 +128,11 @@ class P2osMotionTest {
     @Test
     void setOriginSetsTheOdometryToZeroAndNotTheRobot() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.MOVE, 300)
+        bench.say(P2osCommandNumber.MOVE, 300)
                 .seconds(4)
-                .say(CommandNumber.DHEAD, 45)
+                .say(P2osCommandNumber.DHEAD, 45)
                 .seconds(4);
-        bench.say(CommandNumber.SETO).seconds(0.1);
+        bench.say(P2osCommandNumber.SETO).seconds(0.1);
         assertEquals(0, bench.sip().x());
         assertEquals(0, bench.sip().heading());
         assertEquals(0.3, bench.robot.xMeters(), 1e-9);
@@ -141,7 +143,7 @@ class P2osMotionTest {
     @Test
     void draggingTheRobotDoesNotTouchTheOdometry() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.MOVE, 200).seconds(3);
+        bench.say(P2osCommandNumber.MOVE, 200).seconds(3);
         assertEquals(Placement.DONE, bench.robot.place(-1, 2, 1));
         bench.seconds(0.1);
         assertEquals(200, bench.sip().xMillimeters(), 0.25);
@@ -151,7 +153,9 @@ class P2osMotionTest {
     @Test
     void placesHaveFifteenBitsAndRollOverInSmallSteps() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.SETV, 2200).say(CommandNumber.MOVE, 20000).seconds(30);
+        bench.say(P2osCommandNumber.SETV, 2200)
+                .say(P2osCommandNumber.MOVE, 20000)
+                .seconds(30);
         int before = 0;
         int total = 0;
         for (Sip sip : bench.sips()) {
@@ -169,7 +173,7 @@ class P2osMotionTest {
     @Test
     void contactIsCollisionAStallAndAFrontBumper() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 300).seconds(5);
+        bench.say(P2osCommandNumber.VEL, 300).seconds(5);
         assertEquals(RobotStatus.COLLISION, bench.robot.status());
         assertEquals(0.75, bench.robot.xMeters(), 1e-6);
         assertTrue(bench.sip().stalled());
@@ -181,7 +185,7 @@ class P2osMotionTest {
     @Test
     void contactBehindPressesARearBumper() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.MOVE, -2500).seconds(10);
+        bench.say(P2osCommandNumber.MOVE, -2500).seconds(10);
         assertEquals(RobotStatus.COLLISION, bench.robot.status());
         assertEquals(-1.75, bench.robot.xMeters(), 1e-6);
         assertTrue(bench.sip().stalled());
@@ -192,8 +196,8 @@ class P2osMotionTest {
     @Test
     void theClientBacksAwayFromCollisionAndTheFlagsClear() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 300).seconds(5);
-        bench.say(CommandNumber.MOVE, -200).seconds(5);
+        bench.say(P2osCommandNumber.VEL, 300).seconds(5);
+        bench.say(P2osCommandNumber.MOVE, -200).seconds(5);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(0.55, bench.robot.xMeters(), 1e-6);
         assertFalse(bench.sip().stalled());
@@ -203,17 +207,17 @@ class P2osMotionTest {
     @Test
     void aBumperMovesRoundWithTheTurn() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 300).seconds(5);
-        bench.say(CommandNumber.DHEAD, 72).seconds(4);
+        bench.say(P2osCommandNumber.VEL, 300).seconds(5);
+        bench.say(P2osCommandNumber.DHEAD, 72).seconds(4);
         assertEquals(1 << 5, bench.sip().rightByte() & 0x3E, "the rightmost in front");
-        bench.say(CommandNumber.DHEAD, 72).seconds(4);
+        bench.say(P2osCommandNumber.DHEAD, 72).seconds(4);
         assertEquals(1 << 2, bench.sip().leftByte() & 0x3E, "behind on the right");
     }
 
     @Test
     void withoutBumpStallTheWheelsNoticeAfterHalfASecond() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.BUMPSTALL, 2).say(CommandNumber.VEL, 300);
+        bench.say(P2osCommandNumber.BUMPSTALL, 2).say(P2osCommandNumber.VEL, 300);
         for (int i = 0; i < 1000 && bench.robot.status() != RobotStatus.COLLISION; i++) {
             bench.seconds(0.01);
         }
@@ -229,13 +233,13 @@ class P2osMotionTest {
     @Test
     void aSilentClientsRobotStopsAfterTwoSecondsAndGoesOnAtTheNextPacket() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.VEL, 150).fallSilent().seconds(1.99);
+        bench.say(P2osCommandNumber.VEL, 150).fallSilent().seconds(1.99);
         assertEquals(0.15, bench.robot.speedMetersPerSecond(), 1e-9);
         bench.seconds(0.8);
         assertEquals(0, bench.robot.speedMetersPerSecond());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
-        bench.seconds(3).say(CommandNumber.PULSE).seconds(1);
+        bench.seconds(3).say(P2osCommandNumber.PULSE).seconds(1);
         assertEquals(0.15, bench.robot.speedMetersPerSecond(), 1e-9);
         assertEquals(StandardSip.MOVING_ID, bench.sip().id());
     }
@@ -243,11 +247,11 @@ class P2osMotionTest {
     @Test
     void aMoveThatTheWatchdogBrokeOffEndsExactly() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.MOVE, 3000).fallSilent().seconds(5);
+        bench.say(P2osCommandNumber.MOVE, 3000).fallSilent().seconds(5);
         assertTrue(bench.robot.xMeters() < 2.5);
-        bench.say(CommandNumber.PULSE).fallSilent();
+        bench.say(P2osCommandNumber.PULSE).fallSilent();
         for (int i = 0; i < 10; i++) {
-            bench.say(CommandNumber.PULSE).seconds(1);
+            bench.say(P2osCommandNumber.PULSE).seconds(1);
         }
         assertEquals(3, bench.robot.xMeters(), 1e-9);
     }
@@ -255,7 +259,7 @@ class P2osMotionTest {
     @Test
     void anInvalidPacketIsNoSignOfLife() {
         SessionBench bench = SessionBench.openedOnBareFloor();
-        bench.say(CommandNumber.VEL, 150).fallSilent();
+        bench.say(P2osCommandNumber.VEL, 150).fallSilent();
         for (int i = 0; i < 6; i++) {
             bench.say(new byte[] {(byte) 0xFA, (byte) 0xFB, 3, 0, 0, 1}).seconds(0.5);
         }
@@ -271,9 +275,9 @@ class P2osMotionTest {
         bench.robot.start(new Instruction.Forward(50), outcomes::add);
         bench.seconds(1);
         assertEquals(StandardSip.MOVING_ID, bench.sip().id());
-        bench.say(CommandNumber.VEL, -300)
-                .say(CommandNumber.DHEAD, 90)
-                .say(CommandNumber.SETV, 100)
+        bench.say(P2osCommandNumber.VEL, -300)
+                .say(P2osCommandNumber.DHEAD, 90)
+                .say(P2osCommandNumber.SETV, 100)
                 .seconds(5);
         assertEquals(MotionOutcome.Kind.DONE, outcomes.get(0).kind());
         assertEquals(0.5, bench.robot.xMeters(), 1e-9);
@@ -285,7 +289,7 @@ class P2osMotionTest {
         SessionBench bench = SessionBench.opened();
         List<MotionOutcome> outcomes = new ArrayList<>();
         bench.robot.start(new Instruction.Forward(70), outcomes::add);
-        bench.seconds(1).say(CommandNumber.STOP).seconds(3);
+        bench.seconds(1).say(P2osCommandNumber.STOP).seconds(3);
         assertEquals(MotionOutcome.Kind.BRAKED, outcomes.get(0).kind());
     }
 

@@ -45,7 +45,7 @@ class P2osServerTest {
     void eachRobotHasItsOwnPort() throws IOException {
         try (SocketClient one = SocketClient.opened(port);
                 SocketClient two = SocketClient.opened(secondPort)) {
-            one.send(CommandCodec.packet(CommandNumber.MOVE, 20));
+            one.send(P2osCommandCodec.packet(P2osCommandNumber.MOVE, 20));
             Sip sip = one.sip();
             for (int i = 0; i < 300 && sip.x() == 0; i++) {
                 sip = one.sip();
@@ -61,7 +61,7 @@ class P2osServerTest {
             try (SocketClient client = SocketClient.opened(port)) {
                 assertEquals(16, client.sip().sonars().size());
                 if (i % 2 == 0) {
-                    client.send(CommandCodec.packet(CommandNumber.CLOSE));
+                    client.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
                     if (i % 4 == 0) {
                         assertTrue(client.isHungUp());
                     }
@@ -77,7 +77,7 @@ class P2osServerTest {
                 try {
                     while (!Thread.currentThread().isInterrupted()) {
                         first.sip();
-                        first.send(CommandCodec.packet(CommandNumber.PULSE));
+                        first.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
                     }
                 } catch (IOException | AssertionError ended) {
                     // the test is over
@@ -85,7 +85,7 @@ class P2osServerTest {
             });
             alive.start();
             try (SocketClient second = new SocketClient(port)) {
-                second.send(CommandCodec.packet(CommandNumber.PULSE));
+                second.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
                 assertNull(second.packet());
             }
             alive.interrupt();

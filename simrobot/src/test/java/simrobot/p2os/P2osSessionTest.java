@@ -50,7 +50,7 @@ class P2osSessionTest {
     void nothingIsToldBeforeTheSessionIsOpen() {
         SessionBench bench = new SessionBench();
         bench.say(0).say(1).say(2).heard.clear();
-        bench.say(CommandNumber.VEL, 200).say(CommandNumber.CONFIG).seconds(1);
+        bench.say(P2osCommandNumber.VEL, 200).say(P2osCommandNumber.CONFIG).seconds(1);
         assertEquals(1 + 1, bench.heard.size(), "only the two pulses are echoed");
         assertEquals(0, bench.robot.xMeters());
     }
@@ -68,22 +68,22 @@ class P2osSessionTest {
         bench.robot.setMotors(false);
         bench.open();
         assertFalse(bench.sip().motors());
-        bench.say(CommandNumber.MOVE, 500).seconds(3);
+        bench.say(P2osCommandNumber.MOVE, 500).seconds(3);
         assertEquals(0, bench.robot.xMeters());
-        bench.say(CommandNumber.ENABLE, 1).seconds(0.1);
+        bench.say(P2osCommandNumber.ENABLE, 1).seconds(0.1);
         assertTrue(bench.sip().motors());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
-        bench.say(CommandNumber.ENABLE, 0).seconds(0.1);
+        bench.say(P2osCommandNumber.ENABLE, 0).seconds(0.1);
         assertEquals(RobotStatus.NO_MOTORS, bench.robot.status());
     }
 
     @Test
     void closeStopsTheRobotAndEndsTheConnection() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 200).seconds(1).say(CommandNumber.CLOSE);
+        bench.say(P2osCommandNumber.VEL, 200).seconds(1).say(P2osCommandNumber.CLOSE);
         assertTrue(bench.closed);
         int told = bench.heard.size();
-        bench.seconds(2).say(CommandNumber.VEL, 200).seconds(1);
+        bench.seconds(2).say(P2osCommandNumber.VEL, 200).seconds(1);
         assertEquals(told, bench.heard.size());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(0.2 * 0.2 / 0.6, bench.robot.xMeters() - 0.2 * (1 - 0.2 / 0.6), 1e-9);
@@ -92,7 +92,7 @@ class P2osSessionTest {
     @Test
     void aLostClientStopsTheRobot() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.VEL, 200).seconds(1);
+        bench.say(P2osCommandNumber.VEL, 200).seconds(1);
         bench.session.lost();
         bench.seconds(2);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
@@ -114,11 +114,11 @@ class P2osSessionTest {
         SessionBench bench = SessionBench.opened();
         assertEquals(16, bench.sip().sonars().size());
         assertEquals(1000 - 166, bench.sip().sonars().get(3), 30);
-        bench.say(CommandNumber.SONAR, 0).seconds(0.1);
+        bench.say(P2osCommandNumber.SONAR, 0).seconds(0.1);
         assertEquals(0, bench.sip().sonars().size());
         assertEquals(0, bench.sip().flags() & 0x1E);
         bench.heard.clear();
-        bench.say(CommandNumber.SONAR, 1).seconds(0.1);
+        bench.say(P2osCommandNumber.SONAR, 1).seconds(0.1);
         assertEquals(16, bench.sips().get(0).sonars().size());
         assertEquals(0x1E, bench.sip().flags() & 0x1E);
     }
@@ -126,9 +126,11 @@ class P2osSessionTest {
     @Test
     void onlyThePolledSonarsAreFired() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandCodec.packet(CommandNumber.POLLING, new byte[] {4, 1})).seconds(0.1);
+        bench.say(P2osCommandCodec.packet(P2osCommandNumber.POLLING, new byte[] {4, 1}))
+                .seconds(0.1);
         assertEquals(List.of(0, 3), new ArrayList<>(bench.sip().sonars().keySet()));
-        bench.say(CommandCodec.packet(CommandNumber.POLLING, new byte[0])).seconds(0.1);
+        bench.say(P2osCommandCodec.packet(P2osCommandNumber.POLLING, new byte[0]))
+                .seconds(0.1);
         assertEquals(16, bench.sip().sonars().size());
     }
 
@@ -162,7 +164,7 @@ class P2osSessionTest {
     @Test
     void theConfigurationSaysWhatItIs() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.CONFIG);
+        bench.say(P2osCommandNumber.CONFIG);
         String text = new String(bench.packets(0x20).get(0), StandardCharsets.ISO_8859_1);
         assertTrue(text.startsWith(" Pioneer\0p3dx\0SIM\0"), text);
         ByteBuffer in = ByteBuffer.wrap(bench.packets(0x20).get(0)).order(ByteOrder.LITTLE_ENDIAN);
@@ -175,14 +177,14 @@ class P2osSessionTest {
     @Test
     void encodersAreToldOnceOrAlwaysOrNot() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.ENCODER, 1).seconds(0.5);
+        bench.say(P2osCommandNumber.ENCODER, 1).seconds(0.5);
         assertEquals(1, bench.packets(0x90).size());
-        bench.say(CommandNumber.ENCODER, 2).say(CommandNumber.MOVE, 500).seconds(3);
+        bench.say(P2osCommandNumber.ENCODER, 2).say(P2osCommandNumber.MOVE, 500).seconds(3);
         assertEquals(31, bench.packets(0x90).size());
         ByteBuffer in = ByteBuffer.wrap(bench.packets(0x90).get(30)).order(ByteOrder.LITTLE_ENDIAN);
-        assertEquals(500 * Scale.TICKS_PER_MILLIMETER, in.getInt(1));
-        assertEquals(500 * Scale.TICKS_PER_MILLIMETER, in.getInt(5));
-        bench.say(CommandNumber.ENCODER, 0).seconds(1);
+        assertEquals(500 * P3dxScale.TICKS_PER_MILLIMETER, in.getInt(1));
+        assertEquals(500 * P3dxScale.TICKS_PER_MILLIMETER, in.getInt(5));
+        bench.say(P2osCommandNumber.ENCODER, 0).seconds(1);
         assertEquals(31, bench.packets(0x90).size());
     }
 
@@ -190,7 +192,7 @@ class P2osSessionTest {
     void theSimulatorsStatusHasTheTruePose() {
         SessionBench bench = SessionBench.opened();
         bench.robot.place(0.25, -0.5, Math.toRadians(90));
-        bench.say(CommandNumber.SIM_STAT, 1).seconds(0.1);
+        bench.say(P2osCommandNumber.SIM_STAT, 1).seconds(0.1);
         ByteBuffer in = ByteBuffer.wrap(bench.packets(0x62).get(0)).order(ByteOrder.LITTLE_ENDIAN);
         int pose = 1 + 2 + 4 + 3 * 2;
         assertEquals(250, in.getInt(pose));
@@ -202,8 +204,8 @@ class P2osSessionTest {
     @Test
     void theSimulatorsPoseAndResetMoveTheRobot() {
         SessionBench bench = SessionBench.opened();
-        bench.say(Packet.of(new Octets()
-                .int1(CommandNumber.SIM_SET_POSE)
+        bench.say(P2osPacket.of(new P2osFieldWriter()
+                .int1(P2osCommandNumber.SIM_SET_POSE)
                 .int1(0x3B)
                 .int4(-1000)
                 .int4(1500)
@@ -211,14 +213,14 @@ class P2osSessionTest {
                 .toBytes()));
         assertEquals(-1, bench.robot.xMeters());
         assertEquals(0, bench.robot.odometry().xMeters());
-        bench.say(CommandNumber.SIM_RESET);
+        bench.say(P2osCommandNumber.SIM_RESET);
         assertEquals(0, bench.robot.xMeters());
     }
 
     @Test
     void theBatteryCanBeSet() {
         SessionBench bench = SessionBench.opened();
-        bench.say(CommandNumber.BATTEST, 115).seconds(0.1);
+        bench.say(P2osCommandNumber.BATTEST, 115).seconds(0.1);
         assertEquals(115, bench.sip().battery());
     }
 }

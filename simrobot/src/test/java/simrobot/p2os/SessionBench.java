@@ -10,7 +10,7 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /** A robot between a wall 1 m ahead and one 2 m behind, a session, and both clocks in the test's hand. */
-final class SessionBench implements Wire {
+final class SessionBench implements PacketOutput {
     private static final World WALLS =
             World.ofSegments("walls", List.of(new Segment(1, -3, 1, 3), new Segment(-2, -3, -2, 3)));
 
@@ -46,11 +46,11 @@ final class SessionBench implements Wire {
     }
 
     void open() {
-        say(CommandNumber.PULSE);
-        say(CommandNumber.OPEN);
-        say(CommandNumber.CLOSE);
+        say(P2osCommandNumber.PULSE);
+        say(P2osCommandNumber.OPEN);
+        say(P2osCommandNumber.CLOSE);
         heard.clear();
-        say(CommandNumber.OPEN, 1);
+        say(P2osCommandNumber.OPEN, 1);
     }
 
     @Override
@@ -64,11 +64,11 @@ final class SessionBench implements Wire {
     }
 
     SessionBench say(int number) {
-        return say(CommandCodec.packet(number));
+        return say(P2osCommandCodec.packet(number));
     }
 
     SessionBench say(int number, int argument) {
-        return say(CommandCodec.packet(number, argument));
+        return say(P2osCommandCodec.packet(number, argument));
     }
 
     SessionBench say(byte[] bytes) {
@@ -94,7 +94,7 @@ final class SessionBench implements Wire {
             nanos += (long) (Simulation.STEP_NANOS / speed);
             session.tick(simulation.timeNanos(), nanos);
             if (alive && ++steps % 50 == 0) {
-                say(CommandNumber.PULSE);
+                say(P2osCommandNumber.PULSE);
             }
         }
         return this;

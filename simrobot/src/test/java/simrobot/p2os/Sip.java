@@ -44,11 +44,11 @@ record Sip(
     }
 
     double xMillimeters() {
-        return x * Scale.MILLIMETERS_PER_UNIT;
+        return x * P3dxScale.MILLIMETERS_PER_UNIT;
     }
 
     double headingDegrees() {
-        return heading * 360.0 / Scale.UNITS_PER_TURN;
+        return heading * 360.0 / P3dxScale.UNITS_PER_TURN;
     }
 
     boolean stalled() {

@@ -13,7 +13,7 @@ final class SocketClient implements AutoCloseable {
 
     private final Socket socket;
     private final Queue<byte[]> packets = new ArrayDeque<>();
-    private final PacketReader reader = new PacketReader(packets::add);
+    private final P2osPacketReader reader = new P2osPacketReader(packets::add);
 
     SocketClient(int port) throws IOException {
         socket = new Socket(InetAddress.getLoopbackAddress(), port);
@@ -29,13 +29,13 @@ final class SocketClient implements AutoCloseable {
 
     void open() throws IOException {
         for (int step = 0; step <= 2; step++) {
-            send(CommandCodec.packet(step));
+            send(P2osCommandCodec.packet(step));
             byte[] answer = packet();
             if (answer[0] != step) {
                 throw new AssertionError("step " + step + " answered by " + answer[0]);
             }
         }
-        send(CommandCodec.packet(CommandNumber.OPEN, 1));
+        send(P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1));
     }
 
     void send(byte[] bytes) throws IOException {

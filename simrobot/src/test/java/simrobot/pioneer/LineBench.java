@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import simrobot.p2os.P2osSession;
-import simrobot.p2os.Wire;
+import simrobot.p2os.PacketOutput;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
@@ -79,7 +79,7 @@ final class LineBench {
         session = new P2osSession(
                 body,
                 body.pose(),
-                new Wire() {
+                new PacketOutput() {
                     @Override
                     public void send(byte[] packet) {
                         toUs.add(packet);

@@ -11,9 +11,9 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simrobot.p2os.CommandCodec;
-import simrobot.p2os.CommandNumber;
-import simrobot.p2os.Packet;
+import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommandNumber;
+import simrobot.p2os.P2osPacket;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Placement;
 import simrobot.world.Segment;
@@ -73,7 +73,7 @@ class RealPioneerTest {
         Peer peer = new Peer();
         peer.robot.connected(peer.nanos);
         peer.seconds(9.9);
-        assertEquals(10, peer.sent(CommandNumber.PULSE));
+        assertEquals(10, peer.sent(P2osCommandNumber.PULSE));
         assertEquals(0, peer.drops);
         peer.seconds(2);
         assertEquals(1, peer.drops);
@@ -84,18 +84,18 @@ class RealPioneerTest {
         Peer peer = new Peer();
         peer.robot.connected(peer.nanos);
         peer.say(Peer.standing());
-        assertEquals(1, peer.sent(CommandNumber.CLOSE));
-        assertEquals(2, peer.sent(CommandNumber.PULSE));
+        assertEquals(1, peer.sent(P2osCommandNumber.CLOSE));
+        assertEquals(2, peer.sent(P2osCommandNumber.PULSE));
     }
 
     @Test
     void aSignOfLifeGoesOutEveryHalfSecond() {
         Peer peer = new Peer().open();
-        int before = peer.sent(CommandNumber.PULSE);
+        int before = peer.sent(P2osCommandNumber.PULSE);
         for (int i = 0; i < 50; i++) {
             peer.say(Peer.standing()).seconds(0.1);
         }
-        assertEquals(10, peer.sent(CommandNumber.PULSE) - before, 1);
+        assertEquals(10, peer.sent(P2osCommandNumber.PULSE) - before, 1);
     }
 
     @Test
@@ -107,7 +107,7 @@ class RealPioneerTest {
         assertEquals(RobotStatus.DISCONNECTED, bench.robot.status());
         assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
         byte[] last = bench.sent.get(bench.sent.size() - 1);
-        assertArrayEquals(CommandCodec.packet(CommandNumber.CLOSE), last);
+        assertArrayEquals(P2osCommandCodec.packet(P2osCommandNumber.CLOSE), last);
         assertFalse(bench.wanted);
         bench.robot.setPower(true);
         assertTrue(bench.wanted);
@@ -201,7 +201,7 @@ class RealPioneerTest {
             peer.say(Peer.standing()).seconds(0.1);
         }
         assertEquals(MotionOutcome.Kind.INFINITE_LOOP, peer.outcomes.get(0).kind());
-        assertEquals(1, peer.sent(CommandNumber.STOP));
+        assertEquals(1, peer.sent(P2osCommandNumber.STOP));
         assertEquals(RobotStatus.STOPPED, peer.robot.status());
     }
 
@@ -213,7 +213,7 @@ class RealPioneerTest {
         for (int i = 0; i < 8; i++) {
             peer.say(Peer.standing()).seconds(0.1);
         }
-        assertEquals(2, peer.sent(CommandNumber.MOVE));
+        assertEquals(2, peer.sent(P2osCommandNumber.MOVE));
     }
 
     // ---- switches and place ----------------------------------------------------------------------------------------
@@ -337,7 +337,7 @@ class RealPioneerTest {
         }
 
         Peer say(byte[] data) {
-            robot.received(Packet.of(data), nanos);
+            robot.received(P2osPacket.of(data), nanos);
             return this;
         }
 

@@ -62,7 +62,7 @@ class RecordingTest {
     /** Robots that wander, stand, drive by order, collide, are dragged, come and go; acts by chance, every step noted. */
     private void record(Simulation simulation, int steps) throws IOException {
         Random chance = new Random(3);
-        try (Recorder recorder = Recorder.open(file(), simulation, NOBODY)) {
+        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY)) {
             states.add(statesOf(simulation.robots()));
             for (int step = 1; step <= steps; step++) {
                 if (chance.nextInt(200) == 0) {
@@ -74,7 +74,7 @@ class RecordingTest {
         }
     }
 
-    private static void act(Simulation simulation, Random chance, Recorder recorder, int step) {
+    private static void act(Simulation simulation, Random chance, SessionRecorder recorder, int step) {
         SimulatedRobot robot =
                 simulation.robots().get(chance.nextInt(simulation.robots().size()));
         recorder.event(Event.of("order").with("robot", robot.name()).with("text", "act " + step));
@@ -167,7 +167,7 @@ class RecordingTest {
                 Event.of("pose").with("robot", "r0"),
                 Event.of("status").with("robot", "r0").with("value", "Collision"),
                 Event.of("outcome").with("robot", "r0").with("tone", 4));
-        try (Recorder recorder = Recorder.open(file(), simulation, NOBODY)) {
+        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY)) {
             for (Event event : told) {
                 simulation.run(100);
                 recorder.event(event);
@@ -183,8 +183,12 @@ class RecordingTest {
                             .map(marker -> (int) (marker.timeNanos() / 1_000_000_000))
                             .toList());
             assertEquals(
-                    List.of(Marker.Kind.CALL, Marker.Kind.ORDER, Marker.Kind.COLLISION, Marker.Kind.REPLY),
-                    recording.markers().stream().map(Marker::kind).toList());
+                    List.of(
+                            TimelineMarker.Kind.CALL,
+                            TimelineMarker.Kind.ORDER,
+                            TimelineMarker.Kind.COLLISION,
+                            TimelineMarker.Kind.REPLY),
+                    recording.markers().stream().map(TimelineMarker::kind).toList());
         }
     }
 
@@ -192,7 +196,7 @@ class RecordingTest {
     void anHourOfWanderingTakesAFewMegabytes() throws IOException {
         Simulation simulation = threeRobots();
         simulation.robots().forEach(robot -> robot.autonomy().begin(BehaviourKind.WANDER));
-        Recorder recorder = Recorder.open(file(), simulation, NOBODY);
+        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY);
         simulation.run(6_000);
         recorder.close();
         long octetsPerRobotStep = Files.size(file()) / 3 / 6_000;
@@ -202,7 +206,7 @@ class RecordingTest {
     @Test
     void standingStillTakesNextToNothing() throws IOException {
         Simulation simulation = threeRobots();
-        Recorder recorder = Recorder.open(file(), simulation, NOBODY);
+        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY);
         simulation.run(360_000);
         recorder.close();
         assertTrue(Files.size(file()) < 2_000, "octets " + Files.size(file()));
@@ -236,7 +240,7 @@ class RecordingTest {
     void aFlippedBitIsNamedWithItsPlaceAndNothingBehindItIsRead() throws IOException {
         record(threeRobots(), 3_000);
         byte[] whole = Files.readAllBytes(file());
-        for (int at = Layout.HEADER_OCTETS; at < whole.length; at += 331) {
+        for (int at = RecordingFormat.HEADER_OCTETS; at < whole.length; at += 331) {
             byte[] damaged = whole.clone();
             damaged[at] ^= 0x10;
             Files.write(file(), damaged);
@@ -267,7 +271,7 @@ class RecordingTest {
     void aLaterVersionIsRefusedByItsNumber() throws IOException {
         record(threeRobots(), 10);
         byte[] whole = Files.readAllBytes(file());
-        whole[Layout.MAGIC.length() + 1] = 9;
+        whole[RecordingFormat.MAGIC.length() + 1] = 9;
         Files.write(file(), whole);
         String message =
                 assertThrows(IOException.class, () -> Recording.open(file())).getMessage();

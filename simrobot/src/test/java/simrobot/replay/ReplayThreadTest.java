@@ -37,7 +37,7 @@ class ReplayThreadTest {
         Simulation simulation = new Simulation(World.bare(), 1);
         SimulatedRobot robot = simulation.addRobot("r");
         robot.autonomy().begin(BehaviourKind.WALL_FOLLOW);
-        Recorder recorder = Recorder.open(folder.resolve("s.rec"), simulation, act -> {});
+        SessionRecorder recorder = SessionRecorder.open(folder.resolve("s.rec"), simulation, act -> {});
         for (int i = 1; i <= 6; i++) {
             simulation.run(1000);
             recorder.event(Event.of("order").with("robot", "r").with("text", i));

@@ -6,9 +6,9 @@ import org.junit.jupiter.api.Test;
 
 /** Breadcrumbs, few and very many. */
 class TrailTest {
-    private static Trail after(int crumbs) {
+    private static Trail after(int points) {
         Trail trail = new Trail();
-        for (int i = 0; i < crumbs; i++) {
+        for (int i = 0; i < points; i++) {
             trail.pass(i, -i, i);
         }
         return trail;
@@ -16,11 +16,11 @@ class TrailTest {
 
     @Test
     void theNewestCrumbsAreKeptInTheirOrderHoweverManyThereWere() {
-        for (int crumbs : new int[] {0, 1, 15, 16, 17, 63, 64, 65, 1000, Trail.CAPACITY, Trail.CAPACITY + 1, 9999}) {
-            Trail.Crumbs kept = after(crumbs).crumbs();
-            assertEquals(Math.min(crumbs, Trail.CAPACITY), kept.size(), crumbs + " crumbs");
+        for (int points : new int[] {0, 1, 15, 16, 17, 63, 64, 65, 1000, Trail.CAPACITY, Trail.CAPACITY + 1, 9999}) {
+            Trail.Points kept = after(points).points();
+            assertEquals(Math.min(points, Trail.CAPACITY), kept.size(), points + " points");
             for (int i = 0; i < kept.size(); i++) {
-                int expected = crumbs - kept.size() + i;
+                int expected = points - kept.size() + i;
                 assertEquals(expected, kept.timesNanos()[i]);
                 assertEquals(expected, kept.xy()[2 * i]);
                 assertEquals(-expected, kept.xy()[2 * i + 1]);
@@ -33,7 +33,7 @@ class TrailTest {
         Trail trail = after(4321);
         trail.clear();
         trail.pass(7, 8, 9);
-        assertEquals(1, trail.crumbs().size());
-        assertEquals(9, trail.crumbs().timesNanos()[0]);
+        assertEquals(1, trail.points().size());
+        assertEquals(9, trail.points().timesNanos()[0]);
     }
 }

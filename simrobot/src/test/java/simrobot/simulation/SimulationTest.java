@@ -187,11 +187,11 @@ class SimulationTest {
         Bench bench = Bench.onBareFloor().forward(100).seconds(2);
         SimulationSnapshot before = bench.simulation.snapshot();
         double x = before.robots().get(0).xMeters();
-        int crumbs = before.robots().get(0).trail().size();
+        int points = before.robots().get(0).trail().size();
         bench.seconds(1);
         assertEquals(x, before.robots().get(0).xMeters());
-        assertEquals(crumbs, before.robots().get(0).trail().size());
-        assertTrue(bench.simulation.snapshot().robots().get(0).trail().size() > crumbs);
+        assertEquals(points, before.robots().get(0).trail().size());
+        assertTrue(bench.simulation.snapshot().robots().get(0).trail().size() > points);
     }
 
     @Test
@@ -200,7 +200,7 @@ class SimulationTest {
         for (int i = 0; i < 60; i++) {
             bench.forward(200).untilEnded();
         }
-        double[] xy = bench.robot.trail().crumbs().xy();
+        double[] xy = bench.robot.trail().points().xy();
         assertEquals(2 * 4000, xy.length);
         assertEquals(120, xy[xy.length - 2], 0.03);
         assertTrue(xy[0] > 5);

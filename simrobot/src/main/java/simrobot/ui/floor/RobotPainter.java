@@ -52,15 +52,15 @@ final class RobotPainter {
 
     /** The newest part is strong, after a minute of simulated time it is faint, but it never vanishes. */
     void trail(RobotSnapshot robot, long nowNanos) {
-        Trail.Crumbs crumbs = robot.trail();
+        Trail.Points points = robot.trail();
         g.setStroke(Theme.stroke(1.8));
-        int last = crumbs.size() - 1;
+        int last = points.size() - 1;
         for (int from = 0; from < last; ) {
-            double opacity = opacity(nowNanos - crumbs.timesNanos()[from]);
+            double opacity = opacity(nowNanos - points.timesNanos()[from]);
             Path2D path = new Path2D.Double();
             int to = from;
-            while (to < last && opacity(nowNanos - crumbs.timesNanos()[to]) == opacity) {
-                leg(path, crumbs, to++);
+            while (to < last && opacity(nowNanos - points.timesNanos()[to]) == opacity) {
+                leg(path, points, to++);
             }
             g.setColor(Ink.TRAIL.color(opacity));
             g.draw(path);
@@ -74,8 +74,8 @@ final class RobotPainter {
         return 0.14 + 0.66 * Math.ceil(fade * 10) / 10;
     }
 
-    private void leg(Path2D path, Trail.Crumbs crumbs, int i) {
-        double[] xy = crumbs.xy();
+    private void leg(Path2D path, Trail.Points points, int i) {
+        double[] xy = points.xy();
         double x1 = view.screenX(xy[2 * i]);
         double y1 = view.screenY(xy[2 * i + 1]);
         double x2 = view.screenX(xy[2 * i + 2]);

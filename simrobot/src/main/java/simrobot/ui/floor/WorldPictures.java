@@ -6,12 +6,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import javax.imageio.ImageIO;
-import simrobot.control.Exports;
+import simrobot.control.FileExports;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Area;
 
 /** The whole world with its robots and their trails as a picture: PNG in pixels, SVG in lines. By the window's painters. */
-public final class WorldPictures implements Exports.Pictures {
+public final class WorldPictures implements FileExports.Pictures {
     private static final double LONG_SIDE = 1200;
     private static final double LEAST_SIDE = 400;
     private static final double MARGIN = 48;

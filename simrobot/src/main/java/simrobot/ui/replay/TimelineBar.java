@@ -22,7 +22,7 @@ import simgsm.ui.SpokenComponent;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
-import simrobot.replay.Marker;
+import simrobot.replay.TimelineMarker;
 import simrobot.ui.Timeline;
 import simrobot.ui.floor.WorldView;
 
@@ -91,13 +91,13 @@ final class TimelineBar extends SpokenComponent {
         return timeline.clamp(timeline.firstNanos() + Math.round(share * length));
     }
 
-    private Optional<Marker> markerAt(double x) {
+    private Optional<TimelineMarker> markerAt(double x) {
         return timeline.markers().stream()
                 .filter(marker -> Math.abs(x(marker.timeNanos()) - x) <= Theme.exact(REACH_UNITS))
                 .min((a, b) -> Double.compare(Math.abs(x(a.timeNanos()) - x), Math.abs(x(b.timeNanos()) - x)));
     }
 
-    static Mark mark(Marker.Kind kind) {
+    static Mark mark(TimelineMarker.Kind kind) {
         return switch (kind) {
             case ORDER -> Mark.ARROW;
             case COLLISION -> Mark.BURST;
@@ -106,7 +106,7 @@ final class TimelineBar extends SpokenComponent {
         };
     }
 
-    static Ink ink(Marker.Kind kind) {
+    static Ink ink(TimelineMarker.Kind kind) {
         return switch (kind) {
             case ORDER -> Ink.ACCENT;
             case COLLISION -> Ink.DANGER;
@@ -133,7 +133,7 @@ final class TimelineBar extends SpokenComponent {
         try {
             double side = Theme.exact(SIDE_UNITS);
             double track = getHeight() - Theme.exact(14);
-            for (Marker.Kind kind : Marker.Kind.values()) {
+            for (TimelineMarker.Kind kind : TimelineMarker.Kind.values()) {
                 g.setColor(Ink.LINE.color(0.6));
                 Drawing.horizontal(g, side, getWidth() - side, row(kind));
             }
@@ -142,7 +142,7 @@ final class TimelineBar extends SpokenComponent {
             double here = x(position);
             g.setColor(Ink.ACCENT.color());
             g.fill(Drawing.round(side, track - Theme.exact(3), here - side, Theme.exact(6), Theme.exact(3)));
-            for (Marker marker : timeline.markers()) {
+            for (TimelineMarker marker : timeline.markers()) {
                 mark(marker.kind())
                         .paint(g, x(marker.timeNanos()), row(marker.kind()), Theme.exact(4.5), ink(marker.kind()));
             }
@@ -158,7 +158,7 @@ final class TimelineBar extends SpokenComponent {
         }
     }
 
-    private double row(Marker.Kind kind) {
+    private double row(TimelineMarker.Kind kind) {
         return Theme.exact(9 + 15 * kind.ordinal());
     }
 
@@ -171,7 +171,7 @@ final class TimelineBar extends SpokenComponent {
         @Override
         public void mousePressed(MouseEvent event) {
             requestFocusInWindow();
-            long to = markerAt(event.getX()).map(Marker::timeNanos).orElse(nanosAt(event.getX()));
+            long to = markerAt(event.getX()).map(TimelineMarker::timeNanos).orElse(nanosAt(event.getX()));
             seek.accept(timeline.clamp(to));
         }
 

@@ -15,7 +15,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
-import simrobot.replay.Marker;
+import simrobot.replay.TimelineMarker;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.SimRobotActions;
 import simrobot.ui.TextLine;
@@ -37,7 +37,7 @@ public final class TimelinePanel extends JPanel {
         setOpaque(false);
         bar = new TimelineBar(texts, operator::seek);
         JPanel legend = Arrange.row(16);
-        for (Marker.Kind kind : Marker.Kind.values()) {
+        for (TimelineMarker.Kind kind : TimelineMarker.Kind.values()) {
             Lamp lamp = new Lamp(texts.of("timeline.legend"));
             lamp.show(TimelineBar.mark(kind), TimelineBar.ink(kind), word(texts, kind));
             legend.add(lamp);
@@ -54,7 +54,7 @@ public final class TimelinePanel extends JPanel {
         setVisible(false);
     }
 
-    private static String word(Texts texts, Marker.Kind kind) {
+    private static String word(Texts texts, TimelineMarker.Kind kind) {
         return switch (kind) {
             case ORDER -> texts.of("timeline.order");
             case COLLISION -> texts.of("timeline.collision");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.ui.Appearance;
 import simgsm.ui.Theme;
 import simgsm.ui.Theme.Ink;
-import simrobot.replay.Marker;
+import simrobot.replay.TimelineMarker;
 import simrobot.ui.Timeline;
 import simrobot.ui.panel.WindowBench;
 
@@ -26,10 +26,11 @@ class TimelineTest {
             0,
             100 * SECOND,
             List.of(
-                    new Marker(10 * SECOND, Marker.Kind.CALL, "robot", "call robot=robot from=5550100"),
-                    new Marker(20 * SECOND, Marker.Kind.ORDER, "robot", "order robot=robot"),
-                    new Marker(40 * SECOND, Marker.Kind.COLLISION, "robot", "status robot=robot value=Collision"),
-                    new Marker(40 * SECOND, Marker.Kind.REPLY, "robot", "outcome robot=robot")));
+                    new TimelineMarker(10 * SECOND, TimelineMarker.Kind.CALL, "robot", "call robot=robot from=5550100"),
+                    new TimelineMarker(20 * SECOND, TimelineMarker.Kind.ORDER, "robot", "order robot=robot"),
+                    new TimelineMarker(
+                            40 * SECOND, TimelineMarker.Kind.COLLISION, "robot", "status robot=robot value=Collision"),
+                    new TimelineMarker(40 * SECOND, TimelineMarker.Kind.REPLY, "robot", "outcome robot=robot")));
 
     private WindowBench bench;
 

@@ -1,0 +1,101 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.Collectors;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.UsageException;
+import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.p2os.P2osServer;
+
+/** The robots' P2OS ports, if the command line asks for them. */
+final class P2osPorts implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(P2osPorts.class.getName());
+    private static final int MAX_PORT = 0xffff;
+
+    private final Optional<P2osServer> server;
+    private final Map<String, Integer> ports = Collections.synchronizedMap(new LinkedHashMap<>());
+
+    private P2osPorts(Optional<P2osServer> server) {
+        this.server = server;
+    }
+
+    /** Opens a port for each robot; before the simulation starts. */
+    static P2osPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
+        InetAddress address = ListeningAddress.of(arguments);
+        if (!arguments.has("p2os")) {
+            return new P2osPorts(Optional.empty());
+        }
+        int first = (int) arguments.integer("p2os", 0, 0, MAX_PORT);
+        int robots = simRobot.robots().size();
+        if (first + robots - 1 > MAX_PORT) {
+            throw new UsageException("--p2os: " + robots + " ports upward from " + first + " end above " + MAX_PORT);
+        }
+        P2osServer server = new P2osServer(simRobot.simulation(), address, first);
+        P2osPorts opened = new P2osPorts(Optional.of(server));
+        try {
+            for (TelephoneRobot robot : simRobot.robots()) {
+                if (robot.simulated().isPresent()) {
+                    opened.ports.put(robot.name(), server.add(robot.simulated().get()));
+                }
+            }
+        } catch (IOException e) {
+            opened.close();
+            throw e;
+        }
+        simRobot.onAdded(robot -> {
+            if (robot.simulated().isPresent() && opened.of(robot.name()).isEmpty()) {
+                opened.come(robot);
+            }
+        });
+        simRobot.onRemoved(opened::gone);
+        return opened;
+    }
+
+    /** Adds the ports to what a program says at first. */
+    Event with(Event ready) {
+        return ports.isEmpty()
+                ? ready
+                : ready.with(
+                        "p2os", ports.values().stream().map(String::valueOf).collect(Collectors.joining(",")));
+    }
+
+    void start() {
+        server.ifPresent(P2osServer::start);
+    }
+
+    /** A robot that comes later gets a port, too, if robots have any. */
+    private void come(TelephoneRobot robot) {
+        try {
+            ports.put(robot.name(), server.orElseThrow().add(robot.simulated().orElseThrow()));
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, robot.name() + " has no P2OS port: " + e.getMessage());
+        }
+    }
+
+    private void gone(TelephoneRobot robot) {
+        if (ports.remove(robot.name()) != null) {
+            server.orElseThrow().remove(robot.simulated().orElseThrow());
+        }
+    }
+
+    /** A robot's port, if it has one; any thread may ask. */
+    OptionalInt of(String robot) {
+        Integer port = ports.get(robot);
+        return port == null ? OptionalInt.empty() : OptionalInt.of(port);
+    }
+
+    @Override
+    public void close() {
+        server.ifPresent(P2osServer::close);
+    }
+}

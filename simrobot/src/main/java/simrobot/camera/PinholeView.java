@@ -1,0 +1,68 @@
+package simrobot.camera;
+
+/**
+ * Where the camera is and how it looks: a pinhole that looks level. In its own coordinates {@code ahead} is the depth along
+ * the axis and {@code left} the distance beside it; metres, pixels.
+ *
+ * @param cos with sin the direction of the axis
+ * @param width with height of the picture
+ * @param focal the picture's distance from the pinhole, in pixels
+ */
+record PinholeView(double x, double y, double z, double cos, double sin, int width, int height, double focal) {
+    /** Nothing nearer is drawn. */
+    static final double NEAR_METERS = 0.03;
+
+    static PinholeView at(
+            double x, double y, double z, double headingRadians, int width, int height, double openingRadians) {
+        double focal = width / 2.0 / Math.tan(openingRadians / 2);
+        return new PinholeView(x, y, z, Math.cos(headingRadians), Math.sin(headingRadians), width, height, focal);
+    }
+
+    double ahead(double px, double py) {
+        return (px - x) * cos + (py - y) * sin;
+    }
+
+    double left(double px, double py) {
+        return (py - y) * cos - (px - x) * sin;
+    }
+
+    double column(double ahead, double left) {
+        return width / 2.0 - focal * left / ahead;
+    }
+
+    double row(double ahead, double pz) {
+        return height / 2.0 - focal * (pz - z) / ahead;
+    }
+
+    /** Left over ahead along the ray through a column's middle. */
+    double slope(int column) {
+        return (width / 2.0 - column - 0.5) / focal;
+    }
+
+    /** The height at which the ray through a row's middle is at this depth. */
+    double heightAt(int row, double ahead) {
+        return z + (height / 2.0 - row - 0.5) * ahead / focal;
+    }
+
+    /** The depth at which the ray through a row's middle has this height; infinite when it never has. */
+    double depthOf(int row, double pz) {
+        double drop = row + 0.5 - height / 2.0;
+        double depth = (z - pz) * focal / drop;
+        return depth > 0 ? depth : Double.POSITIVE_INFINITY;
+    }
+
+    double worldX(double ahead, double left) {
+        return x + ahead * cos - left * sin;
+    }
+
+    double worldY(double ahead, double left) {
+        return y + ahead * sin + left * cos;
+    }
+
+    /** Whether a disc on the floor may be in the picture. */
+    boolean mayShow(double px, double py, double radius, double range) {
+        double ahead = ahead(px, py);
+        double edge = (width / 2.0 / focal) * Math.max(0, ahead) + 2 * radius;
+        return ahead > -radius && ahead < range + radius && Math.abs(left(px, py)) <= edge;
+    }
+}

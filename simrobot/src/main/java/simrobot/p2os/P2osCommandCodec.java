@@ -1,0 +1,125 @@
+package simrobot.p2os;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** Commands as packet data: {@code number}, then nothing or one argument. Every byte sequence decodes to something. */
+public final class P2osCommandCodec {
+    private static final int POSITIVE = 0x3B;
+    private static final int NEGATIVE = 0x1B;
+    private static final int TEXT = 0x2B;
+
+    private static final int MAX_TEXT = 195;
+
+    private P2osCommandCodec() {}
+
+    // ---- what a client sends ------------------------------------------------------------------------------------
+
+    /** A command without argument, framed. */
+    public static byte[] packet(int number) {
+        return P2osPacket.of(new byte[] {(byte) number});
+    }
+
+    /** A command with a number of -65535 to 65535, framed. */
+    public static byte[] packet(int number, int argument) {
+        if (Math.abs(argument) > 0xFFFF) {
+            throw new IllegalArgumentException("an argument is -65535 to 65535, not " + argument);
+        }
+        int kind = argument < 0 ? NEGATIVE : POSITIVE;
+        return P2osPacket.of(new P2osFieldWriter()
+                .int1(number)
+                .int1(kind)
+                .int2(Math.abs(argument))
+                .toBytes());
+    }
+
+    /** A command with bytes, framed. */
+    public static byte[] packet(int number, byte[] argument) {
+        if (argument.length > MAX_TEXT) {
+            throw new IllegalArgumentException("at most " + MAX_TEXT + " bytes, not " + argument.length);
+        }
+        return P2osPacket.of(new P2osFieldWriter()
+                .int1(number)
+                .int1(TEXT)
+                .int1(argument.length)
+                .raw(argument)
+                .toBytes());
+    }
+
+    // ---- what a robot hears -------------------------------------------------------------------------------------
+
+    /** @param data of a packet, at least one byte */
+    public static P2osCommand decode(byte[] data) {
+        int number = data[0] & 0xFF;
+        return switch (number) {
+            case P2osCommandNumber.PULSE -> new P2osCommand.Pulse();
+            case P2osCommandNumber.OPEN -> new P2osCommand.Open();
+            case P2osCommandNumber.CLOSE -> new P2osCommand.Close();
+            case P2osCommandNumber.SETO -> new P2osCommand.SetOrigin();
+            case P2osCommandNumber.STOP -> new P2osCommand.Stop();
+            case P2osCommandNumber.E_STOP, P2osCommandNumber.E_STOP_OLD -> new P2osCommand.EmergencyStop();
+            case P2osCommandNumber.CONFIG -> new P2osCommand.Configuration();
+            case P2osCommandNumber.SIM_RESET -> new P2osCommand.SimReset();
+            case P2osCommandNumber.POLLING -> polling(data);
+            case P2osCommandNumber.SIM_SET_POSE -> simPose(data);
+            case P2osCommandNumber.SIM_STAT -> new P2osCommand.SimStatus(hasNumber(data) ? argument(data) : 1);
+            default -> hasNumber(data) ? withNumber(number, argument(data)) : new P2osCommand.Unheeded(number);
+        };
+    }
+
+    private static P2osCommand withNumber(int number, int argument) {
+        return switch (number) {
+            case P2osCommandNumber.ENABLE -> new P2osCommand.Enable(argument != 0);
+            case P2osCommandNumber.SETA -> new P2osCommand.Acceleration(argument);
+            case P2osCommandNumber.SETRA -> new P2osCommand.TurnAcceleration(argument);
+            case P2osCommandNumber.SETV -> new P2osCommand.TopSpeed(argument);
+            case P2osCommandNumber.SETRV -> new P2osCommand.TopTurnSpeed(argument);
+            case P2osCommandNumber.MOVE -> new P2osCommand.Move(argument);
+            case P2osCommandNumber.ROTATE, P2osCommandNumber.RVEL -> new P2osCommand.Rotate(argument);
+            case P2osCommandNumber.VEL -> new P2osCommand.Velocity(argument);
+            case P2osCommandNumber.VEL2 -> new P2osCommand.WheelVelocities((byte) (argument >> 8), (byte) argument);
+            case P2osCommandNumber.HEAD -> new P2osCommand.Heading(argument);
+            case P2osCommandNumber.DHEAD -> new P2osCommand.TurnBy(argument);
+            case P2osCommandNumber.DCHEAD -> new P2osCommand.TurnByFromTarget(argument);
+            case P2osCommandNumber.ENCODER -> new P2osCommand.Encoders(argument);
+            case P2osCommandNumber.SONAR -> new P2osCommand.Sonar(argument != 0);
+            case P2osCommandNumber.BUMPSTALL -> new P2osCommand.BumpStall((argument & 1) != 0, (argument & 2) != 0);
+            case P2osCommandNumber.BATTEST -> new P2osCommand.Battery(argument);
+            default -> new P2osCommand.Unheeded(number);
+        };
+    }
+
+    private static boolean hasNumber(byte[] data) {
+        return data.length >= 4 && (data[1] == POSITIVE || data[1] == NEGATIVE);
+    }
+
+    private static int argument(byte[] data) {
+        int size = data[2] & 0xFF | (data[3] & 0xFF) << 8;
+        return data[1] == NEGATIVE ? -size : size;
+    }
+
+    /** The wire counts sonars from 1; 0 is a pause in the firing order. */
+    private static P2osCommand polling(byte[] data) {
+        if (data.length < 3 || data[1] != TEXT || (data[2] & 0xFF) > data.length - 3) {
+            return new P2osCommand.Unheeded(P2osCommandNumber.POLLING);
+        }
+        List<Integer> sonars = new ArrayList<>();
+        for (byte octet : Arrays.copyOfRange(data, 3, 3 + (data[2] & 0xFF))) {
+            if (octet >= 1 && octet <= StandardSip.SONARS) {
+                sonars.add(octet - 1);
+            }
+        }
+        return new P2osCommand.Polling(List.copyOf(sonars));
+    }
+
+    private static P2osCommand simPose(byte[] data) {
+        return data.length < 14
+                ? new P2osCommand.Unheeded(P2osCommandNumber.SIM_SET_POSE)
+                : new P2osCommand.SimPose(int4(data, 2), int4(data, 6), int4(data, 10));
+    }
+
+    private static int int4(byte[] data, int at) {
+        return data[at] & 0xFF | (data[at + 1] & 0xFF) << 8 | (data[at + 2] & 0xFF) << 16 | (data[at + 3] & 0xFF) << 24;
+    }
+}

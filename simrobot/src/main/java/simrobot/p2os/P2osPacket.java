@@ -1,0 +1,51 @@
+package simrobot.p2os;
+
+/**
+ * The frame around everything that is said: {@code FA FB count data checksum}, where count is the data's length plus 2 and
+ * the checksum, alone in all the protocol, stands high byte first.
+ */
+public final class P2osPacket {
+    static final int HEADER_1 = 0xFA;
+    static final int HEADER_2 = 0xFB;
+
+    /** The largest count that a robot takes: greater ones are dropped. */
+    static final int MAX_COUNT = 200;
+
+    /** The least count that can be: one byte of data and the checksum. */
+    static final int MIN_COUNT = 3;
+
+    private static final int CHECKSUM_LENGTH = 2;
+
+    private P2osPacket() {}
+
+    /**
+     * Frames the data.
+     *
+     * @throws IllegalArgumentException unless it has 1 to 198 bytes
+     */
+    public static byte[] of(byte[] data) {
+        int count = data.length + CHECKSUM_LENGTH;
+        if (count < MIN_COUNT || count > MAX_COUNT) {
+            throw new IllegalArgumentException(
+                    "a packet holds 1 to " + (MAX_COUNT - CHECKSUM_LENGTH) + " bytes of data, not " + data.length);
+        }
+        return new P2osFieldWriter()
+                .int1(HEADER_1)
+                .int1(HEADER_2)
+                .int1(count)
+                .raw(data)
+                .checksum(checksum(data, 0, data.length))
+                .toBytes();
+    }
+
+    /** The sum of the big-endian pairs modulo 65536; a byte left over goes into the low half by exclusive or. */
+    static int checksum(byte[] bytes, int from, int length) {
+        int sum = 0;
+        int end = from + length;
+        int i = from;
+        for (; i + 1 < end; i += 2) {
+            sum = sum + ((bytes[i] & 0xFF) << 8) + (bytes[i + 1] & 0xFF) & 0xFFFF;
+        }
+        return i < end ? sum ^ (bytes[i] & 0xFF) : sum;
+    }
+}

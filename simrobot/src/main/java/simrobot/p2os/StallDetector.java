@@ -1,0 +1,43 @@
+package simrobot.p2os;
+
+import simrobot.robot.Bumpers;
+import simrobot.robot.SimulatedRobot;
+import vericommand.RobotStatus;
+
+/** Whether the wheels have stalled because of what presses on the robot. */
+final class StallDetector {
+    /** Without a bumper that stalls the wheels, the controller notices by their current only after half a second. */
+    private static final long STALL_NANOS = 500_000_000;
+
+    private final SimulatedRobot robot;
+    private boolean frontStalls = true;
+    private boolean rearStalls = true;
+    private boolean collided;
+    private long collidedNanos;
+
+    StallDetector(SimulatedRobot robot) {
+        this.robot = robot;
+    }
+
+    void setBumpers(P2osCommand.BumpStall sides) {
+        frontStalls = sides.front();
+        rearStalls = sides.rear();
+    }
+
+    /** @param simulatedNanos now */
+    void watch(long simulatedNanos) {
+        boolean now = robot.status() == RobotStatus.COLLISION;
+        if (now && !collided) {
+            collidedNanos = simulatedNanos;
+        }
+        collided = now;
+    }
+
+    boolean isNoticed(Bumpers pressed, long simulatedNanos) {
+        if (!collided) {
+            return false;
+        }
+        boolean atOnce = (frontStalls && pressed.front() != 0) || (rearStalls && pressed.rear() != 0);
+        return atOnce || simulatedNanos - collidedNanos >= STALL_NANOS;
+    }
+}

@@ -1,0 +1,160 @@
+package simrobot.pioneer;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommandNumber;
+
+/**
+ * How one comes to talk with a robot, and goes on: three steps of synchronisation, each repeated after a second, then OPEN;
+ * then a sign of life every half second, since a robot that hears nothing for two stops.
+ */
+final class P2osClientSession {
+    private static final Logger LOG = System.getLogger(P2osClientSession.class.getName());
+
+    private static final long ANSWER_NANOS = 1_000_000_000;
+    private static final long SIGN_OF_LIFE_NANOS = 500_000_000;
+
+    /** A line on which no information comes for so long is dead. */
+    private static final long SILENCE_NANOS = 3_000_000_000L;
+
+    private static final int MOST_SILENT_TRIES = 10;
+    private static final int MOST_TRIES = 50;
+    private static final int LAST_STEP = 2;
+    private static final int START_OVER_ID = 255;
+
+    private enum Stage {
+        APART,
+        SYNCHRONISING,
+        OPEN
+    }
+
+    private final String robot;
+    private final PioneerLine line;
+    private final Runnable opened;
+    private final Consumer<byte[]> said;
+    private Stage stage = Stage.APART;
+    private RobotScale scale = RobotScale.of("p3dx");
+    private int step;
+    private int silentTries;
+    private int tries;
+    private long sentNanos;
+    private long heardNanos;
+
+    /**
+     * @param opened told when the robot may be commanded
+     * @param said takes the data of each packet from then on
+     */
+    P2osClientSession(String robot, PioneerLine line, Runnable opened, Consumer<byte[]> said) {
+        this.robot = robot;
+        this.line = line;
+        this.opened = opened;
+        this.said = said;
+    }
+
+    boolean isOpen() {
+        return stage == Stage.OPEN;
+    }
+
+    RobotScale scale() {
+        return scale;
+    }
+
+    /** There is a connection. */
+    void begin(long nanos) {
+        stage = Stage.SYNCHRONISING;
+        silentTries = 0;
+        tries = 0;
+        ask(0, nanos);
+    }
+
+    /** There is none any more. */
+    void end() {
+        stage = Stage.APART;
+    }
+
+    void send(byte[] packet, long nanos) {
+        if (stage == Stage.OPEN) {
+            sentNanos = nanos;
+            line.send(packet);
+        }
+    }
+
+    private void ask(int nextStep, long nanos) {
+        step = nextStep;
+        sentNanos = nanos;
+        if (++tries > MOST_TRIES) {
+            giveUp("does not synchronise");
+        } else {
+            line.send(P2osCommandCodec.packet(step));
+        }
+    }
+
+    private void giveUp(String why) {
+        LOG.log(Level.WARNING, robot + ": the Pioneer " + why + "; trying again");
+        stage = Stage.APART;
+        line.drop();
+    }
+
+    void tick(long nanos) {
+        if (stage == Stage.SYNCHRONISING && nanos - sentNanos >= ANSWER_NANOS) {
+            if (++silentTries > MOST_SILENT_TRIES) {
+                giveUp("does not answer");
+            } else {
+                ask(step, nanos);
+            }
+        } else if (stage == Stage.OPEN) {
+            if (nanos - heardNanos > SILENCE_NANOS) {
+                giveUp("has fallen silent");
+            } else if (nanos - sentNanos >= SIGN_OF_LIFE_NANOS) {
+                send(P2osCommandCodec.packet(P2osCommandNumber.PULSE), nanos);
+            }
+        }
+    }
+
+    /** @param data of a packet, at least one byte */
+    void heard(byte[] data, long nanos) {
+        if (stage == Stage.OPEN) {
+            if (Information.isOne(data)) {
+                heardNanos = nanos;
+            }
+            said.accept(data);
+        } else if (stage == Stage.SYNCHRONISING) {
+            synchronise(data, nanos);
+        }
+    }
+
+    private void synchronise(byte[] data, long nanos) {
+        int id = data[0] & 0xFF;
+        if (Information.isOne(data)) {
+            // somebody has left without a goodbye
+            line.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
+            ask(0, nanos);
+        } else if (id == START_OVER_ID) {
+            ask(0, nanos);
+        } else if (id == step) {
+            silentTries = 0;
+            if (step < LAST_STEP) {
+                ask(step + 1, nanos);
+            } else {
+                introduced(data, nanos);
+            }
+        }
+    }
+
+    private void introduced(byte[] data, long nanos) {
+        String[] names = new String(data, 1, data.length - 1, StandardCharsets.US_ASCII).split("\0", -1);
+        String subclass = names.length > 2 ? names[2] : "";
+        scale = RobotScale.of(subclass);
+        LOG.log(Level.INFO, robot + ": talks with the Pioneer " + names[0] + ", a " + subclass);
+        if (!RobotScale.isKnown(subclass)) {
+            LOG.log(Level.WARNING, robot + ": a " + subclass + " is not known, its numbers are read as a p3dx's");
+        }
+        stage = Stage.OPEN;
+        heardNanos = nanos;
+        send(P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1), nanos);
+        opened.run();
+    }
+}

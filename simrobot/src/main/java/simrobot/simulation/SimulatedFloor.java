@@ -1,0 +1,177 @@
+package simrobot.simulation;
+
+import java.util.Arrays;
+import java.util.List;
+import simrobot.robot.Floor;
+import simrobot.robot.Pioneer2Dx;
+import simrobot.robot.SimulatedRobot;
+import simrobot.world.Area;
+import simrobot.world.Cone;
+import simrobot.world.Contact;
+import simrobot.world.DiscGrid;
+import simrobot.world.Distances;
+import simrobot.world.MovingDisc;
+import simrobot.world.ObstacleGrid;
+import simrobot.world.Treadmill;
+import simrobot.world.World;
+
+/** The floor with all its robots; robots are found by where they are, so that a crowd costs each of them the same as a few. */
+final class SimulatedFloor implements Floor {
+    private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
+
+    private static final double[][] OCTAGON = Pioneer2Dx.octagon();
+
+    /** No corner of the octagon is farther from the centre of rotation. */
+    private static final double OCTAGON_REACH = 0.29;
+
+    private final DiscGrid places = new DiscGrid();
+
+    /** By their numbers; null where none is. */
+    private SimulatedRobot[] robots = {};
+
+    private List<Treadmill> treadmills = List.of();
+    private ObstacleGrid obstacles;
+    private Area ground;
+
+    SimulatedFloor(World world) {
+        load(world);
+    }
+
+    void load(World world) {
+        obstacles = new ObstacleGrid(world);
+        treadmills = world.treadmills();
+        ground = world.ground();
+    }
+
+    void remove(SimulatedRobot robot) {
+        places.remove(robot.number());
+    }
+
+    @Override
+    public void moved(SimulatedRobot robot) {
+        int number = robot.number();
+        if (number >= robots.length) {
+            robots = Arrays.copyOf(robots, Math.max(2 * robots.length, number + 1));
+        }
+        robots[number] = robot;
+        places.put(number, robot.xMeters(), robot.yMeters());
+    }
+
+    @Override
+    public Encounter sweep(SimulatedRobot robot, double dx, double dy) {
+        double x = robot.xMeters();
+        double y = robot.yMeters();
+        Encounter first = new Encounter(obstacles.sweep(x, y, dx, dy, RADIUS), null);
+        double reach = 2 * RADIUS + 2 * MovingDisc.SKIN_METERS;
+        int others = places.near(
+                Math.min(x, x + dx) - reach,
+                Math.min(y, y + dy) - reach,
+                Math.max(x, x + dx) + reach,
+                Math.max(y, y + dy) + reach);
+        for (int i = 0; i < others; i++) {
+            SimulatedRobot other = robots[places.found(i)];
+            if (other != robot) {
+                first = earlier(first, other, x, y, dx, dy);
+            }
+        }
+        return first;
+    }
+
+    private static Encounter earlier(Encounter first, SimulatedRobot other, double x, double y, double dx, double dy) {
+        MovingDisc disc = new MovingDisc(x, y, dx, dy, RADIUS);
+        disc.meetDisc(other.xMeters(), other.yMeters(), RADIUS);
+        Contact contact = disc.contact();
+        return first.contact().earlier(contact) == contact && contact.touches() ? new Encounter(contact, other) : first;
+    }
+
+    @Override
+    public boolean isFree(SimulatedRobot robot, double x, double y) {
+        if (!Double.isFinite(x) || !Double.isFinite(y) || obstacles.clearance(x, y, RADIUS) < RADIUS) {
+            return false;
+        }
+        return !places.isCrowded(robot == null ? -1 : robot.number(), x, y, 2 * RADIUS);
+    }
+
+    @Override
+    public boolean isInside(double x, double y) {
+        return ground.contains(x, y);
+    }
+
+    @Override
+    public double beltVelocityX(double x, double y) {
+        double velocity = 0;
+        for (Treadmill belt : treadmills) {
+            velocity += belt.area().contains(x, y) ? belt.velocityX() : 0;
+        }
+        return velocity;
+    }
+
+    @Override
+    public double beltVelocityY(double x, double y) {
+        double velocity = 0;
+        for (Treadmill belt : treadmills) {
+            velocity += belt.area().contains(x, y) ? belt.velocityY() : 0;
+        }
+        return velocity;
+    }
+
+    @Override
+    public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range) {
+        double nearest = obstacles.rayRange(x, y, ux, uy, range);
+        double endX = x + range * ux;
+        double endY = y + range * uy;
+        BodySide hit = (x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2);
+        return nearestBody(
+                robot, hit, nearest, Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY));
+    }
+
+    @Override
+    public double coneRange(SimulatedRobot robot, Cone cone, double range) {
+        double nearest = obstacles.coneRange(cone, range);
+        return nearestBody(
+                robot,
+                cone::distanceToSegment,
+                nearest,
+                cone.minX(range),
+                cone.minY(range),
+                cone.maxX(range),
+                cone.maxY(range));
+    }
+
+    private double nearestBody(
+            SimulatedRobot robot, BodySide side, double within, double minX, double minY, double maxX, double maxY) {
+        double nearest = within;
+        int others =
+                places.near(minX - OCTAGON_REACH, minY - OCTAGON_REACH, maxX + OCTAGON_REACH, maxY + OCTAGON_REACH);
+        for (int i = 0; i < others; i++) {
+            SimulatedRobot other = robots[places.found(i)];
+            if (other != robot) {
+                nearest = Math.min(nearest, toBody(side, other));
+            }
+        }
+        return nearest;
+    }
+
+    /** How far it is to one side of a robot's body. */
+    private interface BodySide {
+        double distance(double x1, double y1, double x2, double y2);
+    }
+
+    private static double toBody(BodySide side, SimulatedRobot other) {
+        double cos = Math.cos(other.headingRadians());
+        double sin = Math.sin(other.headingRadians());
+        double nearest = Double.POSITIVE_INFINITY;
+        double[] from = OCTAGON[OCTAGON.length - 1];
+        for (double[] to : OCTAGON) {
+            nearest = Math.min(
+                    nearest,
+                    side.distance(
+                            other.xMeters() + from[0] * cos - from[1] * sin,
+                            other.yMeters() + from[0] * sin + from[1] * cos,
+                            other.xMeters() + to[0] * cos - to[1] * sin,
+                            other.yMeters() + to[0] * sin + to[1] * cos));
+            from = to;
+        }
+        return nearest;
+    }
+}
