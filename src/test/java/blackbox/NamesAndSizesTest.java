@@ -1,0 +1,95 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+
+/** Names that tell classes apart, and packages that can be read in one go. */
+class NamesAndSizesTest {
+    private static final int FILES_PER_PACKAGE = 40;
+    private static final int LINES_PER_PACKAGE = 3_000;
+
+    /** Names that stand twice and are to go. */
+    private static final Set<String> TWICE = Set.of(
+            "Accepted",
+            "Answer",
+            "Battery",
+            "Deeds",
+            "Delivery",
+            "Home",
+            "Host",
+            "IdentityRequest",
+            "IdentityResponse",
+            "Kind",
+            "Motion",
+            "Progress",
+            "Receipts",
+            "Recipient",
+            "Recording",
+            "Refusal",
+            "Report",
+            "Row",
+            "Stop",
+            "Transition");
+
+    /** Packages that are too large and are to be split. */
+    private static final Set<String> TOO_LARGE = Set.of("simgsm.center.msc", "simgsm.station", "simgsm.ui");
+
+    @Test
+    void noClassNameStandsTwiceUnlessItIsPrivateToItsFile() {
+        Map<String, Set<String>> classes = MainCode.CLASSES.stream()
+                .filter(type -> !type.isAnonymousClass()
+                        && !type.isLocalClass()
+                        && !type.getSimpleName().isEmpty())
+                .filter(type -> !type.getModifiers().contains(JavaModifier.PRIVATE))
+                .filter(type -> !type.getSimpleName().endsWith("-info"))
+                .collect(Collectors.groupingBy(
+                        JavaClass::getSimpleName,
+                        TreeMap::new,
+                        Collectors.mapping(JavaClass::getName, Collectors.toCollection(TreeSet::new))));
+        classes.values().removeIf(names -> names.size() == 1);
+        classes.keySet().removeAll(TWICE);
+        assertEquals(Map.of(), classes);
+    }
+
+    @Test
+    void noClassIsCalledAfterNothing() {
+        assertEquals(
+                List.of(),
+                MainCode.sources().stream()
+                        .map(file -> file.getFileName().toString())
+                        .filter(name -> name.matches(".*(Utils?|Helpers?|Managers?|Impl)\\.java"))
+                        .toList());
+    }
+
+    @Test
+    void noPackageHasMoreThan40FilesOr3000Lines() {
+        Map<Path, List<Path>> packages = MainCode.sources().stream().collect(Collectors.groupingBy(Path::getParent));
+        Map<String, String> tooLarge = new TreeMap<>();
+        packages.forEach((folder, files) -> {
+            long lines = files.stream()
+                    .mapToLong(file -> MainCode.read(file).lines().count())
+                    .sum();
+            if (files.size() > FILES_PER_PACKAGE || lines > LINES_PER_PACKAGE) {
+                tooLarge.put(nameOf(folder), files.size() + " files, " + lines + " lines");
+            }
+        });
+        tooLarge.keySet().removeAll(TOO_LARGE);
+        assertEquals(Map.of(), tooLarge);
+    }
+
+    private static String nameOf(Path folder) {
+        String path = folder.toString().replace(folder.getFileSystem().getSeparator(), "/");
+        return path.substring(path.indexOf("/src/main/java/") + "/src/main/java/".length())
+                .replace('/', '.');
+    }
+}
