@@ -115,7 +115,7 @@ public final class Exchange {
         timers.advance(nowNanos);
         Link link = new Link(port, address, isLocal, parts);
         links.add(link);
-        link.keepAlive.start();
+        link.open();
         settle();
         return link;
     }
@@ -177,7 +177,7 @@ public final class Exchange {
         switch (frame.stream()) {
             case IpaFrame.SPEECH -> receiveSpeech(link, frame);
             case IpaFrame.RSL -> signalling.receive(link, RslCodec.decode(frame.payload()));
-            case IpaFrame.CCM -> link.keepAlive.receive(CcmCodec.decode(frame.payload()));
+            case IpaFrame.CCM -> link.receive(CcmCodec.decode(frame.payload()));
             default -> link.violated("sent a frame of unknown stream " + frame.stream());
         }
     }

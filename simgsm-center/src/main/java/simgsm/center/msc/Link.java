@@ -1,11 +1,13 @@
 package simgsm.center.msc;
 
 import java.lang.System.Logger.Level;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.KeepAlive;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
@@ -15,6 +17,7 @@ import simgsm.air.MessageText;
 import simgsm.air.OctetString;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
+import simgsm.timer.Timer;
 
 /**
  * One terminal's connection: the terminal with the small cell that it carries. To the driver a mere handle; inside, all
@@ -24,6 +27,9 @@ public final class Link {
     /** So many breaches are answered as the standard says before the peer is given up. */
     static final int MAX_VIOLATIONS = 100;
 
+    /** How long a peer may take to identify itself or to register; a port scanner does neither. */
+    static final long IDENTITY_NANOS = Duration.ofSeconds(15).toNanos();
+
     private static final int LOUD_VIOLATIONS = 3;
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
 
@@ -31,7 +37,7 @@ public final class Link {
     private final ExchangeParts parts;
     final NetworkRadioConnection radio;
     final Paging paging;
-    final LinkKeepAlive keepAlive;
+    private final KeepAlive keepAlive;
     final Authenticity authenticity;
     final TerminalRateLimits moderation;
     final ShortMessageTransfers shortMessages;
@@ -45,6 +51,7 @@ public final class Link {
     LocationUpdate registration;
 
     boolean isClosed;
+    private Timer identification;
     private String lifeline;
     private int violations;
 
@@ -55,10 +62,26 @@ public final class Link {
         this.parts = parts;
         this.radio = new NetworkRadioConnection(this, parts.timers());
         this.paging = new Paging(this, parts.timers());
-        this.keepAlive = new LinkKeepAlive(this, parts.timers());
+        this.keepAlive = new KeepAlive(parts.timers(), this::sendCcm, this::drop);
         this.moderation = new TerminalRateLimits(isLocal, parts.timers());
         this.authenticity = new Authenticity(this, parts.timers());
         this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
+    }
+
+    /** Asks the peer for its identity and begins to supervise the connection. */
+    void open() {
+        sendCcm(new CcmMessage.IdentityRequest());
+        keepAlive.start();
+        identification = parts.timers().start(IDENTITY_NANOS, () -> drop("has not identified itself"));
+    }
+
+    void receive(CcmMessage message) {
+        if (message instanceof CcmMessage.IdentityResponse) {
+            parts.timers().cancel(identification);
+            sendCcm(new CcmMessage.IdentityAcknowledge());
+        } else {
+            keepAlive.receive(message);
+        }
     }
 
     /** The subscriber's number, or the peer's address while nobody is registered. */
@@ -69,7 +92,7 @@ public final class Link {
     /** From now on somebody is registered here. */
     void become(Subscriber who) {
         subscriber = who;
-        keepAlive.identified();
+        parts.timers().cancel(identification);
         lifeline = who.number().digits();
     }
 
@@ -139,6 +162,7 @@ public final class Link {
     void forget() {
         isClosed = true;
         keepAlive.stop();
+        parts.timers().cancel(identification);
         authenticity.cancel();
         if (registration != null) {
             registration.cancel();

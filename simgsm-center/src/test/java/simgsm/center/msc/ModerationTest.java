@@ -33,10 +33,10 @@ class ModerationTest {
     @Test
     void aPeerThatSaysNothingIsDroppedAfter15Seconds() {
         TestMobile silent = network.connect("5550100");
-        network.leap(Duration.ofNanos(LinkKeepAlive.IDENTITY_NANOS - 1));
+        network.leap(Duration.ofNanos(Link.IDENTITY_NANOS - 1));
         assertEquals(Optional.empty(), silent.closedFor);
         network.leap(Duration.ofNanos(1));
-        assertEquals(Optional.of("has not said who it is"), silent.closedFor);
+        assertEquals(Optional.of("has not identified itself"), silent.closedFor);
         assertEquals(0, network.exchange.linkCount());
         assertTrue(network.exchange.nextDeadlineNanos().isEmpty());
     }

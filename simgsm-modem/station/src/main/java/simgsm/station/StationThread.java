@@ -149,7 +149,7 @@ public final class StationThread implements AutoCloseable {
         if (closing) {
             LOGGER.log(Level.ERROR, "the stations'' loop ends in the middle of its farewell: {0}", fault.toString());
         } else {
-            LOGGER.log(Level.DEBUG, "the stations'' loop ends", fault);
+            LOGGER.log(Level.DEBUG, "the stations' loop ends", fault);
             failed.accept(fault);
         }
     }

@@ -1,0 +1,68 @@
+package simgsm.abis;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+
+/**
+ * Supervision of one link by either side (CCM): sends a PING every 30 s, answers the peer's, and gives the link up when
+ * three are unanswered as the next falls due.
+ */
+public final class KeepAlive {
+    public static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(30);
+    private static final int MAX_UNANSWERED = 3;
+
+    private final Timers timers;
+    private final Consumer<CcmMessage> output;
+    private final Consumer<String> drop;
+    private Timer next;
+    private int unanswered;
+
+    /**
+     * Not running yet.
+     *
+     * @param output sends a message to the peer
+     * @param drop ends the link for the given reason
+     */
+    public KeepAlive(Timers timers, Consumer<CcmMessage> output, Consumer<String> drop) {
+        this.timers = timers;
+        this.output = output;
+        this.drop = drop;
+    }
+
+    /** Begins with a new connection; the first PING follows after 30 s. */
+    public void start() {
+        stop();
+        unanswered = 0;
+        next = timers.start(PERIOD_NANOS, this::ping);
+    }
+
+    public void stop() {
+        timers.cancel(next);
+    }
+
+    /** Something arrived from the peer: no PING counts as unanswered. */
+    public void heard() {
+        unanswered = 0;
+    }
+
+    /** Answers a PING and takes note of a PONG; other messages are ignored. */
+    public void receive(CcmMessage message) {
+        if (message instanceof CcmMessage.Ping) {
+            output.accept(new CcmMessage.Pong());
+        } else if (message instanceof CcmMessage.Pong) {
+            heard();
+        }
+    }
+
+    private void ping() {
+        if (unanswered == MAX_UNANSWERED) {
+            drop.accept(MAX_UNANSWERED + " pings unanswered");
+            return;
+        }
+        unanswered++;
+        output.accept(new CcmMessage.Ping());
+        next = timers.start(PERIOD_NANOS, this::ping);
+    }
+}
