@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
+import simgsm.console.Collapse;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
@@ -179,6 +180,7 @@ public final class SimRobotMain {
             throws IOException, InterruptedException {
         try (ReplayThread replay = opened(file)) {
             ReplayModel model = new ReplayModel(replay, new Refusals(language));
+            replay.onFailure(fault -> Collapse.end(NAME, fault));
             replay.setSpeed(speed);
             replay.setPaused(false);
             replay.start();
@@ -219,7 +221,7 @@ public final class SimRobotMain {
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);
-        simRobot.simulation().onFailure(SimRobotMain::endFailed);
+        simRobot.simulation().onFailure(fault -> Collapse.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<PioneerAddress> real = RequestedRobots.real(arguments, names);
         if (real.isPresent()) {
@@ -245,12 +247,6 @@ public final class SimRobotMain {
                 codec(arguments),
                 recordings,
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
-    }
-
-    /** From a thread of its own: the program's end waits for the simulation's. */
-    private static void endFailed(Throwable fault) {
-        System.err.println(NAME + ": the simulation has failed: " + fault);
-        new Thread(() -> System.exit(ExitStatus.FAILED), "end").start();
     }
 
     /** A window says whether there is a device, a console does not care before something sounds. */
@@ -295,7 +291,7 @@ public final class SimRobotMain {
                     new RobotConsole(
                             simRobot,
                             built.fleet(),
-                            new FileExports(simRobot, new WorldPictures()),
+                            new FileExports(simRobot.tracks()::csv, new WorldPictures()),
                             file -> WorldFile.read(Optional.of(file)),
                             out));
             return console.exitStatus();

@@ -22,7 +22,7 @@ final class RecordedTrack {
         this.robot = robot;
     }
 
-    /** The columns of {@link TrackSeries#csv}; what is damaged ends the track. */
+    /** The columns of {@link TrackSeries.Samples#writeCsv}; what is damaged ends the track. */
     static String csv(Path recording, String robot) throws IOException {
         RecordedTrack track = new RecordedTrack(robot);
         try (Recording opened = Recording.open(recording)) {
@@ -36,7 +36,7 @@ final class RecordedTrack {
         } catch (DamagedException e) {
             throw new IOException(recording + ": " + e.getMessage(), e);
         }
-        return track.series.csv();
+        return track.series.samples().csv();
     }
 
     private void look(ReplayCursor cursor) {
@@ -49,10 +49,10 @@ final class RecordedTrack {
 
     private void sample(long nanos, SimulatedRobot here) {
         if (!present) {
-            series.appear(nanos, here.pose(), here.status(), MOST_SAMPLES);
+            series.append(nanos, here.pose(), here.status(), MOST_SAMPLES);
         } else if (series.isNews(here.status())
                 || nanos % TrackSeries.PERIOD_NANOS == 0 && series.isNews(here.pose(), here.status())) {
-            series.take(nanos, here.pose(), here.status(), MOST_SAMPLES);
+            series.add(nanos, here.pose(), here.status(), MOST_SAMPLES);
         }
     }
 }

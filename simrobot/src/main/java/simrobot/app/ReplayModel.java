@@ -1,7 +1,5 @@
 package simrobot.app;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,6 +32,7 @@ public final class ReplayModel implements SimRobotActions {
     private final Timeline timeline;
     private final List<LoggedEvent> events = new ArrayList<>();
     private final String damage;
+    private final FileExports exports;
     private volatile String notice = "";
     private volatile long noticeNanos;
     private WindowSnapshot newest;
@@ -46,6 +45,7 @@ public final class ReplayModel implements SimRobotActions {
         for (RecordedEvent event : recording.events()) {
             ReplayedEvents.of(event).ifPresent(events::add);
         }
+        exports = new FileExports(robot -> RecordedTrack.csv(recording.path(), robot), new WorldPictures());
         damage = recording.damage().map(refusals::damaged).orElse("");
     }
 
@@ -118,35 +118,21 @@ public final class ReplayModel implements SimRobotActions {
         notice = message;
     }
 
-    /** Pictures of the present moment, painted here; the track from the recording's beginning to its end, read elsewhere. */
+    /** Pictures show the present moment; a track goes from the recording's beginning to its end. */
     @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
-        if (FileExports.ending(file).equals("csv")) {
-            Thread reader = new Thread(() -> answer.accept(write(() -> track(robot), file)), "track");
-            reader.setDaemon(true);
-            reader.start();
-        } else {
-            SimulationSnapshot scene = replay.snapshot();
-            answer.accept(write(() -> new WorldPictures().of(scene, robot, FileExports.ending(file)), file));
-        }
+        exports.export(
+                replay.snapshot(),
+                robot,
+                file,
+                ReplayModel::startDaemon,
+                failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
-    private byte[] track(String robot) throws IOException {
-        return RecordedTrack.csv(replay.recording().path(), robot).getBytes(StandardCharsets.UTF_8);
-    }
-
-    /** What a file is to hold. */
-    private interface Content {
-        byte[] octets() throws IOException;
-    }
-
-    private Optional<String> write(Content content, Path file) {
-        try {
-            FileExports.write(content.octets(), file);
-            return Optional.empty();
-        } catch (IOException impossible) {
-            return Optional.of(refusals.unwritable(file, impossible));
-        }
+    private static void startDaemon(Runnable act) {
+        Thread thread = new Thread(act, "export");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     // ---- what cannot be done ---------------------------------------------------------------------------------------

@@ -67,7 +67,7 @@ public final class WindowModel implements SimRobotActions {
         watch = new WorldWatch(slowActs, worldFile);
         this.fleet = fleet;
         this.ports = ports;
-        exports = new FileExports(simRobot, new WorldPictures());
+        exports = new FileExports(simRobot.tracks()::csv, new WorldPictures());
         simulation = simRobot.simulation();
         loudspeaker = simRobot.loudspeaker();
         sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
@@ -296,24 +296,14 @@ public final class WindowModel implements SimRobotActions {
         });
     }
 
-    /** Painted here, on the event thread, which owns the theme; written elsewhere. */
     @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
-        try {
-            byte[] octets = exports.octets(simulation.snapshot(), robot, file);
-            slowActs.execute(() -> answer.accept(write(octets, file)));
-        } catch (IOException impossible) {
-            answer.accept(Optional.of(refusals.unwritable(file, impossible)));
-        }
-    }
-
-    private Optional<String> write(byte[] octets, Path file) {
-        try {
-            FileExports.write(octets, file);
-            return Optional.empty();
-        } catch (IOException unwritable) {
-            return Optional.of(refusals.unwritable(file, unwritable));
-        }
+        exports.export(
+                simulation.snapshot(),
+                robot,
+                file,
+                slowActs,
+                failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
     /** A file that is no world leaves everything as it was, and says why. */

@@ -8,52 +8,96 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import simrobot.simulation.SimulationSnapshot;
 
-/** Writes pictures of the world and tracks of robots into files, by the file's ending. */
+/** Writes pictures of the world and tracks of robots to files; the file's ending selects which. */
 public final class FileExports {
-    /** Draws the world with its robots; the one that can lives with the windows. */
+    /** Draws the world with its robots; implemented beside the windows. */
     public interface Pictures {
         /**
-         * The picture as a file of that kind holds it.
+         * The content of a picture file.
          *
          * @param ending png or svg
-         * @param selected the robot in the middle of interest
+         * @param selected the robot that is drawn as selected
          */
         byte[] of(SimulationSnapshot scene, String selected, String ending) throws IOException;
     }
 
-    private final SimRobot simRobot;
+    /** The tracks of the robots. */
+    public interface Tracks {
+        /** A robot's track with a header line, as {@link TrackSeries.Samples#writeCsv} has it. */
+        String csv(String robot) throws IOException;
+    }
+
+    private final Tracks tracks;
     private final Pictures pictures;
 
-    public FileExports(SimRobot simRobot, Pictures pictures) {
-        this.simRobot = simRobot;
+    public FileExports(Tracks tracks, Pictures pictures) {
+        this.tracks = tracks;
         this.pictures = pictures;
     }
 
-    /** Whether the name says what the file is to hold. */
-    public static boolean isNamedWell(Path file) {
-        return switch (ending(file)) {
-            case "png", "svg", "csv" -> true;
-            default -> false;
-        };
+    /** Whether the file's ending is one of png, svg and csv. */
+    public static boolean hasKnownEnding(Path file) {
+        return isPicture(file) || ending(file).equals("csv");
+    }
+
+    private static boolean isPicture(Path file) {
+        return ending(file).equals("png") || ending(file).equals("svg");
     }
 
     /** In small letters, without the dot. */
-    public static String ending(Path file) {
+    private static String ending(Path file) {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** What the file is to hold: for .png and .svg the world with its robots and trails, for .csv the robot's track. */
-    public byte[] octets(SimulationSnapshot scene, String robot, Path file) throws IOException {
-        return ending(file).equals("csv")
-                ? simRobot.tracks().csv(robot).getBytes(StandardCharsets.UTF_8)
-                : pictures.of(scene, robot, ending(file));
+    /**
+     * Writes a file: for png and svg the world with its robots and trails, for csv the robot's track.
+     *
+     * @throws IOException saying which file cannot be written, and why
+     */
+    public void export(SimulationSnapshot scene, String robot, Path file) throws IOException {
+        write(content(scene, robot, file), file);
     }
 
-    /** @throws IOException saying which file cannot be written, and why */
-    public static void write(byte[] octets, Path file) throws IOException {
+    /**
+     * Does the same without holding up the caller: pictures are painted at once, for the event thread owns the colours;
+     * tracks are formatted and all files written on the worker.
+     *
+     * @param answer takes the failure if there is one, on either thread
+     */
+    public void export(
+            SimulationSnapshot scene,
+            String robot,
+            Path file,
+            Executor worker,
+            Consumer<Optional<IOException>> answer) {
+        try {
+            byte[] picture = isPicture(file) ? content(scene, robot, file) : null;
+            worker.execute(() -> {
+                try {
+                    write(picture == null ? content(scene, robot, file) : picture, file);
+                    answer.accept(Optional.empty());
+                } catch (IOException e) {
+                    answer.accept(Optional.of(e));
+                }
+            });
+        } catch (IOException e) {
+            answer.accept(Optional.of(e));
+        }
+    }
+
+    private byte[] content(SimulationSnapshot scene, String robot, Path file) throws IOException {
+        return isPicture(file)
+                ? pictures.of(scene, robot, ending(file))
+                : tracks.csv(robot).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static void write(byte[] octets, Path file) throws IOException {
         try {
             Files.write(file, octets);
         } catch (NoSuchFileException e) {

@@ -226,7 +226,7 @@ public final class RobotConsole implements Console.Commands {
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
         onSimulation(() -> scene.set(simRobot.scene()));
         try {
-            FileExports.write(exports.octets(scene.get(), robot.name(), file), file);
+            exports.export(scene.get(), robot.name(), file);
         } catch (IOException e) {
             throw new CommandException("export: " + e.getMessage());
         }
@@ -236,7 +236,7 @@ public final class RobotConsole implements Console.Commands {
     private static Path exportFile(String text) throws CommandException {
         try {
             Path file = Path.of(text);
-            if (FileExports.isNamedWell(file)) {
+            if (FileExports.hasKnownEnding(file)) {
                 return file;
             }
         } catch (InvalidPathException e) {

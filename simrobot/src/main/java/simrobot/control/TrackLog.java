@@ -4,69 +4,75 @@ import java.util.HashMap;
 import java.util.Map;
 import simrobot.robot.Pioneer;
 import simrobot.simulation.Simulation;
+import vericommand.Pose;
+import vericommand.RobotStatus;
 
 /**
- * Where every robot has been and in which status, ten times a simulated second while something changes; bounded, the oldest
- * make room. Filled on the simulation's thread, read by any.
+ * The tracks of all robots, sampled ten times a simulated second while they change; at most 2 000 000 samples, the oldest
+ * are dropped. Filled on the simulation's thread, read by any.
  */
 public final class TrackLog {
     private record Followed(Pioneer robot, TrackSeries series) {}
 
-    private static final int MOST_SAMPLES = 2_000_000;
-    private static final int LEAST_SAMPLES_OF_A_ROBOT = 1000;
+    private static final int MAX_SAMPLES = 2_000_000;
+    private static final int MIN_SAMPLES_PER_ROBOT = 1000;
 
     private final Simulation simulation;
-    private final int mostSamples;
+    private final int maxSamples;
     private final Map<String, Followed> tracks = new HashMap<>();
 
     TrackLog(Simulation simulation) {
-        this(simulation, MOST_SAMPLES);
+        this(simulation, MAX_SAMPLES);
     }
 
-    /** @param mostSamples of all robots together */
-    TrackLog(Simulation simulation, int mostSamples) {
+    /** @param maxSamples of all robots together */
+    TrackLog(Simulation simulation, int maxSamples) {
         this.simulation = simulation;
-        this.mostSamples = mostSamples;
+        this.maxSamples = maxSamples;
         simulation.addStepListener(this::step);
     }
 
-    /** Follows a robot from now on; one of the same name that was there before is forgotten. */
+    /** Follows a robot from now on, in place of an earlier one of the same name. */
     synchronized void follow(Pioneer robot) {
         Followed track = new Followed(robot, new TrackSeries());
         tracks.put(robot.name(), track);
-        changed(track);
-        robot.addStatusListener(status -> changed(track));
+        statusChanged(track, robot.status());
+        robot.addStatusListener(status -> statusChanged(track, status));
     }
 
-    /** A robot that has left has no track any more. */
+    /** Drops the track of a robot that was removed. */
     synchronized void forget(Pioneer robot) {
         tracks.remove(robot.name());
     }
 
-    private synchronized void changed(Followed track) {
-        Pioneer robot = track.robot;
-        track.series.take(simulation.timeNanos(), robot.pose(), robot.status(), room());
+    private synchronized void statusChanged(Followed track, RobotStatus status) {
+        track.series.add(simulation.timeNanos(), track.robot.pose(), status, samplesPerRobot());
     }
 
     private synchronized void step(long timeNanos) {
         if (timeNanos % TrackSeries.PERIOD_NANOS == 0) {
-            int room = room();
             for (Followed track : tracks.values()) {
-                Pioneer robot = track.robot;
-                if (track.series.isNews(robot.pose(), robot.status())) {
-                    track.series.take(timeNanos, robot.pose(), robot.status(), room);
+                Pose pose = track.robot.pose();
+                RobotStatus status = track.robot.status();
+                if (track.series.isNews(pose, status)) {
+                    track.series.add(timeNanos, pose, status, samplesPerRobot());
                 }
             }
         }
     }
 
-    private int room() {
-        return Math.max(LEAST_SAMPLES_OF_A_ROBOT, mostSamples / Math.max(1, tracks.size()));
+    private int samplesPerRobot() {
+        return Math.max(MIN_SAMPLES_PER_ROBOT, maxSamples / Math.max(1, tracks.size()));
     }
 
-    /** A robot's track; only the columns' names when there is none of that name. Any thread may ask. */
-    public synchronized String csv(String robot) {
+    /** A robot's samples so far; none if there is no robot of that name. Any thread may ask. */
+    synchronized TrackSeries.Samples samples(String robot) {
         Followed track = tracks.get(robot);
-        return (track == null ? new TrackSeries() : track.series).csv();
+        return (track == null ? new TrackSeries() : track.series).samples();
+    }
+
+    /** The samples as CSV. Any thread may ask; the text is made without the lock that each step takes. */
+    public String csv(String robot) {
+        return samples(robot).csv();
     }
 }

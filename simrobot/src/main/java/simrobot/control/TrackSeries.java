@@ -1,98 +1,135 @@
 package simrobot.control;
 
-import java.util.Arrays;
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
 import java.util.Locale;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
-/** Where one robot has been and in which status, sample by sample; as CSV the same of a running and of a recorded session. */
+/**
+ * One robot's poses and statuses over time, the same for a running and for a recorded session. Samples lie in blocks that
+ * are only ever appended to or dropped whole, so {@link #samples} copies one reference per 64 samples.
+ */
 public final class TrackSeries {
-    /** What moves is sampled this often. */
+    /** Sampling period of a moving robot, in simulated time. */
     public static final long PERIOD_NANOS = 100_000_000;
 
     static final String HEADER = "time s,x m,y m,heading degrees,status";
+    private static final int BLOCK_SAMPLES = 64;
 
-    private long[] times = new long[64];
-    private double[] xs = new double[64];
-    private double[] ys = new double[64];
-    private double[] headings = new double[64];
-    private RobotStatus[] statuses = new RobotStatus[64];
-    private int count;
+    private static final class Block {
+        private final long[] times = new long[BLOCK_SAMPLES];
+        /** x, y and heading of each sample: metres and degrees. */
+        private final double[] poses = new double[3 * BLOCK_SAMPLES];
 
-    /** Whether it differs from the newest sample. */
-    public boolean isNews(Pose pose, RobotStatus status) {
-        int last = count - 1;
-        return last < 0
-                || xs[last] != pose.xMeters()
-                || ys[last] != pose.yMeters()
-                || headings[last] != pose.headingDegrees()
-                || statuses[last] != status;
+        private final RobotStatus[] statuses = new RobotStatus[BLOCK_SAMPLES];
+
+        private Pose pose(int i) {
+            return new Pose(poses[3 * i], poses[3 * i + 1], poses[3 * i + 2]);
+        }
     }
 
-    /** Whether the newest sample has another status than this, or there is none. */
+    /** The samples of a series at one instant; any thread may read them. */
+    public static final class Samples {
+        private final List<Block> blocks;
+        private final int count;
+
+        private Samples(List<Block> blocks, int count) {
+            this.blocks = blocks;
+            this.count = count;
+        }
+
+        /** Writes a header, then one line per sample: seconds, metres, and degrees anticlockwise from +X. */
+        public void writeCsv(Appendable out) throws IOException {
+            out.append(HEADER).append('\n');
+            for (int i = 0; i < count; i++) {
+                Block block = blocks.get(i / BLOCK_SAMPLES);
+                int at = i % BLOCK_SAMPLES;
+                Pose pose = block.pose(at);
+                out.append(String.format(Locale.ROOT, "%.2f", block.times[at] * 1e-9))
+                        .append(',')
+                        .append(pose.xText(4))
+                        .append(',')
+                        .append(pose.yText(4))
+                        .append(',')
+                        .append(pose.headingText(2))
+                        .append(',')
+                        .append(block.statuses[at].text())
+                        .append('\n');
+            }
+        }
+
+        /** The text of {@link #writeCsv}. */
+        public String csv() {
+            StringBuilder text = new StringBuilder();
+            try {
+                writeCsv(text);
+            } catch (IOException e) {
+                throw new AssertionError("a StringBuilder throws no IOException", e);
+            }
+            return text.toString();
+        }
+    }
+
+    private final Deque<Block> blocks = new ArrayDeque<>();
+    private int count;
+    private long lastNanos;
+    private Pose lastPose;
+    private RobotStatus lastStatus;
+
+    /** An empty series. */
+    public TrackSeries() {}
+
+    /** Whether pose or status differ from the newest sample. */
+    public boolean isNews(Pose pose, RobotStatus status) {
+        return isNews(status) || !lastPose.equals(pose);
+    }
+
+    /** Whether the status differs from the newest sample's, or there is none. */
     public boolean isNews(RobotStatus status) {
-        return count == 0 || statuses[count - 1] != status;
+        return lastStatus != status;
     }
 
     /**
-     * Takes a sample. Who has stood for long is told to have stood until now: nobody is to think of a slow way.
+     * Adds a sample. After more than one period without one, the old pose is repeated just before it, so that readers do not
+     * interpolate a slow motion.
      *
-     * @param room for so many samples; the oldest make room
+     * @param room maximum number of samples; the oldest are dropped beyond it
      */
-    public void take(long timeNanos, Pose pose, RobotStatus status, int room) {
-        int last = count - 1;
-        if (last >= 0 && timeNanos - times[last] > PERIOD_NANOS) {
-            add(timeNanos - PERIOD_NANOS, xs[last], ys[last], headings[last], statuses[last], room);
+    public void add(long timeNanos, Pose pose, RobotStatus status, int room) {
+        if (count > 0 && timeNanos - lastNanos > PERIOD_NANOS) {
+            append(timeNanos - PERIOD_NANOS, lastPose, lastStatus, room);
         }
-        appear(timeNanos, pose, status, room);
+        append(timeNanos, pose, status, room);
     }
 
-    /** Takes the sample of one that was not there just before: nothing is said of the time between. */
-    public void appear(long timeNanos, Pose pose, RobotStatus status, int room) {
-        add(timeNanos, pose.xMeters(), pose.yMeters(), pose.headingDegrees(), status, room);
-    }
-
-    private void add(long timeNanos, double x, double y, double heading, RobotStatus status, int room) {
-        if (count >= room) {
-            drop(Math.max(1, count - room + room / 8));
+    /** Adds a sample and repeats nothing before it, as for a robot that was absent until now. */
+    public void append(long timeNanos, Pose pose, RobotStatus status, int room) {
+        int at = count % BLOCK_SAMPLES;
+        if (at == 0) {
+            while (count > 0 && count + BLOCK_SAMPLES > room) {
+                blocks.removeFirst();
+                count -= BLOCK_SAMPLES;
+            }
+            blocks.addLast(new Block());
         }
-        if (count == times.length) {
-            grow(2 * count);
-        }
-        times[count] = timeNanos;
-        xs[count] = x;
-        ys[count] = y;
-        headings[count] = heading;
-        statuses[count++] = status;
+        Block block = blocks.getLast();
+        block.times[at] = timeNanos;
+        block.poses[3 * at] = pose.xMeters();
+        block.poses[3 * at + 1] = pose.yMeters();
+        block.poses[3 * at + 2] = pose.headingDegrees();
+        block.statuses[at] = status;
+        count++;
+        lastNanos = timeNanos;
+        lastPose = pose;
+        lastStatus = status;
     }
 
-    private void drop(int oldest) {
-        count -= oldest;
-        System.arraycopy(times, oldest, times, 0, count);
-        System.arraycopy(xs, oldest, xs, 0, count);
-        System.arraycopy(ys, oldest, ys, 0, count);
-        System.arraycopy(headings, oldest, headings, 0, count);
-        System.arraycopy(statuses, oldest, statuses, 0, count);
-    }
-
-    private void grow(int length) {
-        times = Arrays.copyOf(times, length);
-        xs = Arrays.copyOf(xs, length);
-        ys = Arrays.copyOf(ys, length);
-        headings = Arrays.copyOf(headings, length);
-        statuses = Arrays.copyOf(statuses, length);
-    }
-
-    /** A header, then a line for each sample; seconds, metres, and degrees anticlockwise from +X. */
-    public String csv() {
-        StringBuilder text = new StringBuilder(HEADER).append('\n');
-        for (int i = 0; i < count; i++) {
-            Pose pose = new Pose(xs[i], ys[i], headings[i]);
-            text.append(String.format(Locale.ROOT, "%.2f", times[i] * 1e-9)).append(',');
-            text.append(pose.xText(4)).append(',').append(pose.yText(4)).append(',');
-            text.append(pose.headingText(2)).append(',');
-            text.append(statuses[i].text()).append('\n');
-        }
-        return text.toString();
+    /** All samples so far; later ones do not change the result. */
+    public Samples samples() {
+        return new Samples(new ArrayList<>(blocks), count);
     }
 }

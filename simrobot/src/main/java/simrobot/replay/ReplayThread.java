@@ -18,6 +18,8 @@ public final class ReplayThread implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(ReplayThread.class.getName());
     private static final long FRAME_NANOS = 10_000_000;
     /** As fast as it can: so much simulated time between two pictures. */
+    private static final long CLOSE_MILLIS = 5000;
+
     private static final long LEAP_NANOS = 1_000_000_000L;
 
     private final Recording recording;
@@ -30,6 +32,8 @@ public final class ReplayThread implements AutoCloseable {
     private volatile double speed = 1;
     private volatile boolean closed;
     private volatile Consumer<RecordedEvent> listener = event -> {};
+    private volatile Consumer<Throwable> onFailure =
+            fault -> LOG.log(Level.ERROR, "the replay has ended by a fault", fault);
     private double positionNanos;
     private int nextEvent;
 
@@ -65,6 +69,11 @@ public final class ReplayThread implements AutoCloseable {
     /** Told each event as it is played, on this thread; those that are jumped over are not told. */
     public void onEvent(Consumer<RecordedEvent> told) {
         listener = told;
+    }
+
+    /** Sets what happens when an error ends the replay: called once, as the thread's last act. */
+    public void onFailure(Consumer<Throwable> faultListener) {
+        onFailure = faultListener;
     }
 
     /** Jumps there, forward or back; within the recording. */
@@ -127,7 +136,7 @@ public final class ReplayThread implements AutoCloseable {
         post(() -> closed = true);
         try {
             if (Thread.currentThread() != thread) {
-                thread.join();
+                thread.join(CLOSE_MILLIS);
             }
             recording.close();
         } catch (InterruptedException interrupted) {
@@ -138,6 +147,15 @@ public final class ReplayThread implements AutoCloseable {
     }
 
     private void run() {
+        try {
+            loop();
+        } catch (RuntimeException | Error fault) {
+            LOG.log(Level.DEBUG, "the replay ends by a fault", fault);
+            onFailure.accept(fault);
+        }
+    }
+
+    private void loop() {
         long before = System.nanoTime();
         while (!closed) {
             try {

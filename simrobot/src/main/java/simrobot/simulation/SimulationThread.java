@@ -9,24 +9,26 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * The one thread that owns a simulation and gives it a pace: simulated seconds per second. Acts come in through
- * {@link #post} and are handled at once, between two steps; pictures go out through {@link #snapshot}.
+ * The one thread that owns a simulation and gives it a pace in simulated seconds per second. Other threads post acts, which
+ * run between two steps, and read immutable snapshots.
  *
- * <p>Wall time is banked and paid out in whole steps, so no step is lost or invented; after a stall the debt is cut.
+ * <p>Elapsed real time is converted to whole steps; the remainder is carried over. After a stall of more than 250 ms the rest
+ * of the debt is dropped.
  */
 public final class SimulationThread implements Executor, AutoCloseable {
-    /** The pace that is no pace: steps follow each other as fast as the machine can. */
+    /** A speed without limit: steps follow each other as fast as the machine can. */
     public static final double AS_FAST_AS_IT_CAN = Double.POSITIVE_INFINITY;
 
     private static final Logger LOG = System.getLogger(SimulationThread.class.getName());
 
-    /** After a stall (a suspended laptop) at most this much wall time is caught up. */
+    /** Real time that is made up for after a stall, such as a suspended laptop. */
     private static final long MAX_DEBT_NANOS = 250_000_000;
 
-    /** Acts wait at most this long behind a run of steps. */
+    /** Longest run of steps before posted acts are performed. */
     private static final long BURST_NANOS = 4_000_000;
 
     private static final long SNAPSHOT_NANOS = 15_000_000;
+    private static final long CLOSE_MILLIS = 5000;
 
     private final Simulation simulation;
     private final BlockingQueue<Runnable> acts = new LinkedBlockingQueue<>();
@@ -36,14 +38,17 @@ public final class SimulationThread implements Executor, AutoCloseable {
     private volatile double speed = 1;
     private volatile boolean paused;
     private volatile boolean closed;
-    private volatile Consumer<Throwable> failed = fault -> {};
+    private volatile Consumer<Throwable> onFailure =
+            fault -> LOG.log(Level.ERROR, "the simulation has ended by a fault", fault);
 
-    // the thread's own
+    // ---- owned by the thread -------------------------------------------------------------------------------------
     private long bankNanos;
     private boolean changed;
     private long publishedAt;
+    /** True during a step, and for ever after one that failed. */
+    private boolean stepping;
 
-    /** A thread that has not started; until then its maker may still touch the simulation. */
+    /** A thread that has not started; until then the caller may still use the simulation. */
     public SimulationThread(Simulation simulation) {
         this.simulation = simulation;
         newest = simulation.snapshot();
@@ -52,18 +57,18 @@ public final class SimulationThread implements Executor, AutoCloseable {
     }
 
     /**
-     * Who is told, on this thread as its last act, that the simulation has ended by a fault. Do not wait for the thread
-     * from within.
+     * Sets what happens when a step or an error ends the simulation: called once, as the thread's last act. It must not wait
+     * for this thread.
      */
-    public void onFailure(Consumer<Throwable> told) {
-        failed = told;
+    public void onFailure(Consumer<Throwable> listener) {
+        onFailure = listener;
     }
 
     public void start() {
         thread.start();
     }
 
-    /** Has the act done on the owner thread, before the next step. Acts keep their order. */
+    /** Performs the act on the owner thread, before the next step. Acts keep their order. */
     public void post(Runnable act) {
         acts.add(act);
     }
@@ -112,22 +117,22 @@ public final class SimulationThread implements Executor, AutoCloseable {
 
     /** Makes one step; meant for a paused simulation. */
     public void stepOnce() {
-        post(simulation::step);
+        post(this::step);
     }
 
-    /** The newest picture; asking is what makes the thread take the next one. */
+    /** The newest snapshot. Asking for one makes the thread take the next: without readers it takes none. */
     public SimulationSnapshot snapshot() {
         wanted = true;
         return newest;
     }
 
-    /** Ends the thread, once the acts posted before this are done. Safe to call twice. */
+    /** Ends the thread after the acts posted so far; waits for it at most 5 s. Safe to call twice. */
     @Override
     public void close() {
         post(() -> closed = true);
         if (!isOwner() && thread.isAlive()) {
             try {
-                thread.join();
+                thread.join(CLOSE_MILLIS);
             } catch (InterruptedException interrupted) {
                 Thread.currentThread().interrupt();
             }
@@ -138,9 +143,8 @@ public final class SimulationThread implements Executor, AutoCloseable {
         try {
             loop();
         } catch (RuntimeException | Error fault) {
-            LOG.log(Level.ERROR, "the simulation ends by a fault: {0}", fault.toString());
-            LOG.log(Level.DEBUG, "where it failed", fault);
-            failed.accept(fault);
+            LOG.log(Level.DEBUG, "the simulation ends by a fault", fault);
+            onFailure.accept(fault);
         }
     }
 
@@ -148,20 +152,20 @@ public final class SimulationThread implements Executor, AutoCloseable {
         long before = System.nanoTime();
         while (!closed) {
             try {
-                awaitAct(pauseNanos());
+                performActs(waitNanos());
             } catch (InterruptedException interrupted) {
                 LOG.log(Level.WARNING, "the simulation's thread was interrupted and ends");
                 return;
             }
             long now = System.nanoTime();
-            payOut(now - before);
+            makeSteps(now - before);
             before = now;
             publish(now);
         }
     }
 
-    /** How long nothing is due. */
-    private long pauseNanos() {
+    /** Time until the next step or snapshot is due. */
+    private long waitNanos() {
         long picture = changed ? SNAPSHOT_NANOS : 100_000_000;
         if (paused) {
             return picture;
@@ -170,8 +174,8 @@ public final class SimulationThread implements Executor, AutoCloseable {
         return Math.max(0, Math.min(picture, (long) toStep));
     }
 
-    private void awaitAct(long nanos) throws InterruptedException {
-        Runnable act = acts.poll(nanos, TimeUnit.NANOSECONDS);
+    private void performActs(long waitNanos) throws InterruptedException {
+        Runnable act = acts.poll(waitNanos, TimeUnit.NANOSECONDS);
         while (act != null) {
             perform(act);
             changed = true;
@@ -179,16 +183,26 @@ public final class SimulationThread implements Executor, AutoCloseable {
         }
     }
 
-    /** A faulty act is logged; the robots go on. */
-    private static void perform(Runnable act) {
+    /** Logs an act that fails, and goes on; a step that fails leaves the world half moved, so it ends the simulation. */
+    private void perform(Runnable act) {
         try {
             act.run();
         } catch (RuntimeException fault) {
+            if (stepping) {
+                throw fault;
+            }
             LOG.log(Level.ERROR, "an act on the simulation failed", fault);
         }
     }
 
-    private void payOut(long wallNanos) {
+    private void step() {
+        stepping = true;
+        simulation.step();
+        stepping = false;
+        changed = true;
+    }
+
+    private void makeSteps(long wallNanos) {
         if (paused) {
             bankNanos = 0;
             return;
@@ -197,16 +211,14 @@ public final class SimulationThread implements Executor, AutoCloseable {
         if (speed == AS_FAST_AS_IT_CAN) {
             bankNanos = 0;
             do {
-                perform(simulation::step);
+                step();
             } while (System.nanoTime() < end && acts.isEmpty());
-            changed = true;
             return;
         }
         bankNanos += (long) (Math.min(wallNanos, MAX_DEBT_NANOS) * speed);
         while (bankNanos >= Simulation.STEP_NANOS && acts.isEmpty() && System.nanoTime() < end) {
-            perform(simulation::step);
+            step();
             bankNanos -= Simulation.STEP_NANOS;
-            changed = true;
         }
         bankNanos = Math.min(bankNanos, Math.max(Simulation.STEP_NANOS, (long) (MAX_DEBT_NANOS * speed)));
     }

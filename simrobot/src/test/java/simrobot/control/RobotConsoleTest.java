@@ -86,7 +86,7 @@ class RobotConsoleTest {
         RobotConsole robotConsole = new RobotConsole(
                 simRobot,
                 fleet,
-                new FileExports(simRobot, (scene, robot, ending) -> (robot + ending).getBytes()),
+                new FileExports(simRobot.tracks()::csv, (scene, robot, ending) -> (robot + ending).getBytes()),
                 WorldReader::read,
                 console::emit);
         console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);

@@ -5,9 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -107,6 +112,44 @@ class SimulationThreadTest {
         });
         assertEquals("a fault made by a test", told.get(20, TimeUnit.SECONDS).getMessage());
         thread.close();
+    }
+
+    private static final class FailingSteps implements LongConsumer {
+        private final AtomicInteger calls = new AtomicInteger();
+
+        @Override
+        public void accept(long nanos) {
+            calls.incrementAndGet();
+            throw new IllegalStateException("a fault made by a test");
+        }
+    }
+
+    @Test
+    void aStepThatFailsEndsTheSimulationAtOnceAndIsToldOnce() throws Exception {
+        Queue<Throwable> told = new ConcurrentLinkedQueue<>();
+        CountDownLatch ended = new CountDownLatch(1);
+        thread.onFailure(fault -> {
+            told.add(fault);
+            ended.countDown();
+        });
+        FailingSteps steps = new FailingSteps();
+        thread.withSimulation(owned -> owned.addStepListener(steps));
+        assertTrue(ended.await(20, TimeUnit.SECONDS));
+        thread.close();
+        assertEquals(1, steps.calls.get());
+        assertEquals(
+                List.of("a fault made by a test"),
+                told.stream().map(Throwable::getMessage).toList());
+    }
+
+    @Test
+    void aSingleStepThatFailsEndsTheSimulationToo() throws Exception {
+        CompletableFuture<Throwable> told = new CompletableFuture<>();
+        thread.onFailure(told::complete);
+        thread.setPaused(true);
+        thread.withSimulation(owned -> owned.addStepListener(new FailingSteps()));
+        thread.stepOnce();
+        assertEquals("a fault made by a test", told.get(20, TimeUnit.SECONDS).getMessage());
     }
 
     @Test
