@@ -26,38 +26,39 @@ class LayeringTest {
      * the packages have no circles.
      */
     private static final Map<String, Set<String>> MAY_USE = rows("""
+            simgsm.octets            :
             simgsm.state             :
             simgsm.timer             :
             vericommand              : simgsm.state
-            simgsm.air               :
-            simgsm.abis              : simgsm.air
-            simgsm.sim               : simgsm.air
-            simgsm.sms               : simgsm.air
+            simgsm.air               : simgsm.octets
+            simgsm.abis              : simgsm.octets simgsm.timer simgsm.air
+            simgsm.sim               : simgsm.octets simgsm.air
+            simgsm.sms               : simgsm.octets simgsm.air
             simgsm.dtmf              :
             simgsm.speech            :
             simgsm.console           :
             simgsm.audio             : simgsm.speech
             simgsm.ui                : simgsm.console simgsm.dtmf simgsm.speech
-            simgsm.station           : simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech
+            simgsm.station           : simgsm.octets simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station
-            simgsm.tools.fuzz        : simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
-            simgsm.tools             : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
+            simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
+            simgsm.tools             : simgsm.sms simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
             simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
             simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.ui simgsm.phone.handset
             simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim
-            simgsm.center.smsc       : simgsm.state simgsm.timer simgsm.air simgsm.sms
-            simgsm.center.journal    : simgsm.air simgsm.sms simgsm.center.smsc
-            simgsm.center.smpp       : simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc
-            simgsm.center.msc        : simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.smsc simgsm.center.smpp
+            simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
+            simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
+            simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc
+            simgsm.center.msc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.smsc simgsm.center.smpp
             simgsm.center.capture    : simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.air simgsm.abis simgsm.center.smpp simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui         : simgsm.air simgsm.abis simgsm.sms simgsm.ui simgsm.center.smsc simgsm.center.msc
-            simgsm.center.app        : simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.ui simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
+            simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ui simgsm.center.smsc simgsm.center.msc
+            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.ui simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui simgsm.center.msc simgsm.center.app
-            simgsm.center            : simgsm.air simgsm.console simgsm.ui simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
+            simgsm.center            : simgsm.console simgsm.ui simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.editor          : simrobot.world

@@ -11,11 +11,11 @@ import java.time.Instant;
 import java.util.Optional;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 
 /** Store entries as octets: a kind, then the fields in their order, as {@link DataOutputStream} writes them. */

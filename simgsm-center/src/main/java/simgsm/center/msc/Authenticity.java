@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.MobilityManagement;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.timer.Timer;

@@ -7,7 +7,7 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import simgsm.air.Direction;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 
 /** The latest signalling messages; older ones are forgotten. */

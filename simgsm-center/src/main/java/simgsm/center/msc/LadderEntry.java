@@ -1,7 +1,7 @@
 package simgsm.center.msc;
 
 import java.time.Instant;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * One signalling message on its way, a rung of the ladder.

@@ -14,9 +14,9 @@ import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.MessageText;
-import simgsm.air.OctetString;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
+import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
 
 /**

@@ -3,11 +3,11 @@ package simgsm.center.msc;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.OctetString;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.DeliveryReceipt;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 
 /** The short message transactions of one link: what the mobile sends, and the one message that it is being given. */

@@ -10,11 +10,11 @@ import simgsm.air.Layer3Message;
 import simgsm.air.Layer3Type;
 import simgsm.air.MessageText;
 import simgsm.air.MobilityManagement;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;
+import simgsm.octets.OctetString;
 
 /** Uplink signalling: from the radio link's message to the protocol that it is for. */
 final class SignallingDispatcher {

@@ -3,13 +3,13 @@ package simgsm.center.msc;
 import java.time.Duration;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 

@@ -1,7 +1,7 @@
 package simgsm.center.msc;
 
 import simgsm.air.Direction;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Sees every signalling message that passes, for the ladder of the window. */
 interface Trace {

@@ -1,10 +1,10 @@
 package simgsm.center.smpp;
 
 import java.util.List;
-import simgsm.air.OctetString;
 import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
+import simgsm.octets.OctetString;
 import simgsm.sms.Alphabet;
 import simgsm.sms.DeliveryStatus;
 import simgsm.sms.SmsAddress;

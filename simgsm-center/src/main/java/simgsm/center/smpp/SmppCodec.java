@@ -1,7 +1,7 @@
 package simgsm.center.smpp;
 
 import java.util.Optional;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** PDUs from octets; {@link SmppEncoder} goes the other way. */
 public final class SmppCodec {

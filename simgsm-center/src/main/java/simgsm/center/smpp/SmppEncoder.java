@@ -1,7 +1,7 @@
 package simgsm.center.smpp;
 
 import java.nio.charset.StandardCharsets;
-import simgsm.air.OctetWriter;
+import simgsm.octets.OctetWriter;
 
 /** PDUs to octets. */
 final class SmppEncoder {

@@ -2,7 +2,7 @@ package simgsm.center.smpp;
 
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * What submit_sm, deliver_sm and data_sm carry (4.4.1, 4.6.1, 4.7.1).

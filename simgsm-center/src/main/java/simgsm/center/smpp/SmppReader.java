@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Reads the octets of one PDU in order; the end comes as {@link SmppViolation}, never as an index error. */
 final class SmppReader {

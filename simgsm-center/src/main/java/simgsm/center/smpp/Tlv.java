@@ -1,7 +1,7 @@
 package simgsm.center.smpp;
 
 import java.nio.charset.StandardCharsets;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** One optional parameter (5.3). */
 public record Tlv(int tag, OctetString value) {

@@ -1,7 +1,7 @@
 package simgsm.center.smsc;
 
 import java.time.Instant;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Something that waits in a receiver's queue. */
 public sealed interface Envelope {

@@ -3,7 +3,7 @@ package simgsm.center.smsc;
 import java.time.Instant;
 import java.util.Optional;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.UserData;
 

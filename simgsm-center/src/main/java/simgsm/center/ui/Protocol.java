@@ -27,7 +27,7 @@ enum Protocol {
         if (entry.octets().length() == 0) {
             return RADIO_RESOURCE;
         }
-        switch (entry.octets().reader().peek() & DISCRIMINATOR_MASK) {
+        switch (entry.octets().octet(0) & DISCRIMINATOR_MASK) {
             case 3:
                 return CALL_CONTROL;
             case 5:

@@ -18,12 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 
 class JournalTest {

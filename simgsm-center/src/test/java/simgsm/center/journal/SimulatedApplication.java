@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
-import simgsm.air.OctetString;
 import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppAddress;
@@ -22,6 +21,7 @@ import simgsm.center.smpp.SmppPdu;
 import simgsm.center.smpp.SmppPort;
 import simgsm.center.smpp.SmppStatus;
 import simgsm.center.smpp.SmppViolation;
+import simgsm.octets.OctetString;
 
 /** An application that serves a number over SMPP: it answers late, refuses, vanishes, and shows each message once. */
 final class SimulatedApplication implements SmppPort {

@@ -18,7 +18,6 @@ import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage.RpData;
 import simgsm.air.ShortMessageControl.CpData;
@@ -29,6 +28,7 @@ import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
+import simgsm.octets.OctetString;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.TpduCodec;
 

@@ -8,12 +8,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.RslMessage;
 import simgsm.air.MobilityManagement;
-import simgsm.air.OctetString;
 import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.smsc.MessageState;
+import simgsm.octets.OctetString;
 
 /** Short messages from mobiles to the centre. */
 class OriginatingMessageTest extends MessageStage {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Imsi;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;

@@ -20,12 +20,12 @@ import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 

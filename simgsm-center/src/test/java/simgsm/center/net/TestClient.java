@@ -20,8 +20,8 @@ import simgsm.air.Layer3Message;
 import simgsm.air.LocationArea;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 /** A terminal on a real socket, whose octets go out as the test wants them. */
 final class TestClient implements AutoCloseable {

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.sms.Concatenation;
 import simgsm.sms.UserData;
 

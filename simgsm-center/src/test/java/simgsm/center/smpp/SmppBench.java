@@ -150,7 +150,7 @@ public final class SmppBench {
                 0,
                 0,
                 0,
-                simgsm.air.OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
+                simgsm.octets.OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
                 List.of());
         return SmppCodec.encode(new SmppPdu.Message(SmppCommand.SUBMIT_SM, 0, message));
     }

@@ -8,7 +8,7 @@ import java.net.Socket;
 import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** An application on a real socket, one PDU after the other; also sends what no application should. */
 public final class SmppClient implements AutoCloseable {

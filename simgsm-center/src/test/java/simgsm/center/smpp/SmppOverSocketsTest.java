@@ -26,11 +26,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import simgsm.air.OctetString;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smsc.MemoryStore;
+import simgsm.octets.OctetString;
 
 /** The whole way over loopback sockets, as a client of another house would try it. */
 @Timeout(60)

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** What became of a message: receipts, questions, recalls. */
 class SmppReceiptTest extends SmppStage {

@@ -14,7 +14,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Semaphore;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.SpeechSource;

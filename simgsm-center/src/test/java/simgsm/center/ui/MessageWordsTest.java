@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import simgsm.air.OctetString;
 import simgsm.center.msc.LadderEntry;
+import simgsm.octets.OctetString;
 
 class MessageWordsTest {
     @Test

@@ -2,9 +2,9 @@ package simgsm.abis;
 
 import java.nio.charset.StandardCharsets;
 import simgsm.air.Cause;
-import simgsm.air.OctetReader;
-import simgsm.air.OctetWriter;
+import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetWriter;
 
 /** Connection control messages to the payload of an {@link IpaFrame#CCM} frame and back. */
 public final class CcmCodec {
@@ -43,7 +43,7 @@ public final class CcmCodec {
     }
 
     public static CcmMessage decode(byte[] payload) throws ProtocolViolation {
-        OctetReader in = new OctetReader(payload);
+        MessageReader in = new MessageReader(payload);
         int type = in.octet("CCM message type");
         switch (type) {
             case PING:
@@ -66,11 +66,11 @@ public final class CcmCodec {
         out.twoOctets(octets.length + 2).octet(tag).bytes(octets).octet(0);
     }
 
-    private static CcmMessage identityResponse(OctetReader in) throws ProtocolViolation {
+    private static CcmMessage identityResponse(MessageReader in) throws ProtocolViolation {
         String unitName = "";
         String serialNumber = "";
         while (in.hasMore()) {
-            OctetReader element = in.part(in.twoOctets("identity tag length"), "identity tag");
+            MessageReader element = in.part(in.twoOctets("identity tag length"), "identity tag");
             int tag = element.octet("identity tag");
             if (tag == UNIT_NAME_TAG) {
                 unitName = text(element);
@@ -82,7 +82,7 @@ public final class CcmCodec {
     }
 
     /** Up to the closing zero, if there is one. Control characters are refused: names end up in logs and windows. */
-    private static String text(OctetReader element) throws ProtocolViolation {
+    private static String text(MessageReader element) throws ProtocolViolation {
         String text = new String(element.rest().toArray(), StandardCharsets.UTF_8);
         int zero = text.indexOf('\0');
         String name = zero < 0 ? text : text.substring(0, zero);

@@ -10,11 +10,11 @@ import simgsm.abis.RslMessage.Sapi;
 import simgsm.abis.RslMessage.SmsBroadcastCommand;
 import simgsm.air.Cause;
 import simgsm.air.IdentityElements;
+import simgsm.air.MessageReader;
 import simgsm.air.MobileIdentity;
-import simgsm.air.OctetReader;
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** RSL messages to the payload of an {@link IpaFrame#RSL} frame and back (TS 48.058, 8 and 9). */
 public final class RslCodec {
@@ -72,7 +72,7 @@ public final class RslCodec {
     }
 
     public static RslMessage decode(byte[] payload) throws ProtocolViolation {
-        OctetReader in = new OctetReader(payload);
+        MessageReader in = new MessageReader(payload);
         int discriminator = in.octet("RSL discriminator") & DISCRIMINATOR_MASK;
         int type = in.octet("RSL message type");
         expect(in, CHANNEL_NUMBER, "channel number");
@@ -121,7 +121,7 @@ public final class RslCodec {
         return out.octet(BROADCAST_MESSAGE).octet(page.length()).string(page).toArray();
     }
 
-    private static RslMessage radioLink(int type, OctetReader in) throws ProtocolViolation {
+    private static RslMessage radioLink(int type, MessageReader in) throws ProtocolViolation {
         expect(in, LINK_IDENTIFIER, "link identifier");
         Sapi sapi = sapi(in.octet("link identifier"));
         switch (type) {
@@ -135,14 +135,14 @@ public final class RslCodec {
                 return new ReleaseIndication(sapi);
             case ERROR_INDICATION:
                 expect(in, LINK_CAUSE, "link layer cause");
-                OctetReader cause = in.lengthAndValue("link layer cause");
+                MessageReader cause = in.lengthAndValue("link layer cause");
                 return new ErrorIndication(sapi, cause.octet("link layer cause") & 0x7f);
             default:
                 throw unknown(RADIO_LINK_LAYER, type);
         }
     }
 
-    private static RslMessage commonChannel(int type, OctetReader in) throws ProtocolViolation {
+    private static RslMessage commonChannel(int type, MessageReader in) throws ProtocolViolation {
         if (type == PAGING_COMMAND) {
             expect(in, PAGING_GROUP, "paging group");
             in.octet("paging group");
@@ -153,14 +153,14 @@ public final class RslCodec {
             expect(in, BROADCAST_COMMAND_TYPE, "broadcast command type");
             in.octet("broadcast command type");
             expect(in, BROADCAST_MESSAGE, "broadcast message");
-            OctetReader page = in.lengthAndValue("broadcast message");
+            MessageReader page = in.lengthAndValue("broadcast message");
             return new SmsBroadcastCommand(page.string(SmsBroadcastCommand.PAGE_LENGTH, "cell broadcast page"));
         }
         throw unknown(COMMON_CHANNEL, type);
     }
 
     /** Nothing may follow layer 3: octets there would mean that the length lies. */
-    private static OctetString layer3(OctetReader in) throws ProtocolViolation {
+    private static OctetString layer3(MessageReader in) throws ProtocolViolation {
         expect(in, LAYER_3_INFORMATION, "layer 3 information");
         int length = in.twoOctets("layer 3 length");
         if (length != in.remaining()) {
@@ -184,7 +184,7 @@ public final class RslCodec {
         }
     }
 
-    private static void expect(OctetReader in, int element, String what) throws ProtocolViolation {
+    private static void expect(MessageReader in, int element, String what) throws ProtocolViolation {
         int found = in.octet(what);
         if (found != element) {
             throw new ProtocolViolation(

@@ -1,7 +1,7 @@
 package simgsm.abis;
 
 import simgsm.air.MobileIdentity;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * Radio signalling link messages (TS 48.058, 8) as far as a terminal with a small cell of its own needs them. Layer 3

@@ -1,7 +1,7 @@
 package simgsm.abis;
 
 import simgsm.air.Cause;
-import simgsm.air.OctetReader;
+import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 
 /**
@@ -56,7 +56,7 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
     }
 
     public static RtpPacket decode(byte[] octets) throws ProtocolViolation {
-        OctetReader in = new OctetReader(octets);
+        MessageReader in = new MessageReader(octets);
         int flags = in.octet("RTP header");
         if ((flags & 0xc0) != VERSION_2 || (flags & PADDING_FLAG) != 0) {
             throw new ProtocolViolation(

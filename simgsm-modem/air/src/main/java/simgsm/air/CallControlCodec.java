@@ -21,6 +21,8 @@ import simgsm.air.CallControl.StatusEnquiry;
 import simgsm.air.CallControl.StopDtmf;
 import simgsm.air.CallControl.StopDtmfAcknowledge;
 import simgsm.air.OptionalElements.FixedElements;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** What follows the message type in call control messages (TS 24.008, 9.3). */
 final class CallControlCodec {
@@ -92,7 +94,7 @@ final class CallControlCodec {
         cause.ifPresent(value -> CauseElement.write(out.octet(CAUSE), value));
     }
 
-    static CallControl read(Layer3Type type, TransactionIdentifier transaction, OctetReader in, Direction direction)
+    static CallControl read(Layer3Type type, TransactionIdentifier transaction, MessageReader in, Direction direction)
             throws ProtocolViolation {
         switch (type) {
             case SETUP:
@@ -114,7 +116,7 @@ final class CallControlCodec {
         }
     }
 
-    private static CallControl readPlain(Layer3Type type, TransactionIdentifier transaction, OctetReader in)
+    private static CallControl readPlain(Layer3Type type, TransactionIdentifier transaction, MessageReader in)
             throws ProtocolViolation {
         switch (type) {
             case CALL_PROCEEDING:
@@ -144,7 +146,7 @@ final class CallControlCodec {
     }
 
     /** Uplink a called number is mandatory; one that cannot be read, such as *21#, is left out (cause 28 is the network's). */
-    private static Setup readSetup(TransactionIdentifier transaction, OctetReader in, Direction direction)
+    private static Setup readSetup(TransactionIdentifier transaction, MessageReader in, Direction direction)
             throws ProtocolViolation {
         Optional<Signal> signal = Optional.empty();
         Optional<Msisdn> calling = Optional.empty();
@@ -168,7 +170,7 @@ final class CallControlCodec {
     }
 
     /** A signal that we do not know is passed over. */
-    private static Optional<Signal> readSignal(OctetReader value) throws ProtocolViolation {
+    private static Optional<Signal> readSignal(MessageReader value) throws ProtocolViolation {
         int code = value.octet("signal");
         return Arrays.stream(Signal.values())
                 .filter(each -> each.code() == code)
@@ -176,7 +178,7 @@ final class CallControlCodec {
     }
 
     /** Clears the call even if its cause cannot be read; cause 96 then stands for it (TS 24.008, 8.5.2). */
-    private static Disconnect readDisconnect(TransactionIdentifier transaction, OctetReader in) {
+    private static Disconnect readDisconnect(TransactionIdentifier transaction, MessageReader in) {
         try {
             return new Disconnect(transaction, CauseElement.read(in), readInBand(in));
         } catch (ProtocolViolation broken) {
@@ -185,7 +187,7 @@ final class CallControlCodec {
     }
 
     /** Clears the call whatever the elements say (TS 24.008, 8.5.3 and 8.5.4). */
-    private static Optional<Cause> readOptionalCause(OctetReader in) {
+    private static Optional<Cause> readOptionalCause(MessageReader in) {
         OptionalElements elements = new OptionalElements(in, FixedElements.CALL_CONTROL, CAUSE);
         try {
             for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
@@ -200,7 +202,7 @@ final class CallControlCodec {
     }
 
     /** Whether a progress indicator asks the mobile to listen to what the network plays (TS 24.008, 10.5.4.21, value 8). */
-    private static boolean readInBand(OctetReader in) throws ProtocolViolation {
+    private static boolean readInBand(MessageReader in) throws ProtocolViolation {
         OptionalElements elements =
                 new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
         boolean inBand = false;
@@ -213,7 +215,7 @@ final class CallControlCodec {
         return inBand;
     }
 
-    private static char readKey(OctetReader in) throws ProtocolViolation {
+    private static char readKey(MessageReader in) throws ProtocolViolation {
         if (in.octet("keypad facility") != KEYPAD_FACILITY) {
             throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, "keypad facility is missing");
         }
@@ -226,7 +228,7 @@ final class CallControlCodec {
     }
 
     /** Reads over what follows; a bearer capability may stand in several messages, and all ours carry speech. */
-    private static void checkOptional(OctetReader in) throws ProtocolViolation {
+    private static void checkOptional(MessageReader in) throws ProtocolViolation {
         OptionalElements elements =
                 new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
         while (elements.next() >= 0) {

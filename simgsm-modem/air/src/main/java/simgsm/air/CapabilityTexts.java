@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import simgsm.air.MessageText.Field;
 import simgsm.air.OptionalElements.FixedElements;
+import simgsm.octets.OctetString;
 
 /**
  * What a terminal says that it can do, for people who watch. Nothing here depends on it, so the messages' records pass
@@ -33,7 +34,7 @@ final class CapabilityTexts {
     static void add(List<Field> fields, Layer3Message message, OctetString octets, Direction direction)
             throws ProtocolViolation {
         if (message instanceof CallControl.Setup) {
-            addBearer(fields, octets.reader(), direction);
+            addBearer(fields, new MessageReader(octets), direction);
         } else if (message instanceof MobilityManagement.LocationUpdatingRequest) {
             addClassmark(fields, octets, AFTER_AREA);
         } else if (message instanceof MobilityManagement.ImsiDetachIndication) {
@@ -44,7 +45,7 @@ final class CapabilityTexts {
         }
     }
 
-    private static void addBearer(List<Field> fields, OctetReader in, Direction direction) throws ProtocolViolation {
+    private static void addBearer(List<Field> fields, MessageReader in, Direction direction) throws ProtocolViolation {
         in.part(2, "header");
         OptionalElements elements =
                 new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
@@ -57,7 +58,7 @@ final class CapabilityTexts {
         }
     }
 
-    private static String bearer(OctetReader in, Direction direction) throws ProtocolViolation {
+    private static String bearer(MessageReader in, Direction direction) throws ProtocolViolation {
         int octet = in.octet("bearer capability");
         List<String> words = new ArrayList<>();
         words.add(TRANSFERS.get(octet & 0x07));

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.OctetWriter;
 
 /** The call control cause (TS 24.008, 10.5.4.11): coding and location, then the cause with its highest bit set. */
 final class CauseElement {
@@ -16,11 +17,11 @@ final class CauseElement {
         out.octet(2).octet(GSM_USER).octet(LAST_OCTET | cause.code());
     }
 
-    static Cause read(OctetReader in) throws ProtocolViolation {
+    static Cause read(MessageReader in) throws ProtocolViolation {
         return readValue(in.lengthAndValue("cause"));
     }
 
-    static Cause readValue(OctetReader value) throws ProtocolViolation {
+    static Cause readValue(MessageReader value) throws ProtocolViolation {
         int coding = value.octet("cause");
         if ((coding & LAST_OCTET) == 0) {
             value.octet("cause's recommendation");
@@ -29,7 +30,7 @@ final class CauseElement {
     }
 
     /** Empty for a broken one. */
-    static Optional<Cause> readOptional(OctetReader value) {
+    static Optional<Cause> readOptional(MessageReader value) {
         try {
             return Optional.of(readValue(value));
         } catch (ProtocolViolation broken) {

@@ -1,5 +1,7 @@
 package simgsm.air;
 
+import simgsm.octets.OctetWriter;
+
 /** Mobile identity and location area as they stand in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
 public final class IdentityElements {
     /** In the first octet of an identity: an odd number of digits. */
@@ -26,11 +28,11 @@ public final class IdentityElements {
         }
     }
 
-    public static MobileIdentity readIdentity(OctetReader in) throws ProtocolViolation {
+    public static MobileIdentity readIdentity(MessageReader in) throws ProtocolViolation {
         return readIdentityValue(in.lengthAndValue("mobile identity"));
     }
 
-    static MobileIdentity readIdentityValue(OctetReader in) throws ProtocolViolation {
+    static MobileIdentity readIdentityValue(MessageReader in) throws ProtocolViolation {
         if (in.remaining() > MAX_LENGTH) {
             throw invalid("a mobile identity of " + in.remaining() + " octets");
         }
@@ -50,7 +52,7 @@ public final class IdentityElements {
         }
     }
 
-    private static String digits(int first, OctetReader in) throws ProtocolViolation {
+    private static String digits(int first, MessageReader in) throws ProtocolViolation {
         int count = 2 * in.remaining() + ((first & ODD) != 0 ? 1 : 0);
         return (char) ('0' + decimal(first >> 4)) + SemiOctets.readDecimal(in, Math.max(0, count - 1));
     }
@@ -72,7 +74,7 @@ public final class IdentityElements {
         out.twoOctets(area.areaCode());
     }
 
-    static LocationArea readArea(OctetReader in) throws ProtocolViolation {
+    static LocationArea readArea(MessageReader in) throws ProtocolViolation {
         int first = in.octet("location area");
         int second = in.octet("location area");
         int third = in.octet("location area");

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.OctetWriter;
 
 /** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 44.018). Knows no socket and keeps no state. */
 public final class Layer3Codec {
@@ -47,7 +48,7 @@ public final class Layer3Codec {
      *     to send, if anything, says {@link ProtocolErrorAnswers}
      */
     public static Layer3Message decode(byte[] octets, Direction direction) throws ProtocolViolation {
-        OctetReader in = new OctetReader(octets);
+        MessageReader in = new MessageReader(octets);
         Layer3Header header = readHeader(in, direction);
         try {
             return readBody(header, in);
@@ -79,7 +80,7 @@ public final class Layer3Codec {
         return (transaction.fromOtherSide() ? TI_FLAG : 0) | transaction.value() << 4;
     }
 
-    private static Layer3Header readHeader(OctetReader in, Direction direction) throws ProtocolViolation {
+    private static Layer3Header readHeader(MessageReader in, Direction direction) throws ProtocolViolation {
         if (in.remaining() < 2) {
             throw new ProtocolViolation(Cause.PROTOCOL_ERROR, "a message too short to hold a message type");
         }
@@ -125,7 +126,7 @@ public final class Layer3Codec {
         }
     }
 
-    private static Layer3Message readBody(Layer3Header header, OctetReader in) throws ProtocolViolation {
+    private static Layer3Message readBody(Layer3Header header, MessageReader in) throws ProtocolViolation {
         Optional<Layer3Type> known = header.type();
         if (known.isEmpty()) {
             throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "not known " + header.direction());

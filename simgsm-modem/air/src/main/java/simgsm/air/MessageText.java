@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.octets.OctetString;
 
 /**
  * A message in words, for people who watch the air: its name, its fields in order, its octets.
@@ -59,7 +60,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         }
         List<Field> fields = new ArrayList<>();
         FieldTexts.add(fields, message);
-        return new MessageText(nameOf(message), fields, OctetString.adopting(RslCodec.encode(message)));
+        return new MessageText(nameOf(message), fields, OctetString.of(RslCodec.encode(message)));
     }
 
     /** The name of a message that is already decoded. */
@@ -95,7 +96,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
 
     private static String relayName(RelayMessage relay, Direction direction) {
         if (relay instanceof RelayMessage.RpData data) {
-            return "RP-DATA " + transferName(data.tpdu().reader().peek() & TP_TYPE_MASK, direction);
+            return "RP-DATA " + transferName(data.tpdu().octet(0) & TP_TYPE_MASK, direction);
         }
         if (relay instanceof RelayMessage.RpAck) {
             return "RP-ACK";

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.OctetString;
 
 /** Mobility management messages (TS 24.008, 9.2), protocol discriminator 5. */
 public sealed interface MobilityManagement extends Layer3Message {

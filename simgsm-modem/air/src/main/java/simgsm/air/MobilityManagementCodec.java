@@ -21,6 +21,8 @@ import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.OptionalElements.FixedElements;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** What follows the message type in mobility management messages (TS 24.008, 9.2). */
 final class MobilityManagementCodec {
@@ -95,7 +97,7 @@ final class MobilityManagementCodec {
         out.octet(identifier).octet(value.length()).string(value);
     }
 
-    static MobilityManagement read(Layer3Type type, OctetReader in) throws ProtocolViolation {
+    static MobilityManagement read(Layer3Type type, MessageReader in) throws ProtocolViolation {
         switch (type) {
             case LOCATION_UPDATING_ACCEPT:
                 return readLocationUpdatingAccept(in);
@@ -118,7 +120,7 @@ final class MobilityManagementCodec {
         }
     }
 
-    private static MobilityManagement readPlain(Layer3Type type, OctetReader in) throws ProtocolViolation {
+    private static MobilityManagement readPlain(Layer3Type type, MessageReader in) throws ProtocolViolation {
         switch (type) {
             case LOCATION_UPDATING_REQUEST:
                 return readLocationUpdatingRequest(in);
@@ -148,7 +150,7 @@ final class MobilityManagementCodec {
         }
     }
 
-    private static LocationUpdatingRequest readLocationUpdatingRequest(OctetReader in) throws ProtocolViolation {
+    private static LocationUpdatingRequest readLocationUpdatingRequest(MessageReader in) throws ProtocolViolation {
         int typeAndKey = in.octet("location updating type");
         int type = typeAndKey & 0x03;
         if (type >= LocationUpdatingType.values().length) {
@@ -160,9 +162,9 @@ final class MobilityManagementCodec {
                 LocationUpdatingType.values()[type], typeAndKey >> 4 & 0x07, area, IdentityElements.readIdentity(in));
     }
 
-    private static LocationUpdatingAccept readLocationUpdatingAccept(OctetReader in) throws ProtocolViolation {
+    private static LocationUpdatingAccept readLocationUpdatingAccept(MessageReader in) throws ProtocolViolation {
         LocationArea area = IdentityElements.readArea(in);
-        Optional<OctetReader> identity = firstElement(in, MOBILE_IDENTITY);
+        Optional<MessageReader> identity = firstElement(in, MOBILE_IDENTITY);
         try {
             return new LocationUpdatingAccept(
                     area,
@@ -174,7 +176,7 @@ final class MobilityManagementCodec {
         }
     }
 
-    private static CmServiceRequest readCmServiceRequest(OctetReader in) throws ProtocolViolation {
+    private static CmServiceRequest readCmServiceRequest(MessageReader in) throws ProtocolViolation {
         int serviceAndKey = in.octet("CM service type");
         for (ServiceType service : ServiceType.values()) {
             if (service.code() == (serviceAndKey & 0x0f)) {
@@ -185,18 +187,18 @@ final class MobilityManagementCodec {
         throw invalid("CM service type " + (serviceAndKey & 0x0f) + " is none of 1, 2, 4, 8");
     }
 
-    private static AuthenticationResponse readAuthenticationResponse(OctetReader in) throws ProtocolViolation {
+    private static AuthenticationResponse readAuthenticationResponse(MessageReader in) throws ProtocolViolation {
         OctetString sres = in.string(SRES_LENGTH, "SRES");
-        Optional<OctetReader> extension = firstElement(in, RESPONSE_EXTENSION);
+        Optional<MessageReader> extension = firstElement(in, RESPONSE_EXTENSION);
         OctetWriter all = new OctetWriter().string(sres);
         if (extension.isPresent() && extension.get().remaining() <= AuthenticationResponse.MAX_LENGTH - SRES_LENGTH) {
             all.string(extension.get().rest());
         }
-        return new AuthenticationResponse(OctetString.adopting(all.toArray()));
+        return new AuthenticationResponse(OctetString.of(all.toArray()));
     }
 
-    private static MmInformation readInformation(OctetReader in) throws ProtocolViolation {
-        Optional<OctetReader> name = firstElement(in, FULL_NETWORK_NAME);
+    private static MmInformation readInformation(MessageReader in) throws ProtocolViolation {
+        Optional<MessageReader> name = firstElement(in, FULL_NETWORK_NAME);
         return new MmInformation(name.isPresent() ? NetworkName.read(name.get()) : "");
     }
 
@@ -209,15 +211,16 @@ final class MobilityManagementCodec {
     }
 
     /** An optional element of exactly this length; one of another length counts as absent. */
-    private static Optional<OctetString> element(OctetReader in, int identifier, int length) throws ProtocolViolation {
+    private static Optional<OctetString> element(MessageReader in, int identifier, int length)
+            throws ProtocolViolation {
         return firstElement(in, identifier)
                 .filter(value -> value.remaining() == length)
-                .map(OctetReader::rest);
+                .map(MessageReader::rest);
     }
 
     /** The first element with this identifier; all others are checked and skipped. */
-    private static Optional<OctetReader> firstElement(OctetReader in, int wanted) throws ProtocolViolation {
-        OctetReader found = null;
+    private static Optional<MessageReader> firstElement(MessageReader in, int wanted) throws ProtocolViolation {
+        MessageReader found = null;
         OptionalElements elements = new OptionalElements(in, FixedElements.MOBILITY_MANAGEMENT);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
             if (identifier == wanted && found == null) {

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.nio.charset.StandardCharsets;
+import simgsm.octets.OctetWriter;
 
 /**
  * The network's name for a phone's display (TS 24.008, 10.5.3.5a): septets if every character has the same code in the
@@ -29,7 +30,7 @@ final class NetworkName {
         out.closeLength(start);
     }
 
-    static String read(OctetReader value) throws ProtocolViolation {
+    static String read(MessageReader value) throws ProtocolViolation {
         int coding = value.octet("network name");
         byte[] octets = value.rest().toArray();
         String name = (coding & CODING_MASK) == UCS2 ? ucs2(octets) : septets(octets, coding & 0x07);

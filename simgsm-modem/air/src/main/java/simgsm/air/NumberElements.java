@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.OctetWriter;
 
 /** Telephone numbers as they stand in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
 final class NumberElements {
@@ -30,7 +31,7 @@ final class NumberElements {
         out.closeLength(start);
     }
 
-    static Msisdn read(OctetReader value) throws ProtocolViolation {
+    static Msisdn read(MessageReader value) throws ProtocolViolation {
         int typeAndPlan = value.octet("number");
         if ((typeAndPlan & NO_EXTENSION) == 0) {
             value.octet("number's presentation");
@@ -43,7 +44,7 @@ final class NumberElements {
     }
 
     /** Empty for a number that is none: a broken optional element counts as absent (TS 24.008, 8.7.1). */
-    static Optional<Msisdn> readOptional(OctetReader value) {
+    static Optional<Msisdn> readOptional(MessageReader value) {
         try {
             return Optional.of(read(value));
         } catch (ProtocolViolation broken) {

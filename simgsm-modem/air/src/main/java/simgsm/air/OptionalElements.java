@@ -16,10 +16,10 @@ import java.util.Arrays;
  * optional element counts as absent (TS 24.008, 8.7.1).
  */
 final class OptionalElements {
-    private final OctetReader in;
+    private final MessageReader in;
     private final int[] understood;
     private final FixedElements fixed;
-    private OctetReader value;
+    private MessageReader value;
 
     /** Lengths of the elements without length octet, by identifier; 0 for all others. */
     enum FixedElements {
@@ -39,7 +39,7 @@ final class OptionalElements {
     }
 
     /** @param understood the identifiers that the caller reads and that would be refused otherwise */
-    OptionalElements(OctetReader in, FixedElements fixed, int... understood) {
+    OptionalElements(MessageReader in, FixedElements fixed, int... understood) {
         this.in = in;
         this.fixed = fixed;
         this.understood = understood;
@@ -57,7 +57,7 @@ final class OptionalElements {
     }
 
     /** The value of the element that {@link #next} has just named. */
-    OctetReader value() {
+    MessageReader value() {
         return value;
     }
 

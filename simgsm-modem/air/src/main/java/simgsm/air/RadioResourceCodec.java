@@ -4,6 +4,7 @@ import simgsm.air.OptionalElements.FixedElements;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RadioResource.RrStatus;
+import simgsm.octets.OctetWriter;
 
 /** What follows the message type in radio resource messages (TS 44.018, 9.1). */
 final class RadioResourceCodec {
@@ -20,7 +21,7 @@ final class RadioResourceCodec {
         }
     }
 
-    static RadioResource read(Layer3Type type, OctetReader in) throws ProtocolViolation {
+    static RadioResource read(Layer3Type type, MessageReader in) throws ProtocolViolation {
         RadioResource message = readPlain(type, in);
         OptionalElements elements = new OptionalElements(in, FixedElements.NONE);
         while (elements.next() >= 0) {
@@ -29,7 +30,7 @@ final class RadioResourceCodec {
         return message;
     }
 
-    private static RadioResource readPlain(Layer3Type type, OctetReader in) throws ProtocolViolation {
+    private static RadioResource readPlain(Layer3Type type, MessageReader in) throws ProtocolViolation {
         switch (type) {
             case PAGING_RESPONSE:
                 int keySequence = in.octet("key sequence") & 0x07;

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.OctetString;
 
 /**
  * The RP layer of short messages (TS 24.011, 7.3), carried in CP-DATA. The codec tells the two directions apart.

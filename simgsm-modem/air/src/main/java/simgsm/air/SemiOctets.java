@@ -1,5 +1,7 @@
 package simgsm.air;
 
+import simgsm.octets.OctetWriter;
+
 /** Digits in pairs, the first in the lower half of its octet; a half octet of ones fills an odd end. */
 public final class SemiOctets {
     private static final String SYMBOLS = "0123456789*#abc";
@@ -16,7 +18,7 @@ public final class SemiOctets {
     }
 
     /** All digits up to the filler or the end; any of 0-9 * # a-c. */
-    public static String read(OctetReader in) throws ProtocolViolation {
+    public static String read(MessageReader in) throws ProtocolViolation {
         StringBuilder digits = new StringBuilder(2 * in.remaining());
         while (in.hasMore()) {
             int pair = in.octet("digits");
@@ -30,7 +32,7 @@ public final class SemiOctets {
     }
 
     /** Exactly {@code count} decimal digits, or a {@link ProtocolViolation}; an odd count must be filled. */
-    public static String readDecimal(OctetReader in, int count) throws ProtocolViolation {
+    public static String readDecimal(MessageReader in, int count) throws ProtocolViolation {
         String digits = readCounted(in, count);
         for (int i = 0; i < digits.length(); i++) {
             if (digits.charAt(i) > '9' || digits.charAt(i) < '0') {
@@ -41,7 +43,7 @@ public final class SemiOctets {
     }
 
     /** Exactly {@code count} digits of 0-9 * # a-c, or a {@link ProtocolViolation}. */
-    public static String readCounted(OctetReader in, int count) throws ProtocolViolation {
+    public static String readCounted(MessageReader in, int count) throws ProtocolViolation {
         StringBuilder digits = new StringBuilder(count);
         while (digits.length() < count) {
             int pair = in.octet("digits");

@@ -8,6 +8,8 @@ import simgsm.air.RelayMessage.RpSmma;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** What follows the message type in CP messages, and the RP messages inside CP-DATA (TS 24.011, 7 and 8). */
 final class ShortMessageCodec {
@@ -62,7 +64,7 @@ final class ShortMessageCodec {
         }
     }
 
-    static ShortMessageControl read(Layer3Header header, Layer3Type type, OctetReader in) throws ProtocolViolation {
+    static ShortMessageControl read(Layer3Header header, Layer3Type type, MessageReader in) throws ProtocolViolation {
         TransactionIdentifier transaction = header.transaction().orElseThrow();
         switch (type) {
             case CP_DATA:
@@ -74,7 +76,7 @@ final class ShortMessageCodec {
         }
     }
 
-    private static RelayMessage readRelay(Layer3Header header, OctetReader in) throws ProtocolViolation {
+    private static RelayMessage readRelay(Layer3Header header, MessageReader in) throws ProtocolViolation {
         int type = in.octet("RP message type") & 0x07;
         int reference = in.octet("RP message reference");
         try {
@@ -89,7 +91,7 @@ final class ShortMessageCodec {
         return (type & ~1) == RP_ACK || (type & ~1) == RP_ERROR;
     }
 
-    private static RelayMessage readRelay(int type, int reference, OctetReader in, Direction direction)
+    private static RelayMessage readRelay(int type, int reference, MessageReader in, Direction direction)
             throws ProtocolViolation {
         boolean fromNetwork = (type & 1) == 1;
         if (fromNetwork == (direction == Direction.DOWNLINK)) {
@@ -99,7 +101,7 @@ final class ShortMessageCodec {
                 case RP_ACK:
                     return new RpAck(reference, readUserData(in));
                 case RP_ERROR:
-                    OctetReader cause = in.lengthAndValue("RP cause");
+                    MessageReader cause = in.lengthAndValue("RP cause");
                     return new RpError(reference, RpCause.ofCode(cause.octet("RP cause") & 0x7f));
                 case RP_SMMA:
                     if (!fromNetwork) {
@@ -113,16 +115,16 @@ final class ShortMessageCodec {
         throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "RP message type " + type + " " + direction);
     }
 
-    private static RpData readData(int reference, OctetReader in, Direction direction) throws ProtocolViolation {
-        OctetReader originator = in.lengthAndValue("RP originator address");
-        OctetReader destination = in.lengthAndValue("RP destination address");
+    private static RpData readData(int reference, MessageReader in, Direction direction) throws ProtocolViolation {
+        MessageReader originator = in.lengthAndValue("RP originator address");
+        MessageReader destination = in.lengthAndValue("RP destination address");
         Msisdn serviceCenter = NumberElements.read(direction == Direction.UPLINK ? destination : originator);
         OctetString tpdu = in.lengthAndValue("RP user data").rest();
         checkTpdu(tpdu);
         return new RpData(reference, serviceCenter, tpdu);
     }
 
-    private static Optional<OctetString> readUserData(OctetReader in) throws ProtocolViolation {
+    private static Optional<OctetString> readUserData(MessageReader in) throws ProtocolViolation {
         OptionalElements elements = new OptionalElements(in, OptionalElements.FixedElements.NONE);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
             if (identifier == RP_USER_DATA

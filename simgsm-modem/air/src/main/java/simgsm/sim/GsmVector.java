@@ -1,7 +1,7 @@
 package simgsm.sim;
 
 import java.util.Arrays;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * What a GSM network needs of a challenge, made from the third generation's values by the conversion functions c2 and c3

@@ -4,7 +4,7 @@ import java.security.GeneralSecurityException;
 import java.util.Arrays;
 import javax.crypto.Cipher;
 import javax.crypto.spec.SecretKeySpec;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * The example set of authentication functions that most cards have (TS 35.206): f1 to f5* over AES-128 with the key K and

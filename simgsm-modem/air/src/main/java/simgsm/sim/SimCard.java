@@ -2,7 +2,7 @@ package simgsm.sim;
 
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * What a subscriber's card and the network's authentication centre share.

@@ -11,7 +11,7 @@ import java.util.Set;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Reads the lines of a {@link SimFile}. Nothing is guessed: what is not understood is an error. */
 final class SimFileReader {

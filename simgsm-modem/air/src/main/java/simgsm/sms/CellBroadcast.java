@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
 import simgsm.air.Septets;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /**
  * A broadcast message, and how its text becomes pages and comes back.

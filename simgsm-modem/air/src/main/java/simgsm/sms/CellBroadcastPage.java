@@ -1,9 +1,9 @@
 package simgsm.sms;
 
-import simgsm.air.OctetReader;
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
+import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /**
  * One page of a broadcast message: 88 octets on the air (TS 23.041, 9.4.1).
@@ -50,7 +50,7 @@ public record CellBroadcastPage(
 
     /** A page number that makes no sense counts as page 1 of 1, as the standard asks (9.4.1.2.4). */
     public static CellBroadcastPage decode(OctetString octets) throws ProtocolViolation {
-        OctetReader in = octets.reader();
+        MessageReader in = new MessageReader(octets);
         if (octets.length() != LENGTH) {
             throw Violations.invalid(
                     "a broadcast page of " + octets.length() + " octets, " + LENGTH + " were expected");

@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
 import simgsm.air.Direction;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 /** The words of {@code pdu encode} and {@code pdu decode}. */
 public final class PduTool {

@@ -1,12 +1,12 @@
 package simgsm.sms;
 
 import java.util.Optional;
+import simgsm.air.MessageReader;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetReader;
-import simgsm.air.OctetWriter;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.SemiOctets;
 import simgsm.air.Septets;
+import simgsm.octets.OctetWriter;
 
 /**
  * TP-OA, TP-DA, TP-RA: a number, or a name in letters (TS 23.040, 9.1.2.5).
@@ -76,19 +76,19 @@ public record SmsAddress(int type, int plan, String value) {
         }
     }
 
-    static SmsAddress read(OctetReader in) throws ProtocolViolation {
+    static SmsAddress read(MessageReader in) throws ProtocolViolation {
         int halfOctets = in.octet("address length");
         if (halfOctets > MAX_DIGITS) {
             throw Violations.invalid("an address of " + halfOctets + " digits, at most " + MAX_DIGITS);
         }
         int typeAndPlan = in.octet("type of address");
         int type = typeAndPlan >> 4 & 0x07;
-        OctetReader value = in.part((halfOctets + 1) / 2, "address");
+        MessageReader value = in.part((halfOctets + 1) / 2, "address");
         String text = type == LETTERS ? letters(value, halfOctets) : SemiOctets.readCounted(value, halfOctets);
         return new SmsAddress(type, typeAndPlan & 0x0f, text);
     }
 
-    private static String letters(OctetReader value, int halfOctets) {
+    private static String letters(MessageReader value, int halfOctets) {
         int septets = Math.min(MAX_SEPTETS, halfOctets * 4 / 7);
         String text = GsmAlphabet.decode(Septets.unpack(value.rest().toArray(), septets, 0));
         return GsmAlphabet.encode(text).length > MAX_SEPTETS ? "" : text;

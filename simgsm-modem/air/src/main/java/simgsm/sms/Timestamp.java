@@ -3,8 +3,8 @@ package simgsm.sms;
 import java.time.OffsetDateTime;
 import java.time.YearMonth;
 import java.time.ZoneOffset;
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /**
  * TP-SCTS, TP-DT, TP-VP: seconds of local time and the zone in quarters of an hour (TS 23.040, 9.2.3.11). The octets

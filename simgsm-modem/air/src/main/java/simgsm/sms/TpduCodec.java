@@ -3,10 +3,10 @@ package simgsm.sms;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Direction;
-import simgsm.air.OctetReader;
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
+import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** Transfer units to the octets of an RP-DATA and back (TS 23.040, 9.2.2). */
 public final class TpduCodec {
@@ -52,7 +52,7 @@ public final class TpduCodec {
      * @throws ProtocolViolation for any other or broken unit
      */
     public static Tpdu decode(OctetString octets, Direction direction) throws ProtocolViolation {
-        OctetReader in = octets.reader();
+        MessageReader in = new MessageReader(octets);
         int first = in.octet("first octet");
         int type = first & TYPE_MASK;
         if (direction == Direction.UPLINK && type == SUBMIT) {
@@ -129,7 +129,7 @@ public final class TpduCodec {
         out.octet(userData.length()).string(userData.octets());
     }
 
-    private static SubmitTpdu readSubmit(int first, OctetReader in) throws ProtocolViolation {
+    private static SubmitTpdu readSubmit(int first, MessageReader in) throws ProtocolViolation {
         int reference = in.octet("TP-MR");
         SmsAddress destination = SmsAddress.read(in);
         int protocolIdentifier = in.octet("TP-PID");
@@ -146,7 +146,7 @@ public final class TpduCodec {
                 readUserData(first, coding, in));
     }
 
-    private static DeliverTpdu readDeliver(int first, OctetReader in) throws ProtocolViolation {
+    private static DeliverTpdu readDeliver(int first, MessageReader in) throws ProtocolViolation {
         SmsAddress originator = SmsAddress.read(in);
         int protocolIdentifier = in.octet("TP-PID");
         DataCodingScheme coding = new DataCodingScheme(in.octet("TP-DCS"));
@@ -161,7 +161,7 @@ public final class TpduCodec {
                 readUserData(first, coding, in));
     }
 
-    private static StatusReportTpdu readReport(int first, OctetReader in) throws ProtocolViolation {
+    private static StatusReportTpdu readReport(int first, MessageReader in) throws ProtocolViolation {
         int reference = in.octet("TP-MR");
         SmsAddress recipient = SmsAddress.read(in);
         Timestamp timestamp = readTimestamp(in);
@@ -170,7 +170,7 @@ public final class TpduCodec {
                 (first & NO_MORE_MESSAGES) == 0, reference, recipient, timestamp, discharged, in.octet("TP-ST"));
     }
 
-    private static Optional<ValidityPeriod> readValidity(int format, OctetReader in) throws ProtocolViolation {
+    private static Optional<ValidityPeriod> readValidity(int format, MessageReader in) throws ProtocolViolation {
         switch (format) {
             case VALIDITY_RELATIVE:
                 return Optional.of(new ValidityPeriod.Relative(in.octet("TP-VP")));
@@ -183,11 +183,12 @@ public final class TpduCodec {
         }
     }
 
-    private static Timestamp readTimestamp(OctetReader in) throws ProtocolViolation {
+    private static Timestamp readTimestamp(MessageReader in) throws ProtocolViolation {
         return new Timestamp(in.string(Timestamp.LENGTH, "time stamp"));
     }
 
-    private static UserData readUserData(int first, DataCodingScheme coding, OctetReader in) throws ProtocolViolation {
+    private static UserData readUserData(int first, DataCodingScheme coding, MessageReader in)
+            throws ProtocolViolation {
         int length = in.octet("TP-UDL");
         OctetString octets = in.string(UserData.octetCount(coding, length), "TP-UD");
         try {

@@ -3,8 +3,8 @@ package simgsm.sms;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
-import simgsm.air.OctetString;
 import simgsm.air.Septets;
+import simgsm.octets.OctetString;
 
 /**
  * One user part as it travels: kept as octets, so that a centre hands on exactly what it was given.

@@ -1,9 +1,9 @@
 package simgsm.sms;
 
 import java.util.Optional;
-import simgsm.air.OctetReader;
-import simgsm.air.OctetString;
+import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 /** The elements in front of the text: identifier, length, value (TS 23.040, 9.2.3.24). */
 final class UserDataHeader {
@@ -28,10 +28,10 @@ final class UserDataHeader {
     static Optional<Concatenation> concatenation(OctetString userData) {
         Optional<Concatenation> found = Optional.empty();
         try {
-            OctetReader header = userData.reader().lengthAndValue("user data header");
+            MessageReader header = new MessageReader(userData).lengthAndValue("user data header");
             while (header.hasMore()) {
                 int identifier = header.octet("header element");
-                OctetReader value = header.lengthAndValue("header element");
+                MessageReader value = header.lengthAndValue("header element");
                 Optional<Concatenation> element = element(identifier, value);
                 found = element.isPresent() ? element : found;
             }
@@ -41,7 +41,7 @@ final class UserDataHeader {
         return found;
     }
 
-    private static Optional<Concatenation> element(int identifier, OctetReader value) throws ProtocolViolation {
+    private static Optional<Concatenation> element(int identifier, MessageReader value) throws ProtocolViolation {
         int reference;
         if (identifier == CONCATENATION_8_BIT && value.remaining() == 3) {
             reference = value.octet("reference");

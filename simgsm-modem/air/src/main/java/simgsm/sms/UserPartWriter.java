@@ -1,8 +1,8 @@
 package simgsm.sms;
 
-import simgsm.air.OctetString;
-import simgsm.air.OctetWriter;
 import simgsm.air.Septets;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** Header and text into one user part. */
 final class UserPartWriter {

@@ -2,7 +2,7 @@ package simgsm.sms;
 
 import java.time.Duration;
 import java.time.Instant;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** TP-VP: how long the centre shall try (TS 23.040, 9.2.3.12). */
 public sealed interface ValidityPeriod {

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 public class CcmCodecTest {
     CcmCodecTest() {}

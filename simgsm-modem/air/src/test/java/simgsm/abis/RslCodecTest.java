@@ -21,9 +21,9 @@ import simgsm.abis.RslMessage.Sapi;
 import simgsm.abis.RslMessage.SmsBroadcastCommand;
 import simgsm.air.Cause;
 import simgsm.air.Examples;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.Tmsi;
+import simgsm.octets.OctetString;
 
 public class RslCodecTest {
     RslCodecTest() {}

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 class RtpPacketTest {
     private static final String A_LAW_PAYLOAD = "d5".repeat(160);

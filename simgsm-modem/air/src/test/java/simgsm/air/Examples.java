@@ -48,6 +48,7 @@ import simgsm.air.RelayMessage.RpSmma;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.octets.OctetString;
 
 /** One message of every kind with its octets, each read and named by Wireshark without a complaint. */
 public final class Examples {

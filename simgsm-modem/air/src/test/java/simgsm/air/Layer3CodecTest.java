@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.air.Examples.Example;
+import simgsm.octets.OctetString;
 
 class Layer3CodecTest {
     static List<Example> examples() {

@@ -14,6 +14,7 @@ import simgsm.abis.RslCodecTest;
 import simgsm.abis.RslMessage;
 import simgsm.air.Examples.Example;
 import simgsm.air.MessageText.Field;
+import simgsm.octets.OctetString;
 
 class MessageTextTest {
     static List<Example> examples() {

@@ -14,6 +14,8 @@ import simgsm.abis.CcmCodecTest;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslCodecTest;
 import simgsm.abis.RtpPacket;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** Spoilt messages by the hundred thousand: each gives a message or a violation, and nothing else ever. */
 class MutationTest {

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import simgsm.octets.OctetWriter;
 
 /** A capture file of one TCP connection between a terminal and port 3003, as loopback would show it. */
 public final class PcapFile {

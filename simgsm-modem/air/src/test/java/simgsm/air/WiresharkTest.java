@@ -17,6 +17,7 @@ import simgsm.abis.IpaFramer;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Examples.Example;
+import simgsm.octets.OctetString;
 
 /** What Wireshark makes of our frames when it has not been told anything. Skipped where tshark is not installed. */
 class WiresharkTest {

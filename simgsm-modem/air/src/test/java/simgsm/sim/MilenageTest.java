@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Test sets of TS 35.208 by their numbers there; the GSM values of most of them stand in TS 55.205. */
 class MilenageTest {

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 
 class CellBroadcastTest {
     private static final BroadcastSerial SERIAL = new BroadcastSerial(1, 1, 1);

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 class MessageSplitterTest {
     @Test

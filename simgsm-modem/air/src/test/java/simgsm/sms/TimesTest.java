@@ -9,7 +9,7 @@ import java.time.OffsetDateTime;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 class TimesTest {
     private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 import simgsm.sms.TpduExamples.Example;
 
 class TpduCodecTest {

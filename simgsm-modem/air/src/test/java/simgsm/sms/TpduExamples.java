@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /** Transfer units with their octets. */
 final class TpduExamples {

@@ -19,12 +19,12 @@ import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.PcapFile;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
 import simgsm.air.Tshark;
+import simgsm.octets.OctetString;
 
 /** What a foreign reader finds in our short messages and broadcast pages. */
 class WiresharkReadsTextTest {

@@ -11,13 +11,13 @@ import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.ShortMessageControl;
+import simgsm.octets.OctetString;
 
 /** Brings what comes down the radio link to the machine that it is for, and answers what breaks the protocol. */
 final class Dispatcher {

@@ -2,7 +2,7 @@ package simgsm.station;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import simgsm.air.OctetString;
+import simgsm.octets.OctetString;
 
 /**
  * Knows a message that the centre sends a second time because it never saw our acknowledgement: the same octets, so the

@@ -2,8 +2,8 @@ package simgsm.station;
 
 import java.util.Arrays;
 import java.util.Optional;
-import simgsm.air.OctetString;
 import simgsm.air.RejectCause;
+import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;

@@ -10,8 +10,8 @@ import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.MobilityManagement;
-import simgsm.air.OctetString;
 import simgsm.air.ShortMessageControl;
+import simgsm.octets.OctetString;
 
 /** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
 final class MobileRadioConnection {

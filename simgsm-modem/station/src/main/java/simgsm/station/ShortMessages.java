@@ -2,12 +2,12 @@ package simgsm.station;
 
 import java.lang.System.Logger.Level;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.octets.OctetString;
 import simgsm.sms.BroadcastCollector;
 import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.ChannelList;

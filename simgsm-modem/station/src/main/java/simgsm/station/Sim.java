@@ -1,8 +1,8 @@
 package simgsm.station;
 
 import java.util.Optional;
-import simgsm.air.OctetString;
 import simgsm.air.RejectCause;
+import simgsm.octets.OctetString;
 import simgsm.sim.SimCard;
 
 /** The card's answer to the network's challenge (TS 24.008, 4.3.2). */

@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.RejectCause;
+import simgsm.octets.OctetString;
 import simgsm.sim.SimCard;
 
 /** Test set 1 of TS 35.208, whose AUTN is SQN xor AK, AMF and MAC-A. */

@@ -22,7 +22,6 @@ import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.IdentityRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
-import simgsm.air.OctetString;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage.RpAck;
@@ -34,6 +33,7 @@ import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
 import simgsm.air.TransactionIdentifier;
+import simgsm.octets.OctetString;
 
 /** A network that sends whatever it likes, a user who does whatever he likes, and time. */
 class RandomPeerTest {

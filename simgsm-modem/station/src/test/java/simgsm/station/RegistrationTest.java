@@ -27,11 +27,11 @@ import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
-import simgsm.air.OctetString;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
+import simgsm.octets.OctetString;
 
 class RegistrationTest {
     private static final OctetString RAND = OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35");

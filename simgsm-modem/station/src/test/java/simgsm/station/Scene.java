@@ -28,11 +28,11 @@ import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.Tmsi;
+import simgsm.octets.OctetString;
 
 /** A station on the stage: the network is played by hand, and so is the clock. */
 final class Scene implements Uplink {

@@ -17,7 +17,6 @@ import simgsm.air.MobilityManagement.CmServiceAccept;
 import simgsm.air.MobilityManagement.CmServiceReject;
 import simgsm.air.MobilityManagement.CmServiceRequest;
 import simgsm.air.MobilityManagement.ServiceType;
-import simgsm.air.OctetString;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage.RpAck;
@@ -27,6 +26,7 @@ import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
 import simgsm.air.TransactionIdentifier;
+import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 

@@ -34,10 +34,10 @@ import simgsm.air.MobilityManagement.ImsiDetachIndication;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.Msisdn;
-import simgsm.air.OctetString;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RejectCause;
+import simgsm.octets.OctetString;
 
 /** The thread against a real socket; what it tells is awaited, never timed. */
 @Timeout(30)

@@ -1,9 +1,9 @@
-package simgsm.air;
+package simgsm.octets;
 
 import java.util.Arrays;
 import java.util.HexFormat;
 
-/** An immutable run of octets with value equality; {@code toString} is lower-case hexadecimal. */
+/** An immutable string of octets, compared by value; {@code toString} is lower-case hexadecimal. */
 public final class OctetString {
     private final byte[] octets;
 
@@ -16,7 +16,7 @@ public final class OctetString {
         return new OctetString(octets.clone());
     }
 
-    /** Takes the array itself, which nobody may change any more. */
+    /** Takes the array itself, which must not change afterwards. */
     static OctetString adopting(byte[] octets) {
         return new OctetString(octets);
     }
@@ -25,9 +25,9 @@ public final class OctetString {
         System.arraycopy(octets, 0, target, position, octets.length);
     }
 
-    /** A reader that starts at the first octet. */
-    public OctetReader reader() {
-        return new OctetReader(octets);
+    /** The octet at the index, 0 to 255. */
+    public int octet(int index) {
+        return octets[index] & 0xff;
     }
 
     /** From hexadecimal digits, without blanks; IllegalArgumentException for anything else. */
@@ -35,6 +35,7 @@ public final class OctetString {
         return new OctetString(HexFormat.of().parseHex(hex));
     }
 
+    /** The number of octets. */
     public int length() {
         return octets.length;
     }
