@@ -11,12 +11,22 @@ import java.util.Objects;
  * @param limit the limit that the reply should tell, if one matters
  */
 public record Fault(String keys, int position, Expected expected, Limit limit, boolean timedOut) {
-    /** What an operator should know beside the position. */
+    /** The limit that an order exceeds. */
     public enum Limit {
-        NONE,
-        CENTIMETERS,
-        DEGREES,
-        INSTRUCTIONS
+        NONE(0),
+        CENTIMETERS(Instruction.Forward.MAX_CENTIMETERS),
+        DEGREES(Instruction.Turn.MAX_DEGREES),
+        INSTRUCTIONS(Order.MAX_INSTRUCTIONS);
+
+        private final int max;
+
+        Limit(int max) {
+            this.max = max;
+        }
+
+        int max() {
+            return max;
+        }
     }
 
     public Fault {

@@ -1,91 +1,57 @@
 package vericommand;
 
-import static vericommand.RobotStatus.COLLISION;
-import static vericommand.RobotStatus.DISCONNECTED;
-import static vericommand.RobotStatus.MOVING;
-import static vericommand.RobotStatus.NO_MOTORS;
-import static vericommand.RobotStatus.STOPPED;
+import static vericommand.RobotStatus.*;
+import static vericommand.StatusEvent.*;
 
-import java.util.List;
-import java.util.Optional;
+import java.util.EnumSet;
+import simgsm.state.StateMachine;
+import simgsm.state.StateTable;
+import simgsm.state.StateTable.NoAction;
 
-/** The robot's status and the one table of its transitions; whatever a row does not list is refused. */
+/** The robot's status; every transition without a row in the table is refused. */
 public final class StatusMachine {
-    /** One row of the table. */
-    public record Transition(RobotStatus from, StatusEvent event, RobotStatus to) {}
+    /** Switching off is idempotent. */
+    public static final StateTable<RobotStatus, StatusEvent, NoAction> TABLE = new StateTable<
+                    RobotStatus, StatusEvent, NoAction>("robot status", DISCONNECTED)
+            .on(DISCONNECTED, POWER_ON, NO_MOTORS)
+            .on(NO_MOTORS, MOTORS_ON, STOPPED)
+            .on(EnumSet.of(STOPPED, COLLISION), MOTION_STARTED, MOVING)
+            .on(MOVING, MOTION_ENDED, STOPPED)
+            .on(MOVING, TOUCHED, COLLISION)
+            .on(MOVING, TURN_ENDED_BLOCKED, COLLISION)
+            .on(EnumSet.complementOf(EnumSet.of(DISCONNECTED)), MOTORS_OFF, NO_MOTORS)
+            .on(DISCONNECTED, MOTORS_OFF, DISCONNECTED)
+            .on(EnumSet.allOf(RobotStatus.class), POWER_OFF, DISCONNECTED);
 
-    /** Off twice changes nothing, so that a switch may be thrown without asking first. */
-    private static final List<Transition> TABLE = List.of(
-            new Transition(DISCONNECTED, StatusEvent.POWER_ON, NO_MOTORS),
-            new Transition(DISCONNECTED, StatusEvent.MOTORS_OFF, DISCONNECTED),
-            new Transition(DISCONNECTED, StatusEvent.POWER_OFF, DISCONNECTED),
-            new Transition(NO_MOTORS, StatusEvent.MOTORS_ON, STOPPED),
-            new Transition(NO_MOTORS, StatusEvent.MOTORS_OFF, NO_MOTORS),
-            new Transition(NO_MOTORS, StatusEvent.POWER_OFF, DISCONNECTED),
-            new Transition(STOPPED, StatusEvent.MOTION_STARTED, MOVING),
-            new Transition(STOPPED, StatusEvent.MOTORS_OFF, NO_MOTORS),
-            new Transition(STOPPED, StatusEvent.POWER_OFF, DISCONNECTED),
-            new Transition(MOVING, StatusEvent.MOTION_ENDED, STOPPED),
-            new Transition(MOVING, StatusEvent.TOUCHED, COLLISION),
-            new Transition(MOVING, StatusEvent.TURN_ENDED_BLOCKED, COLLISION),
-            new Transition(MOVING, StatusEvent.MOTORS_OFF, NO_MOTORS),
-            new Transition(MOVING, StatusEvent.POWER_OFF, DISCONNECTED),
-            new Transition(COLLISION, StatusEvent.MOTION_STARTED, MOVING),
-            new Transition(COLLISION, StatusEvent.MOTORS_OFF, NO_MOTORS),
-            new Transition(COLLISION, StatusEvent.POWER_OFF, DISCONNECTED));
-
-    private RobotStatus status;
+    private final StateMachine<RobotStatus, StatusEvent, NoAction> machine;
 
     public StatusMachine(RobotStatus start) {
-        status = start;
-    }
-
-    /** Every transition there is, in the order in which a diagram reads well. */
-    public static List<Transition> table() {
-        return TABLE;
-    }
-
-    /** Where the event leads from there; empty when the table does not list it. */
-    public static Optional<RobotStatus> next(RobotStatus from, StatusEvent event) {
-        return TABLE.stream()
-                .filter(row -> row.from() == from && row.event() == event)
-                .map(Transition::to)
-                .findFirst();
+        machine = new StateMachine<>(TABLE, "robot", action -> {}, start);
     }
 
     public RobotStatus status() {
-        return status;
+        return machine.state();
     }
 
     public boolean accepts(StatusEvent event) {
-        return next(status, event).isPresent();
+        return machine.accepts(event);
     }
 
     /**
      * Makes the transition.
      *
      * @return the new status
-     * @throws IllegalStateException when the present status does not list the event; the status stays as it was
+     * @throws IllegalStateException when the table has no row for the event in the current status, which is kept
      */
     public RobotStatus apply(StatusEvent event) {
-        status = next(status, event)
-                .orElseThrow(() ->
-                        new IllegalStateException("\"" + event.text() + "\" is not possible in " + status.text()));
-        return status;
+        if (!machine.fire(event)) {
+            throw new IllegalStateException("\"" + event.text() + "\" is not possible in " + status().text());
+        }
+        return status();
     }
 
-    /** The table as a PlantUML state diagram; what leaves the status as it is is not drawn. */
+    /** The table as a PlantUML state diagram. */
     public static String plantUml() {
-        StringBuilder uml = new StringBuilder("@startuml status\ntitle The robot's status\nhide empty description\n");
-        for (RobotStatus status : RobotStatus.values()) {
-            uml.append("state \"%s\" as %s\n".formatted(status.text(), status.name()));
-        }
-        uml.append("[*] --> DISCONNECTED\n");
-        TABLE.stream()
-                .filter(row -> row.from() != row.to())
-                .map(row -> "%s --> %s : %s\n"
-                        .formatted(row.from(), row.to(), row.event().text()))
-                .forEach(uml::append);
-        return uml.append("@enduml\n").toString();
+        return TABLE.plantUml(RobotStatus::text, StatusEvent::text);
     }
 }

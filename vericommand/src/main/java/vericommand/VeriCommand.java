@@ -68,7 +68,7 @@ public final class VeriCommand {
         if (display.showsMessage()) {
             display.begin(call.number(), false);
         }
-        display.key(key, recognizer.isOpen() ? recognizer.keys() : "");
+        display.key(key, recognizer.keys());
         conclude(recognition, call);
         listener.changed();
     }

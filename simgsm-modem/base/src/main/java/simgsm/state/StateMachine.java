@@ -15,17 +15,22 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
     private final Consumer<A> performer;
     private S state;
 
+    /** A machine in the table's initial state; otherwise as the other constructor. */
+    public StateMachine(StateTable<S, E, A> table, Object owner, Consumer<A> performer) {
+        this(table, owner, performer, table.initial());
+    }
+
     /**
-     * A machine in the table's initial state.
+     * A machine in a given state, as when a recorded state is restored.
      *
-     * @param owner whose machine it is; its {@code toString} stands in the log
+     * @param owner named in the log by its {@code toString}
      * @param performer performs one action; may fire further events
      */
-    public StateMachine(StateTable<S, E, A> table, Object owner, Consumer<A> performer) {
+    public StateMachine(StateTable<S, E, A> table, Object owner, Consumer<A> performer, S state) {
         this.table = table;
         this.owner = owner;
         this.performer = performer;
-        this.state = table.initial();
+        this.state = state;
     }
 
     public S state() {

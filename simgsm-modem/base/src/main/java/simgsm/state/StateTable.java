@@ -23,6 +23,9 @@ import java.util.stream.Collectors;
  * @param <A> actions
  */
 public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends Enum<A>> {
+    /** The action type of a table whose rows perform none. */
+    public enum NoAction {}
+
     /** One row: in {@code state}, {@code event} leads to {@code next} and performs {@code actions}. */
     public record Row<S, E, A>(S state, E event, S next, List<A> actions) {}
 
@@ -52,6 +55,14 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     @SuppressWarnings("varargs")
     public final StateTable<S, E, A> on(Set<S> states, E event, S next, A... actions) {
         states.forEach(state -> add(new Row<>(state, event, next, List.of(actions))));
+        return this;
+    }
+
+    /** Adds a row for each pair of a state and an event; otherwise as {@link #on(Set, Enum, Enum, Enum[])}. */
+    @SafeVarargs
+    @SuppressWarnings("varargs")
+    public final StateTable<S, E, A> on(Set<S> states, Set<E> events, S next, A... actions) {
+        events.forEach(event -> on(states, event, next, actions));
         return this;
     }
 

@@ -53,6 +53,21 @@ class StateTableTest {
     }
 
     @Test
+    void aRowIsAddedForEachPairOfAStateAndAnEvent() {
+        StateTable<Lamp, Act, Deed> table = new StateTable<Lamp, Act, Deed>("lamp", Lamp.OFF)
+                .on(EnumSet.of(Lamp.OFF, Lamp.ON), EnumSet.of(Act.KICK, Act.PRESS), Lamp.BROKEN, Deed.BANG);
+        assertEquals(4, table.rows().size());
+        assertEquals(
+                new StateTable.Row<>(Lamp.ON, Act.KICK, Lamp.BROKEN, List.of(Deed.BANG)),
+                table.row(Lamp.ON, Act.KICK).orElseThrow());
+    }
+
+    @Test
+    void aMachineCanBeginInAnotherStateThanTheInitialOne() {
+        assertEquals(Lamp.ON, new StateMachine<>(table(), "desk", deed -> {}, Lamp.ON).state());
+    }
+
+    @Test
     void aMachinePerformsTheActionsOfARowInOrderAfterTheStateHasChanged() {
         List<String> done = new ArrayList<>();
         List<StateMachine<Lamp, Act, Deed>> self = new ArrayList<>();
