@@ -13,7 +13,7 @@ import java.util.Map;
  * A pcap file as an outsider reads it, by the format's own description and by RFC 791 and RFC 9293. Whatever does not hold
  * is an AssertionError that names the record.
  */
-final class CaptureFile {
+public final class CaptureFile {
     private static final int MAGIC = 0xa1b2c3d4;
     private static final int RAW_IP = 101;
     private static final int TCP = 6;
@@ -21,7 +21,8 @@ final class CaptureFile {
     private static final int SYN = 2;
 
     /** One TCP segment. */
-    record Segment(long micros, int fromPort, int toPort, int sequence, int acknowledged, int flags, byte[] data) {
+    public record Segment(
+            long micros, int fromPort, int toPort, int sequence, int acknowledged, int flags, byte[] data) {
         boolean isSyn() {
             return (flags & SYN) != 0;
         }
@@ -29,7 +30,7 @@ final class CaptureFile {
 
     private final List<Segment> segments = new ArrayList<>();
 
-    static CaptureFile read(Path file) throws IOException {
+    public static CaptureFile read(Path file) throws IOException {
         CaptureFile capture = new CaptureFile();
         ByteBuffer in = ByteBuffer.wrap(Files.readAllBytes(file));
         require(in.getInt() == MAGIC, "the magic number of microseconds");
@@ -92,12 +93,12 @@ final class CaptureFile {
         }
     }
 
-    List<Segment> segments() {
+    public List<Segment> segments() {
         return segments;
     }
 
     /** Every side's octets follow on one another, nobody acknowledges what was not said, and time does not go back. */
-    void requireOrder() {
+    public void requireOrder() {
         Map<String, Integer> next = new HashMap<>();
         long latest = 0;
         for (int i = 0; i < segments.size(); i++) {
@@ -119,7 +120,7 @@ final class CaptureFile {
     }
 
     /** Every segment with data holds one whole IPA frame. */
-    void requireWholeFrames() {
+    public void requireWholeFrames() {
         for (int i = 0; i < segments.size(); i++) {
             byte[] data = segments.get(i).data;
             require(
@@ -129,7 +130,7 @@ final class CaptureFile {
     }
 
     /** How many frames of an IPA stream there are. */
-    long frames(int stream) {
+    public long frames(int stream) {
         return segments.stream()
                 .filter(segment -> segment.data.length > 0 && (segment.data[2] & 0xff) == stream)
                 .count();

@@ -10,14 +10,14 @@ import java.util.List;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 
-/** A day in the life of the network, captured: the file is sound, and Wireshark, where it is to be had, names it all. */
-class CaptureTest {
+/** Captures of the centre: whole, in order, and refused where they cannot be written. */
+public class CaptureTest {
     private static final int RSL = 0x00;
     private static final int SPEECH = 0xe1;
     private static final String OTHER = "5550101";
 
     @Test
-    void theCaptureOfADayIsSoundAndWiresharkNamesEveryMessage() throws Exception {
+    void theCaptureOfADayHoldsWholeFramesInOrder() throws Exception {
         try (Scenario scenario = new Scenario("a day in the life, captured")) {
             Path file = scenario.folder().resolve("day.pcap");
             day(scenario, file);
@@ -26,11 +26,11 @@ class CaptureTest {
             capture.requireWholeFrames();
             assertTrue(capture.frames(RSL) > 100, capture.frames(RSL) + " messages");
             assertTrue(capture.frames(SPEECH) > 0, "no speech");
-            wiresharkReads(file);
         }
     }
 
-    private static void day(Scenario scenario, Path file) throws Exception {
+    /** Attach, calls, keys, messages, a broadcast and detach, captured to a file. */
+    public static void day(Scenario scenario, Path file) throws Exception {
         RunningProgram center = scenario.center("--capture", file.toString());
         RunningProgram phone = scenario.phone(Scenario.PHONE, "--dtmf", "signalled");
         RunningProgram other = scenario.phone(OTHER);
@@ -65,28 +65,6 @@ class CaptureTest {
         center.expect("detached", "number", Scenario.PHONE);
         center.expect("detached", "number", OTHER);
         assertEquals(0, center.quit());
-    }
-
-    private static void wiresharkReads(Path file) throws Exception {
-        Wireshark.requireSound(
-                file,
-                "Location Updating Request",
-                "Location Updating Accept",
-                "CM Service Request",
-                "Paging Response",
-                "Setup",
-                "Call Confirmed",
-                "Alerting",
-                "Connect Acknowledge",
-                "Start DTMF Acknowledge",
-                "Stop DTMF",
-                "Disconnect",
-                "Release Complete",
-                "CP-DATA (RP) RP-DATA",
-                "CP-ACK",
-                "IMSI Detach Indication",
-                "Channel Release",
-                "SMS BroadCast");
     }
 
     @Test

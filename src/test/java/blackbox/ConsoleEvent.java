@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** An event line as an outsider reads it: a name, then {@code key=value}, values bare or JSON strings. */
-record ConsoleEvent(String name, Map<String, String> fields) {
+public record ConsoleEvent(String name, Map<String, String> fields) {
     private static final String BARE = "[A-Za-z0-9+.,:/*#_-]+";
     private static final String STRING = "\"(?:[^\"\\\\]|\\\\.)*\"";
     private static final Pattern FIELD = Pattern.compile(" ([a-z0-9]+)=(" + BARE + "|" + STRING + ")");
@@ -14,7 +14,7 @@ record ConsoleEvent(String name, Map<String, String> fields) {
     private static final Pattern ESCAPE = Pattern.compile("\\\\(u[0-9a-fA-F]{4}|.)");
 
     /** Reads a line by the grammar of the specification; IllegalArgumentException if it breaks it. */
-    static ConsoleEvent parse(String line) {
+    public static ConsoleEvent parse(String line) {
         Matcher whole = LINE.matcher(line);
         if (!whole.matches()) {
             throw new IllegalArgumentException("not an event line: " + line);
@@ -47,7 +47,7 @@ record ConsoleEvent(String name, Map<String, String> fields) {
         };
     }
 
-    String field(String key) {
+    public String field(String key) {
         String value = fields.get(key);
         if (value == null) {
             throw new AssertionError("no field " + key + " in " + this);
@@ -55,11 +55,11 @@ record ConsoleEvent(String name, Map<String, String> fields) {
         return value;
     }
 
-    double number(String key) {
+    public double number(String key) {
         return Double.parseDouble(field(key));
     }
 
-    boolean matches(String expectedName, Map<String, String> expectedFields) {
+    public boolean matches(String expectedName, Map<String, String> expectedFields) {
         return name.equals(expectedName) && fields.entrySet().containsAll(expectedFields.entrySet());
     }
 }

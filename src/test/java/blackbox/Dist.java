@@ -5,19 +5,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Where the build left the programs, and how one starts them. */
-final class Dist {
+public final class Dist {
     private Dist() {}
 
-    static Path root() {
+    public static Path root() {
         return Path.of(System.getProperty("simgsm.root"));
     }
 
-    static Path jar(String program) {
+    public static Path jar(String program) {
         return Path.of(System.getProperty("simgsm.dist"), program + ".jar");
     }
 
     /** The command that starts a program's jar on the Java that runs the tests, set for short runs. */
-    static List<String> command(String program, List<String> arguments) {
+    public static List<String> command(String program, List<String> arguments) {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:TieredStopAtLevel=1",

@@ -7,13 +7,13 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /** A program that was started, ran to its end, and what it left: exit status, standard output, standard error. */
-record FinishedProgram(int status, String output, String error) {
-    static FinishedProgram run(String program, String... arguments) throws IOException, InterruptedException {
+public record FinishedProgram(int status, String output, String error) {
+    public static FinishedProgram run(String program, String... arguments) throws IOException, InterruptedException {
         return run(program, List.of(arguments), Map.of());
     }
 
     /** @param environment added to the tests' own, DISPLAY taken away */
-    static FinishedProgram run(String program, List<String> arguments, Map<String, String> environment)
+    public static FinishedProgram run(String program, List<String> arguments, Map<String, String> environment)
             throws IOException, InterruptedException {
         ProcessBuilder builder = new ProcessBuilder(Dist.command(program, arguments));
         builder.directory(Dist.root().toFile());

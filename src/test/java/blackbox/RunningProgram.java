@@ -17,9 +17,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** One of the programs as a process of its own, driven over its console. Every line must parse as an event. */
-final class RunningProgram implements AutoCloseable {
+public final class RunningProgram implements AutoCloseable {
     /** How long anything may take before the test fails; a guard against hanging, no statement about speed. */
-    static final int PATIENCE_SECONDS = 60;
+    public static final int PATIENCE_SECONDS = 60;
 
     private final String name;
     private final Process process;
@@ -31,7 +31,8 @@ final class RunningProgram implements AutoCloseable {
     private boolean ended;
 
     /** @param environment added to the tests' own, DISPLAY taken away */
-    RunningProgram(String name, List<String> command, Path folder, Map<String, String> environment) throws IOException {
+    public RunningProgram(String name, List<String> command, Path folder, Map<String, String> environment)
+            throws IOException {
         this.name = name;
         this.log = folder.resolve(name + ".log");
         ProcessBuilder builder = new ProcessBuilder(command).redirectError(log.toFile());
@@ -67,7 +68,7 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Types a line. */
-    RunningProgram say(String line) {
+    public RunningProgram say(String line) {
         try {
             input.write(line + "\n");
             input.flush();
@@ -81,7 +82,7 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Ends its standard input. */
-    void endInput() throws IOException {
+    public void endInput() throws IOException {
         input.close();
     }
 
@@ -90,12 +91,12 @@ final class RunningProgram implements AutoCloseable {
      *
      * @param keysAndValues fields that must stand in it, as key, value, key, value
      */
-    ConsoleEvent expect(String event, String... keysAndValues) {
+    public ConsoleEvent expect(String event, String... keysAndValues) {
         return await(event, fields(keysAndValues), Set.of());
     }
 
     /** Like {@link #expect}, but the next event of this name must be the one with these fields. */
-    ConsoleEvent expectNext(String event, String... keysAndValues) {
+    public ConsoleEvent expectNext(String event, String... keysAndValues) {
         Map<String, String> fields = fields(keysAndValues);
         ConsoleEvent found = await(event, Map.of(), Set.of());
         if (!found.matches(event, fields)) {
@@ -105,7 +106,7 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Like {@link #expect}, but none of the named events may come before it. */
-    ConsoleEvent expectBefore(Set<String> forbidden, String event, String... keysAndValues) {
+    public ConsoleEvent expectBefore(Set<String> forbidden, String event, String... keysAndValues) {
         return await(event, fields(keysAndValues), forbidden);
     }
 
@@ -137,7 +138,7 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** The first event of this name among all that have come, wherever the last match was. */
-    synchronized ConsoleEvent said(String event) {
+    public synchronized ConsoleEvent said(String event) {
         return events.stream()
                 .filter(candidate -> candidate.name().equals(event))
                 .findFirst()
@@ -153,7 +154,7 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Asks and waits for the answer; what was printed before the question is passed over. */
-    ConsoleEvent ask(String command, String answer) {
+    public ConsoleEvent ask(String command, String answer) {
         synchronized (this) {
             cursor = events.size();
         }
@@ -162,12 +163,12 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Says {@code quit} and returns the exit status. */
-    int quit() throws InterruptedException {
+    public int quit() throws InterruptedException {
         say("quit");
         return awaitExit();
     }
 
-    int awaitExit() throws InterruptedException {
+    public int awaitExit() throws InterruptedException {
         if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             throw new AssertionError(name + " does not end\n" + this);
         }
@@ -175,24 +176,24 @@ final class RunningProgram implements AutoCloseable {
     }
 
     /** Kills it without a chance to say goodbye. */
-    void kill() throws InterruptedException {
+    public void kill() throws InterruptedException {
         process.destroyForcibly().waitFor();
     }
 
     /** Asks the process to end by a signal. */
-    void terminate() {
+    public void terminate() {
         process.destroy();
     }
 
-    long pid() {
+    public long pid() {
         return process.pid();
     }
 
-    String name() {
+    public String name() {
         return name;
     }
 
-    String log() throws IOException {
+    public String log() throws IOException {
         return Files.readString(log);
     }
 

@@ -13,16 +13,16 @@ import java.util.stream.Stream;
  * A story with a centre, phones and robots, each a process of its own. It is told on standard output; closing it ends
  * all processes and clears its folder.
  */
-final class Scenario implements AutoCloseable {
-    static final String ROBOT = "5550200";
-    static final String PHONE = "5550100";
+public final class Scenario implements AutoCloseable {
+    public static final String ROBOT = "5550200";
+    public static final String PHONE = "5550100";
 
     private final Path folder;
     private final List<RunningProgram> programs = new ArrayList<>();
     private String center = "";
     private ConsoleEvent ready;
 
-    Scenario(String title) {
+    public Scenario(String title) {
         try {
             folder = Files.createTempDirectory("simgsm-scenario");
         } catch (IOException e) {
@@ -32,17 +32,17 @@ final class Scenario implements AutoCloseable {
     }
 
     /** Says what happens next. */
-    void tell(String step) {
+    public void tell(String step) {
         System.out.println("  " + step);
     }
 
     /** Starts any program. */
-    RunningProgram start(String name, String program, String... arguments) {
+    public RunningProgram start(String name, String program, String... arguments) {
         return start(name, Map.of(), program, arguments);
     }
 
     /** Starts any program with something more in its environment. */
-    RunningProgram start(String name, Map<String, String> environment, String program, String... arguments) {
+    public RunningProgram start(String name, Map<String, String> environment, String program, String... arguments) {
         try {
             RunningProgram started =
                     new RunningProgram(name, Dist.command(program, List.of(arguments)), folder, environment);
@@ -61,12 +61,12 @@ final class Scenario implements AutoCloseable {
     }
 
     /** Starts the centre on a free port and waits until it is ready. */
-    RunningProgram center(String... options) {
+    public RunningProgram center(String... options) {
         return centerOn("0", options);
     }
 
     /** Starts the centre again on the port it had. */
-    RunningProgram centerAgain(String... options) {
+    public RunningProgram centerAgain(String... options) {
         return centerOn(center.substring(center.lastIndexOf(':') + 1), options);
     }
 
@@ -80,19 +80,19 @@ final class Scenario implements AutoCloseable {
     }
 
     /** Where the centre, started with {@code --smpp}, takes applications. */
-    int smppPort() {
+    public int smppPort() {
         return Integer.parseInt(ready.field("smpp"));
     }
 
     /** Starts a phone and waits until it is registered. */
-    RunningProgram phone(String number, String... options) {
+    public RunningProgram phone(String number, String... options) {
         RunningProgram phone = unregisteredPhone(number, options);
         phone.expect("registered", "number", number);
         return phone;
     }
 
     /** Starts a phone without waiting for its registration. */
-    RunningProgram unregisteredPhone(String number, String... options) {
+    public RunningProgram unregisteredPhone(String number, String... options) {
         RunningProgram phone =
                 headless("phone-" + number, "simgsm-phone", List.of("--center", center, "--number", number), options);
         phone.expect("ready");
@@ -100,7 +100,7 @@ final class Scenario implements AutoCloseable {
     }
 
     /** Starts SimRobot with a world of ours and waits until its modem is registered. */
-    RunningProgram robot(String world, String... options) {
+    public RunningProgram robot(String world, String... options) {
         RunningProgram robot = headless(
                 "robot",
                 "simrobot",
@@ -117,22 +117,22 @@ final class Scenario implements AutoCloseable {
         return robot;
     }
 
-    static Path world(String name) {
+    public static Path world(String name) {
         return Dist.root().resolve("worlds").resolve(name);
     }
 
     /** A call from the phone to the robot, up to the tone that accepts it. */
-    void call(RunningProgram phone) {
+    public void call(RunningProgram phone) {
         phone.say("dial " + ROBOT);
         phone.expect("connected", "number", ROBOT);
         phone.expectNext("tone", "key", "1");
     }
 
-    Path folder() {
+    public Path folder() {
         return folder;
     }
 
-    String centerAddress() {
+    public String centerAddress() {
         return center;
     }
 

@@ -1,0 +1,93 @@
+package blackbox.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import blackbox.CaptureTest;
+import blackbox.FinishedProgram;
+import blackbox.RunningProgram;
+import blackbox.Scenario;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Wireshark reads the centre's captures without any setting. */
+@Tag("peer")
+class WiresharkTest {
+    @TempDir
+    Path cards;
+
+    @BeforeAll
+    static void requireTshark() {
+        Peer.TSHARK.require();
+    }
+
+    @Test
+    void everyMessageOfADayIsNamedAndSound() throws Exception {
+        try (Scenario scenario = new Scenario("a captured day, read by Wireshark")) {
+            Path file = scenario.folder().resolve("day.pcap");
+            CaptureTest.day(scenario, file);
+            Wireshark.requireSound(
+                    file,
+                    "Location Updating Request",
+                    "Location Updating Accept",
+                    "CM Service Request",
+                    "Paging Response",
+                    "Setup",
+                    "Call Confirmed",
+                    "Alerting",
+                    "Connect Acknowledge",
+                    "Start DTMF Acknowledge",
+                    "Stop DTMF",
+                    "Disconnect",
+                    "Release Complete",
+                    "CP-DATA (RP) RP-DATA",
+                    "CP-ACK",
+                    "IMSI Detach Indication",
+                    "Channel Release",
+                    "SMS BroadCast");
+        }
+    }
+
+    @Test
+    void authenticationInAClosedNetworkIsNamedAndSound() throws Exception {
+        Path list = cards.resolve("class.hlr");
+        FinishedProgram made = FinishedProgram.run(
+                "simgsm-center", "--hlr", list.toString(), "--new-sim", Scenario.PHONE + "," + Scenario.ROBOT);
+        assertEquals(0, made.status(), made.error());
+        Path card = cards.resolve(Scenario.PHONE + ".sim");
+        Path wrong = Files.writeString(
+                cards.resolve("wrong.sim"),
+                Files.readString(card).replaceFirst(" k=[0-9a-f]+", " k=00112233445566778899aabbccddeeff"));
+        try (Scenario scenario = new Scenario("registrations in a closed network, read by Wireshark")) {
+            Path capture = scenario.folder().resolve("closed.pcap");
+            RunningProgram center = scenario.center("--hlr", list.toString(), "--capture", capture.toString());
+            refused(scenario, "3", Scenario.PHONE, "--sim", wrong.toString());
+            refused(scenario, "3", Scenario.PHONE);
+            refused(scenario, "2", "5559999");
+            assertEquals(
+                    0, scenario.phone(Scenario.PHONE, "--sim", card.toString()).quit());
+            center.expect("detached", "number", Scenario.PHONE);
+            assertEquals(0, center.quit());
+            Wireshark.requireSound(
+                    capture,
+                    "Authentication Request",
+                    "Authentication Response",
+                    "Authentication Failure",
+                    "Authentication Reject",
+                    "Location Updating Reject",
+                    "Identity Request",
+                    "Identity Response",
+                    "Location Updating Accept",
+                    "TMSI Reallocation Complete");
+        }
+    }
+
+    private static void refused(Scenario scenario, String cause, String number, String... options) throws Exception {
+        RunningProgram phone = scenario.unregisteredPhone(number, options);
+        phone.expect("unregistered", "cause", cause);
+        assertEquals(0, phone.quit());
+    }
+}

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs the peers of `mvn verify -Ppeers` that Debian, PyPI and npm package. Libraries go to target/peers.
+set -euo pipefail
+cd "$(dirname "$0")/../../.."
+
+have() { command -v "$1" >/dev/null 2>&1; }
+
+packages=()
+have tshark || packages+=(tshark)
+have toast || packages+=(libgsm-tools)
+have sox || packages+=(sox)
+have multimon-ng || packages+=(multimon-ng)
+have bearerbox || packages+=(kannel)
+have cc || packages+=(gcc libc6-dev)
+have python3 || packages+=(python3)
+python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)
+have npm || packages+=(nodejs npm)
+[ -e /usr/include/spandsp.h ] || packages+=(libspandsp-dev)
+if [ ${#packages[@]} -gt 0 ]; then
+    echo "== installing ${packages[*]}"
+    apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+fi
+
+mkdir -p target/peers
+[ -d target/peers/python/smpplib ] || python3 -m pip install -q --target target/peers/python smpplib
+[ -d target/peers/node_modules/smpp ] || npm install --silent --no-fund --no-audit --prefix target/peers smpp
