@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -71,18 +72,15 @@ class DocumentsTest {
         assertEquals(Set.of(), named);
     }
 
-    /** Ours, and those beside the code. */
-    private static Set<String> testClasses() throws IOException {
-        Set<String> classes = new TreeSet<>();
-        for (String module : List.of(".", "vericommand", "simgsm-modem", "simgsm-center", "simgsm-phone", "simrobot")) {
-            try (Stream<Path> files =
-                    Files.walk(Dist.root().resolve(module).resolve("src").resolve("test"))) {
-                files.map(file -> file.getFileName().toString())
-                        .filter(name -> name.endsWith(".java"))
-                        .forEach(name -> classes.add(name.substring(0, name.length() - ".java".length())));
-            }
+    /** The names of all test classes of the repository. */
+    static Set<String> testClasses() throws IOException {
+        try (Stream<Path> files = Files.walk(Dist.root())) {
+            return files.filter(file -> !file.startsWith(Dist.root().resolve("target")))
+                    .map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith("Test.java"))
+                    .map(name -> name.substring(0, name.length() - ".java".length()))
+                    .collect(Collectors.toCollection(TreeSet::new));
         }
-        return classes;
     }
 
     @Test

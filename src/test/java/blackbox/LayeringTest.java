@@ -39,13 +39,13 @@ class LayeringTest {
             simgsm.console           :
             simgsm.audio             : simgsm.speech
             simgsm.ui                : simgsm.console simgsm.dtmf simgsm.speech
-            simgsm.station           : simgsm.octets simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech
-            simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station
+            simgsm.station           : simgsm.octets simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.timer
+            simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.state simgsm.timer
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
-            simgsm.tools             : simgsm.sms simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
-            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
+            simgsm.tools             : simgsm.sms simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz simgsm.air
+            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.state simgsm.timer
             simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.ui simgsm.phone.handset
             simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim

@@ -38,6 +38,7 @@ class NamesAndSizesTest {
             "Refusal",
             "Report",
             "Row",
+            "Samples",
             "Stop",
             "Transition");
 
