@@ -65,9 +65,9 @@ class LayeringTest {
             simrobot.robot           : vericommand simrobot.behaviour simrobot.world
             simrobot.simulation      : vericommand simrobot.behaviour simrobot.world simrobot.robot
             simrobot.camera          : vericommand simrobot.world simrobot.robot simrobot.simulation
-            simrobot.p2os            : simgsm.state vericommand simrobot.robot simrobot.simulation
+            simrobot.p2os            : simgsm.octets simgsm.state vericommand simrobot.robot simrobot.simulation
             simrobot.pioneer         : vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
-            simrobot.replay          : vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
+            simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : vericommand simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera
             simrobot.control         : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.replay simrobot.control

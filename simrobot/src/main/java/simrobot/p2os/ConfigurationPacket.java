@@ -1,5 +1,6 @@
 package simrobot.p2os;
 
+import simgsm.octets.OctetWriter;
 import simrobot.robot.Drive;
 
 /** The answer to CONFIG (0x20): what the robot is and the limits that it starts with. */
@@ -27,49 +28,49 @@ final class ConfigurationPacket {
         int acceleration = (int) Math.round(Drive.AHEAD_LIMITS.acceleration() * 1000);
         int topTurn = (int) Math.round(Math.toDegrees(Drive.TURN_LIMITS.top()));
         int turnAcceleration = (int) Math.round(Math.toDegrees(Drive.TURN_LIMITS.acceleration()));
-        P2osFieldWriter octets = new P2osFieldWriter()
-                .int1(ID)
-                .text(P3dxScale.CLASS)
-                .text(P3dxScale.SUBCLASS)
-                .text(SIMULATED);
-        octets.int1(0)
-                .int2s(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
-                .int2s(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
+        OctetWriter octets = P2osPacket.data()
+                .octet(ID)
+                .zeroEnded(P3dxScale.CLASS)
+                .zeroEnded(P3dxScale.SUBCLASS)
+                .zeroEnded(SIMULATED);
+        octets.octet(0)
+                .twoOctets(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
+                .twoOctets(P3dxScale.MOST_DEGREES_PER_SECOND, P3dxScale.MOST_MILLIMETERS_PER_SECOND)
                 // motor power, name, information packets every 100 ms, both baud rates, no gripper
-                .int2(500)
-                .text(name)
-                .int1(P2osSession.SIP_MILLIS)
-                .int1(0)
-                .int1(0)
-                .int2(0)
+                .twoOctets(500)
+                .zeroEnded(name)
+                .octet(P2osSession.SIP_MILLIS)
+                .octet(0)
+                .octet(0)
+                .twoOctets(0)
                 // front and rear sonars
-                .int2(1)
-                .int1(1)
-                .int2s(LOW_BATTERY_DECIVOLTS, REVOLUTION_COUNT, WATCHDOG_MILLIS)
-                .int1(0)
-                .int2s(STALL_VALUE, STALL_COUNT)
+                .twoOctets(1)
+                .octet(1)
+                .twoOctets(LOW_BATTERY_DECIVOLTS, REVOLUTION_COUNT, WATCHDOG_MILLIS)
+                .octet(0)
+                .twoOctets(STALL_VALUE, STALL_COUNT)
                 // joystick
-                .int2s(topSpeed, topTurn)
-                .int2s(topTurn, topSpeed, turnAcceleration, turnAcceleration, 40, 20, 0)
-                .int2s(acceleration, acceleration, 40, 30, 0)
-                .int1(BUMPERS)
-                .int1(BUMPERS)
+                .twoOctets(topSpeed, topTurn)
+                .twoOctets(topTurn, topSpeed, turnAcceleration, turnAcceleration, 40, 20, 0)
+                .twoOctets(acceleration, acceleration, 40, 30, 0)
+                .octet(BUMPERS)
+                .octet(BUMPERS)
                 // no charger; a sonar every 40 ms; no automatic baud rate, no gyro, no drift
-                .int1(0)
-                .int1(40)
-                .int1(0)
-                .int1(0)
-                .int2(0)
-                .int1(0)
-                .int1(0)
-                .int2(P3dxScale.TICKS_PER_MILLIMETER)
-                .int2(0)
-                .text(FIRMWARE)
+                .octet(0)
+                .octet(40)
+                .octet(0)
+                .octet(0)
+                .twoOctets(0)
+                .octet(0)
+                .octet(0)
+                .twoOctets(P3dxScale.TICKS_PER_MILLIMETER)
+                .twoOctets(0)
+                .zeroEnded(FIRMWARE)
                 // gyro scales, kinematics delay, nothing sideways, no charging threshold
-                .int2s(0, 0)
-                .int1(0)
-                .int2s(0, 0, 0, 0, 0)
-                .int2(0);
-        return P2osPacket.of(octets.toBytes());
+                .twoOctets(0, 0)
+                .octet(0)
+                .twoOctets(0, 0, 0, 0, 0)
+                .twoOctets(0);
+        return P2osPacket.of(octets.toArray());
     }
 }

@@ -27,11 +27,11 @@ public final class P2osCommandCodec {
             throw new IllegalArgumentException("an argument is -65535 to 65535, not " + argument);
         }
         int kind = argument < 0 ? NEGATIVE : POSITIVE;
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(number)
-                .int1(kind)
-                .int2(Math.abs(argument))
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(number)
+                .octet(kind)
+                .twoOctets(Math.abs(argument))
+                .toArray());
     }
 
     /** A command with bytes, framed. */
@@ -39,12 +39,12 @@ public final class P2osCommandCodec {
         if (argument.length > MAX_TEXT) {
             throw new IllegalArgumentException("at most " + MAX_TEXT + " bytes, not " + argument.length);
         }
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(number)
-                .int1(TEXT)
-                .int1(argument.length)
-                .raw(argument)
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(number)
+                .octet(TEXT)
+                .octet(argument.length)
+                .bytes(argument)
+                .toArray());
     }
 
     // ---- what a robot hears -------------------------------------------------------------------------------------

@@ -1,5 +1,8 @@
 package simrobot.p2os;
 
+import java.nio.ByteOrder;
+import simgsm.octets.OctetWriter;
+
 /**
  * The frame around everything that is said: {@code FA FB count data checksum}, where count is the data's length plus 2 and
  * the checksum, alone in all the protocol, stands high byte first.
@@ -18,6 +21,11 @@ public final class P2osPacket {
 
     private P2osPacket() {}
 
+    /** An empty writer for a packet's data: numbers are little-endian. */
+    static OctetWriter data() {
+        return new OctetWriter(ByteOrder.LITTLE_ENDIAN);
+    }
+
     /**
      * Frames the data.
      *
@@ -29,13 +37,14 @@ public final class P2osPacket {
             throw new IllegalArgumentException(
                     "a packet holds 1 to " + (MAX_COUNT - CHECKSUM_LENGTH) + " bytes of data, not " + data.length);
         }
-        return new P2osFieldWriter()
-                .int1(HEADER_1)
-                .int1(HEADER_2)
-                .int1(count)
-                .raw(data)
-                .checksum(checksum(data, 0, data.length))
-                .toBytes();
+        int checksum = checksum(data, 0, data.length);
+        return data().octet(HEADER_1)
+                .octet(HEADER_2)
+                .octet(count)
+                .bytes(data)
+                .octet(checksum >> 8)
+                .octet(checksum)
+                .toArray();
     }
 
     /** The sum of the big-endian pairs modulo 65536; a byte left over goes into the low half by exclusive or. */

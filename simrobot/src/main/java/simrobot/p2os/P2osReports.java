@@ -45,12 +45,12 @@ final class P2osReports {
     }
 
     byte[] introduction() {
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(INTRODUCTION_ID)
-                .text(name())
-                .text(P3dxScale.CLASS)
-                .text(P3dxScale.SUBCLASS)
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(INTRODUCTION_ID)
+                .zeroEnded(name())
+                .zeroEnded(P3dxScale.CLASS)
+                .zeroEnded(P3dxScale.SUBCLASS)
+                .toArray());
     }
 
     byte[] standard(long simulatedNanos) {
@@ -95,30 +95,30 @@ final class P2osReports {
     }
 
     byte[] encoders() {
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(ENCODER_ID)
-                .int4(P3dxScale.ticks(robot.odometry().leftMeters()))
-                .int4(P3dxScale.ticks(robot.odometry().rightMeters()))
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(ENCODER_ID)
+                .fourOctets(P3dxScale.ticks(robot.odometry().leftMeters()))
+                .fourOctets(P3dxScale.ticks(robot.odometry().rightMeters()))
+                .toArray());
     }
 
     /** Two reserved bytes, flags, intervals, the true pose in mm and degrees, and no satellites. */
     byte[] simulator() {
         int step = (int) (Simulation.STEP_NANOS / 1_000_000);
         Pose pose = robot.pose();
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(SIMULATOR_ID)
-                .int2(0)
-                .int4(0)
-                .int2s(step, step, step)
-                .int4(P3dxScale.millimeters(pose.xMeters()))
-                .int4(P3dxScale.millimeters(pose.yMeters()))
-                .int4(0)
-                .int4((int) Math.round(pose.headingDegrees()) % 360)
-                .int4(0)
-                .int4(0)
-                .int4(0)
-                .int1(0)
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(SIMULATOR_ID)
+                .twoOctets(0)
+                .fourOctets(0)
+                .twoOctets(step, step, step)
+                .fourOctets(P3dxScale.millimeters(pose.xMeters()))
+                .fourOctets(P3dxScale.millimeters(pose.yMeters()))
+                .fourOctets(0)
+                .fourOctets((int) Math.round(pose.headingDegrees()) % 360)
+                .fourOctets(0)
+                .fourOctets(0)
+                .fourOctets(0)
+                .octet(0)
+                .toArray());
     }
 }

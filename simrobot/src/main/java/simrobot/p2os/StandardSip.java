@@ -1,5 +1,7 @@
 package simrobot.p2os;
 
+import simgsm.octets.OctetWriter;
+
 /**
  * The server information packet, 0x32 for a robot that stands and 0x33 for one that moves.
  *
@@ -51,21 +53,21 @@ record StandardSip(
     private static final int NO_THERMOMETER = -127;
 
     byte[] packet() {
-        P2osFieldWriter octets = new P2osFieldWriter()
-                .int1(moving ? MOVING_ID : STOPPED_ID)
-                .int2s(x, y, heading, left, right)
-                .int1(batteryDecivolts)
-                .int1(rearBumpers << 1 | (stalled ? 1 : 0))
-                .int1(frontBumpers << 1 | (stalled ? 1 : 0))
-                .int2(target)
-                .int2((motors ? MOTORS_FLAG : 0) | (sonarOn ? SONAR_FLAGS : 0))
-                .int1(0)
-                .int1(sonars.length);
+        OctetWriter octets = P2osPacket.data()
+                .octet(moving ? MOVING_ID : STOPPED_ID)
+                .twoOctets(x, y, heading, left, right)
+                .octet(batteryDecivolts)
+                .octet(rearBumpers << 1 | (stalled ? 1 : 0))
+                .octet(frontBumpers << 1 | (stalled ? 1 : 0))
+                .twoOctets(target)
+                .twoOctets((motors ? MOTORS_FLAG : 0) | (sonarOn ? SONAR_FLAGS : 0))
+                .octet(0)
+                .octet(sonars.length);
         for (int i = 0; i < sonars.length; i++) {
-            octets.int1(sonars[i]).int2(rangesMillimeters[i]);
+            octets.octet(sonars[i]).twoOctets(rangesMillimeters[i]);
         }
-        octets.int1(0).int1(0).int1(0).int1(OPEN_INPUTS).int1(0);
-        octets.int2(batteryDecivolts).int1(0).int2s(turnDecidegreesPerSecond, 0, 0);
-        return P2osPacket.of(octets.int1(NO_THERMOMETER).int1(chargePercent).toBytes());
+        octets.octet(0).octet(0).octet(0).octet(OPEN_INPUTS).octet(0);
+        octets.twoOctets(batteryDecivolts).octet(0).twoOctets(turnDecidegreesPerSecond, 0, 0);
+        return P2osPacket.of(octets.octet(NO_THERMOMETER).octet(chargePercent).toArray());
     }
 }

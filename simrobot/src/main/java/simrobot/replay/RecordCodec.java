@@ -9,6 +9,7 @@ import java.util.zip.CRC32C;
 import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
+import simgsm.octets.OctetWriter;
 
 /** Records between octets of a file and their contents: length, kind, checksum, deflating. */
 final class RecordCodec {
@@ -40,20 +41,20 @@ final class RecordCodec {
     private RecordCodec() {}
 
     static byte[] header() {
-        RecordingWriter out = new RecordingWriter();
+        OctetWriter out = new OctetWriter();
         RecordingFormat.MAGIC.chars().forEach(out::octet);
-        return out.fixed(RecordingFormat.VERSION, 2)
-                .fixed(simrobot.simulation.Simulation.STEP_NANOS, 8)
+        return out.twoOctets(RecordingFormat.VERSION)
+                .eightOctets(simrobot.simulation.Simulation.STEP_NANOS)
                 .toArray();
     }
 
     static byte[] encode(RecordingFormat.Kind kind, byte[] content) {
         Stored stored = deflated(new Stored(kind.ordinal(), content));
-        return new RecordingWriter()
-                .fixed(stored.content.length, 4)
+        return new OctetWriter()
+                .fourOctets(stored.content.length)
                 .octet(stored.kind)
-                .octets(stored.content)
-                .fixed(checksum(stored.kind, stored.content), 4)
+                .bytes(stored.content)
+                .fourOctets(checksum(stored.kind, stored.content))
                 .toArray();
     }
 

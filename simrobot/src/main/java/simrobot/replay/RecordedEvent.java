@@ -2,6 +2,8 @@ package simrobot.replay;
 
 import java.util.Optional;
 import simgsm.console.Event;
+import simgsm.octets.OctetReader;
+import simgsm.octets.OctetWriter;
 
 /**
  * An event of a session.
@@ -33,11 +35,11 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
         };
     }
 
-    void write(RecordingWriter out, long previousNanos) {
-        out.signed(timeNanos - previousNanos).text(robot).text(name).text(line);
+    void write(OctetWriter out, long previousNanos) {
+        out.compactSigned(timeNanos - previousNanos).text(robot).text(name).text(line);
     }
 
-    static RecordedEvent read(RecordingReader in, long previousNanos) {
-        return new RecordedEvent(previousNanos + in.signed(), in.text(), in.text(), in.text());
+    static RecordedEvent read(OctetReader<DamagedException> in, long previousNanos) {
+        return new RecordedEvent(previousNanos + in.compactSigned(), in.text(), in.text(), in.text());
     }
 }

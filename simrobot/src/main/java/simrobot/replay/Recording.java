@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import simgsm.octets.OctetReader;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
@@ -70,9 +71,10 @@ public final class Recording implements AutoCloseable {
         if (header.length < ours.length || !Arrays.equals(header, 0, magic, ours, 0, magic)) {
             throw new IOException(path + ": no SimRobot recording, expected a file made by --record");
         }
-        RecordingReader rest = new RecordingReader(Arrays.copyOfRange(header, magic, header.length));
-        long version = rest.fixed(2);
-        long stepNanos = rest.fixed(8);
+        OctetReader<DamagedException> rest =
+                new OctetReader<>(Arrays.copyOfRange(header, magic, header.length), DamagedException::new);
+        long version = rest.twoOctets("the version");
+        long stepNanos = rest.eightOctets("a time");
         if (version != RecordingFormat.VERSION || stepNanos != Simulation.STEP_NANOS) {
             throw new IOException(path + ": a recording of version " + version + " with steps of " + stepNanos
                     + " ns, expected version " + RecordingFormat.VERSION + " with " + Simulation.STEP_NANOS);
@@ -87,9 +89,10 @@ public final class Recording implements AutoCloseable {
             RecordCodec.Stored record = RecordCodec.read(in);
             while (record != null) {
                 switch (record.meaning()) {
-                    case WORLD -> world = WorldCodec.read(new RecordingReader(record.inflated()));
-                    case CAST -> scene = new Scene(world, names(new RecordingReader(record.inflated())));
-                    case EVENTS -> addEvents(new RecordingReader(record.inflated()));
+                    case WORLD -> world = WorldCodec.read(new OctetReader<>(record.inflated(), DamagedException::new));
+                    case CAST ->
+                        scene = new Scene(world, names(new OctetReader<>(record.inflated(), DamagedException::new)));
+                    case EVENTS -> addEvents(new OctetReader<>(record.inflated(), DamagedException::new));
                     case KEY, CHANGES -> addPart(offset, record, scene);
                 }
                 offset += RecordingFormat.FRAME_OCTETS + record.content().length;
@@ -105,8 +108,8 @@ public final class Recording implements AutoCloseable {
     }
 
     private void addPart(long offset, RecordCodec.Stored record, Scene scene) {
-        RecordingReader times = new RecordingReader(record.content());
-        Part part = new Part(offset, record.meaning(), times.fixed(8), times.fixed(8), scene);
+        OctetReader<DamagedException> times = new OctetReader<>(record.content(), DamagedException::new);
+        Part part = new Part(offset, record.meaning(), times.eightOctets("a time"), times.eightOctets("a time"), scene);
         boolean first = parts.isEmpty();
         if (part.endNanos < part.beginNanos
                 || (first ? part.kind != RecordingFormat.Kind.KEY : part.beginNanos < lastNanos())) {
@@ -115,7 +118,7 @@ public final class Recording implements AutoCloseable {
         parts.add(part);
     }
 
-    private static List<String> names(RecordingReader in) {
+    private static List<String> names(OctetReader<DamagedException> in) {
         int count = in.count();
         List<String> names = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {
@@ -127,7 +130,7 @@ public final class Recording implements AutoCloseable {
         return List.copyOf(names);
     }
 
-    private void addEvents(RecordingReader in) {
+    private void addEvents(OctetReader<DamagedException> in) {
         long before = 0;
         for (int left = in.count(); left > 0; left--) {
             RecordedEvent event = RecordedEvent.read(in, before);
@@ -184,15 +187,16 @@ public final class Recording implements AutoCloseable {
     }
 
     /** The entries of a part. */
-    RecordingReader entries(Part part) throws IOException {
+    OctetReader<DamagedException> entries(Part part) throws IOException {
         file.seek(part.offset);
         int length = file.readInt();
         int kind = file.readUnsignedByte();
         byte[] content = new byte[length];
         file.readFully(content);
-        RecordingReader in = new RecordingReader(new RecordCodec.Stored(kind, content).inflated());
-        in.fixed(8);
-        in.fixed(8);
+        OctetReader<DamagedException> in =
+                new OctetReader<>(new RecordCodec.Stored(kind, content).inflated(), DamagedException::new);
+        in.eightOctets("a time");
+        in.eightOctets("a time");
         return in;
     }
 

@@ -3,6 +3,7 @@ package simrobot.replay;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import simgsm.octets.OctetReader;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
@@ -24,7 +25,7 @@ public final class ReplayCursor {
     private Track[] tracks;
     private String watched = "";
     private int part = -1;
-    private RecordingReader entries;
+    private OctetReader<DamagedException> entries;
     private long timeNanos;
     private long idleSteps;
 
@@ -171,7 +172,7 @@ public final class ReplayCursor {
     }
 
     private void readEntry() {
-        long entry = entries.number();
+        long entry = entries.compact();
         long number = entry >>> 2;
         switch ((int) (entry & 3)) {
             case RecordingFormat.IDLE_STEPS -> idleSteps = number;
@@ -187,7 +188,7 @@ public final class ReplayCursor {
     private void readChanges(long count) {
         long next = 0;
         for (long left = count; left > 0; left--) {
-            long robot = next + entries.number();
+            long robot = next + entries.compact();
             if (robot < 0 || robot >= tracks.length) {
                 throw new DamagedException("a change of robot " + robot + " of " + tracks.length);
             }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
 import simgsm.console.Event;
+import simgsm.octets.OctetWriter;
 import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -21,7 +22,7 @@ final class SessionEncoder {
 
     private final Simulation simulation;
     private final BiConsumer<RecordingFormat.Kind, byte[]> sink;
-    private final RecordingWriter entries = new RecordingWriter();
+    private final OctetWriter entries = new OctetWriter();
     private final List<RecordedEvent> events = new ArrayList<>();
     private World world;
     private List<SimulatedRobot> cast = List.of();
@@ -56,13 +57,13 @@ final class SessionEncoder {
         } else {
             openRecord();
             putIdle();
-            entries.number((long) changed << 2 | RecordingFormat.STEP);
+            entries.compact((long) changed << 2 | RecordingFormat.STEP);
             putChanges();
             changesSinceKey += changed;
             stepsSinceKey++;
         }
         timeNanos = nanos;
-        if (entries.size() >= RECORD_OCTETS) {
+        if (entries.length() >= RECORD_OCTETS) {
             closeRecord();
         }
     }
@@ -78,11 +79,11 @@ final class SessionEncoder {
             if (changed > 0) {
                 openRecord();
                 putIdle();
-                entries.number((long) changed << 2 | RecordingFormat.IN_PLACE);
+                entries.compact((long) changed << 2 | RecordingFormat.IN_PLACE);
                 putChanges();
             }
         }
-        if (open && entries.size() > 0) {
+        if (open && entries.length() > 0) {
             closeRecord();
         }
         closeEvents();
@@ -102,16 +103,16 @@ final class SessionEncoder {
     private void beginScene() {
         if (simulation.world() != world) {
             world = simulation.world();
-            RecordingWriter out = new RecordingWriter();
+            OctetWriter out = new OctetWriter();
             WorldCodec.write(world, out);
             sink.accept(RecordingFormat.Kind.WORLD, out.toArray());
         }
         cast = simulation.robots();
-        RecordingWriter names = new RecordingWriter().number(cast.size());
+        OctetWriter names = new OctetWriter().compact(cast.size());
         cast.forEach(robot -> names.text(robot.name()));
         sink.accept(RecordingFormat.Kind.CAST, names.toArray());
         tracks = new Track[cast.size()];
-        RecordingWriter nothing = new RecordingWriter();
+        OctetWriter nothing = new OctetWriter();
         for (int i = 0; i < tracks.length; i++) {
             tracks[i] = new Track();
             tracks[i].writeWhole(cast.get(i).state(), nothing);
@@ -156,9 +157,8 @@ final class SessionEncoder {
         if (open) {
             putIdle();
             byte[] told = entries.toArray();
-            RecordingWriter content =
-                    new RecordingWriter().fixed(openedAtNanos, 8).fixed(timeNanos, 8);
-            content.octets(told);
+            OctetWriter content = new OctetWriter().eightOctets(openedAtNanos).eightOctets(timeNanos);
+            content.bytes(told);
             entries.clear();
             open = false;
             sink.accept(openKind, content.toArray());
@@ -167,7 +167,7 @@ final class SessionEncoder {
 
     private void closeEvents() {
         if (!events.isEmpty()) {
-            RecordingWriter content = new RecordingWriter().number(events.size());
+            OctetWriter content = new OctetWriter().compact(events.size());
             long before = 0;
             for (RecordedEvent event : events) {
                 event.write(content, before);
@@ -182,7 +182,7 @@ final class SessionEncoder {
 
     private void putIdle() {
         if (idleSteps > 0) {
-            entries.number((long) idleSteps << 2 | RecordingFormat.IDLE_STEPS);
+            entries.compact((long) idleSteps << 2 | RecordingFormat.IDLE_STEPS);
             idleSteps = 0;
         }
     }
@@ -202,7 +202,7 @@ final class SessionEncoder {
         for (int i = 0; i < tracks.length; i++) {
             RobotState state = cast.get(i).state();
             if (tracks[i].differs(state)) {
-                entries.number(i - next);
+                entries.compact(i - next);
                 next = i + 1;
                 tracks[i].writeChange(state, entries);
             }

@@ -1,5 +1,7 @@
 package simrobot.replay;
 
+import simgsm.octets.OctetReader;
+import simgsm.octets.OctetWriter;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.robot.RobotState;
 import vericommand.RobotStatus;
@@ -55,18 +57,18 @@ final class Track {
 
     // ---- whole states --------------------------------------------------------------------------------------------
 
-    void writeWhole(RobotState state, RecordingWriter out) {
+    void writeWhole(RobotState state, OctetWriter out) {
         for (int i = 0; i < QUANTITIES; i++) {
             begin(i, quantity(state, i));
-            out.exact(newest[i]);
+            out.real(newest[i]);
         }
         takeStatus(state.status(), state.behaviour());
         writeStatus(out);
     }
 
-    void readWhole(RecordingReader in) {
+    void readWhole(OctetReader<DamagedException> in) {
         for (int i = 0; i < QUANTITIES; i++) {
-            begin(i, in.exact());
+            begin(i, in.real());
         }
         readStatus(in);
     }
@@ -79,7 +81,7 @@ final class Track {
 
     // ---- changes -------------------------------------------------------------------------------------------------
 
-    void writeChange(RobotState state, RecordingWriter out) {
+    void writeChange(RobotState state, OctetWriter out) {
         int mask = 0;
         for (int i = 0; i < QUANTITIES; i++) {
             if (bits(quantity(state, i)) != bits(foretold(i))) {
@@ -89,11 +91,11 @@ final class Track {
         if (state.status() != status || state.behaviour() != behaviour) {
             mask |= STATUS_BIT;
         }
-        out.number(mask);
+        out.compact(mask);
         for (int i = 0; i < QUANTITIES; i++) {
             double value = quantity(state, i);
             if ((mask & bit(i)) != 0) {
-                out.signed(bits(value) - bits(foretold(i)));
+                out.compactSigned(bits(value) - bits(foretold(i)));
             }
             advance(i, value);
         }
@@ -103,11 +105,11 @@ final class Track {
         }
     }
 
-    void readChange(RecordingReader in) {
-        long mask = in.number();
+    void readChange(OctetReader<DamagedException> in) {
+        long mask = in.compact();
         for (int i = 0; i < QUANTITIES; i++) {
             double foretold = foretold(i);
-            advance(i, (mask & bit(i)) == 0 ? foretold : value(bits(foretold) + in.signed()));
+            advance(i, (mask & bit(i)) == 0 ? foretold : value(bits(foretold) + in.compactSigned()));
         }
         if ((mask & STATUS_BIT) != 0) {
             readStatus(in);
@@ -148,13 +150,13 @@ final class Track {
         behaviour = process;
     }
 
-    private void writeStatus(RecordingWriter out) {
+    private void writeStatus(OctetWriter out) {
         out.octet(status.ordinal()).octet(behaviour.ordinal());
     }
 
-    private void readStatus(RecordingReader in) {
-        int s = in.octet();
-        int b = in.octet();
+    private void readStatus(OctetReader<DamagedException> in) {
+        int s = in.octet("a status");
+        int b = in.octet("a process");
         if (s >= STATUSES.length || b >= BEHAVIOURS.length) {
             throw new DamagedException("a robot's status " + s + " with the process " + b);
         }

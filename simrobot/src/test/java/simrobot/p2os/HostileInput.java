@@ -1,6 +1,7 @@
 package simrobot.p2os;
 
 import java.util.Random;
+import simgsm.octets.OctetWriter;
 
 /** What nobody should send, and what one should be ready for. */
 final class HostileInput {
@@ -26,25 +27,25 @@ final class HostileInput {
     }
 
     private static byte[] header(Random random, int count) {
-        return new P2osFieldWriter()
-                .int1(P2osPacket.HEADER_1)
-                .int1(P2osPacket.HEADER_2)
-                .int1(count)
-                .raw(noise(random, random.nextInt(300)))
-                .toBytes();
+        return P2osPacket.data()
+                .octet(P2osPacket.HEADER_1)
+                .octet(P2osPacket.HEADER_2)
+                .octet(count)
+                .bytes(noise(random, random.nextInt(300)))
+                .toArray();
     }
 
     /** Good packets with any number and any argument, the sensible and the senseless. */
     private static byte[] manyCommands(Random random) {
-        P2osFieldWriter octets = new P2osFieldWriter();
+        OctetWriter octets = P2osPacket.data();
         for (int i = 0; i < 200; i++) {
             int number = random.nextInt(256);
             if (number == P2osCommandNumber.CLOSE) {
                 continue;
             }
-            octets.raw(P2osCommandCodec.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
+            octets.bytes(P2osCommandCodec.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
         }
-        return octets.toBytes();
+        return octets.toArray();
     }
 
     private static byte[] cutOff(Random random) {
@@ -61,11 +62,11 @@ final class HostileInput {
     /** A text that says it is longer than it is, a pose that ends early. */
     private static byte[] lyingLength(Random random) {
         int number = random.nextBoolean() ? P2osCommandNumber.POLLING : P2osCommandNumber.SIM_SET_POSE;
-        return P2osPacket.of(new P2osFieldWriter()
-                .int1(number)
-                .int1(0x2B)
-                .int1(200 + random.nextInt(56))
-                .raw(noise(random, random.nextInt(20)))
-                .toBytes());
+        return P2osPacket.of(P2osPacket.data()
+                .octet(number)
+                .octet(0x2B)
+                .octet(200 + random.nextInt(56))
+                .bytes(noise(random, random.nextInt(20)))
+                .toArray());
     }
 }

@@ -64,13 +64,13 @@ class P2osCommandCodecTest {
 
     @Test
     void simulatorPosesAreThreeLongNumbers() {
-        byte[] data = new P2osFieldWriter()
-                .int1(P2osCommandNumber.SIM_SET_POSE)
-                .int1(0x3B)
-                .int4(-1500)
-                .int4(70000)
-                .int4(90)
-                .toBytes();
+        byte[] data = P2osPacket.data()
+                .octet(P2osCommandNumber.SIM_SET_POSE)
+                .octet(0x3B)
+                .fourOctets(-1500)
+                .fourOctets(70000)
+                .fourOctets(90)
+                .toArray();
         assertEquals(new P2osCommand.SimPose(-1500, 70000, 90), P2osCommandCodec.decode(data));
     }
 

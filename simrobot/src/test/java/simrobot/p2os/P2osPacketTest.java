@@ -52,12 +52,12 @@ class P2osPacketTest {
 
     @Test
     void theIntroductionIsFramedAsSeenOnTheWire() {
-        byte[] data = new P2osFieldWriter()
-                .int1(2)
-                .text("SimRobot")
-                .text("Pioneer")
-                .text("p2dx")
-                .toBytes();
+        byte[] data = P2osPacket.data()
+                .octet(2)
+                .zeroEnded("SimRobot")
+                .zeroEnded("Pioneer")
+                .zeroEnded("p2dx")
+                .toArray();
         String framed = HEX.formatHex(P2osPacket.of(data));
         assertEquals("fafb1902" + HEX.formatHex("SimRobot".getBytes()) + "00", framed.substring(0, 26));
         assertEquals("00" + "0084", framed.substring(framed.length() - 6));

@@ -204,13 +204,13 @@ class P2osSessionTest {
     @Test
     void theSimulatorsPoseAndResetMoveTheRobot() {
         SessionBench bench = SessionBench.opened();
-        bench.say(P2osPacket.of(new P2osFieldWriter()
-                .int1(P2osCommandNumber.SIM_SET_POSE)
-                .int1(0x3B)
-                .int4(-1000)
-                .int4(1500)
-                .int4(180)
-                .toBytes()));
+        bench.say(P2osPacket.of(P2osPacket.data()
+                .octet(P2osCommandNumber.SIM_SET_POSE)
+                .octet(0x3B)
+                .fourOctets(-1000)
+                .fourOctets(1500)
+                .fourOctets(180)
+                .toArray()));
         assertEquals(-1, bench.robot.xMeters());
         assertEquals(0, bench.robot.odometry().xMeters());
         bench.say(P2osCommandNumber.SIM_RESET);

@@ -32,10 +32,10 @@ public final class SmppCodec {
     /** @param to behind the last octet of the PDU, at least {@link #HEADER_LENGTH} behind the first */
     static SmppPdu decode(byte[] octets, int from, int to) throws SmppViolation {
         SmppReader in = new SmppReader(octets, from, to);
-        in.fourOctets("command_length");
-        int id = in.fourOctets("command_id");
-        int status = in.fourOctets("command_status");
-        int sequence = in.fourOctets("sequence_number");
+        in.word("command_length");
+        int id = in.word("command_id");
+        int status = in.word("command_status");
+        int sequence = in.word("sequence_number");
         boolean isResponse = (id & SmppCommand.RESPONSE) != 0;
         if (id == SmppCommand.RESPONSE) {
             return new SmppPdu.GenericNack(status, sequence);

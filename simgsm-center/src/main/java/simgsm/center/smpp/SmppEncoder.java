@@ -1,6 +1,5 @@
 package simgsm.center.smpp;
 
-import java.nio.charset.StandardCharsets;
 import simgsm.octets.OctetWriter;
 
 /** PDUs to octets. */
@@ -15,18 +14,18 @@ final class SmppEncoder {
         } else if (pdu instanceof SmppPdu.MessageResponse response) {
             response(out, response.command(), response.status(), response.sequence());
             if (response.status() == SmppStatus.OK) {
-                text(out, response.messageId());
+                out.zeroEnded(response.messageId());
             }
         } else if (pdu instanceof SmppPdu.BindResponse response) {
             response(out, response.command(), response.status(), response.sequence());
             if (response.status() == SmppStatus.OK) {
-                text(out, response.systemId());
+                out.zeroEnded(response.systemId());
                 write(out, Tlv.ofOctet(Tlv.INTERFACE_VERSION, SmppServer.INTERFACE_VERSION));
             }
         } else if (pdu instanceof SmppPdu.QueryResponse response) {
             response(out, SmppCommand.QUERY_SM, response.status(), response.sequence());
-            text(out, response.messageId());
-            text(out, response.finalDate());
+            out.zeroEnded(response.messageId());
+            out.zeroEnded(response.finalDate());
             out.octet(response.state()).octet(response.error());
         } else if (pdu instanceof SmppPdu.Plain plain) {
             request(out, plain.command(), plain.sequence());
@@ -44,19 +43,19 @@ final class SmppEncoder {
     private static void writeOfApplications(OctetWriter out, SmppPdu pdu) {
         if (pdu instanceof SmppPdu.Bind bind) {
             request(out, bind.command(), bind.sequence());
-            text(out, bind.systemId());
-            text(out, bind.password());
-            text(out, bind.systemType());
+            out.zeroEnded(bind.systemId());
+            out.zeroEnded(bind.password());
+            out.zeroEnded(bind.systemType());
             out.octet(bind.interfaceVersion()).octet(0).octet(0);
-            text(out, bind.addressRange());
+            out.zeroEnded(bind.addressRange());
         } else if (pdu instanceof SmppPdu.Query query) {
             request(out, SmppCommand.QUERY_SM, query.sequence());
-            text(out, query.messageId());
+            out.zeroEnded(query.messageId());
             write(out, query.source());
         } else if (pdu instanceof SmppPdu.Cancel cancel) {
             request(out, SmppCommand.CANCEL_SM, cancel.sequence());
-            text(out, "");
-            text(out, cancel.messageId());
+            out.zeroEnded("");
+            out.zeroEnded(cancel.messageId());
             write(out, cancel.source());
             write(out, cancel.destination());
         }
@@ -83,7 +82,7 @@ final class SmppEncoder {
 
     private static void write(OctetWriter out, SmppPdu.Message pdu) {
         SmppMessage message = pdu.message();
-        text(out, message.serviceType());
+        out.zeroEnded(message.serviceType());
         write(out, message.source());
         write(out, message.destination());
         out.octet(message.esmClass());
@@ -91,8 +90,8 @@ final class SmppEncoder {
             out.octet(message.registeredDelivery()).octet(message.dataCoding());
         } else {
             out.octet(message.protocolId()).octet(message.priority());
-            text(out, message.schedule());
-            text(out, message.validity());
+            out.zeroEnded(message.schedule());
+            out.zeroEnded(message.validity());
             out.octet(message.registeredDelivery()).octet(message.replaceIfPresent());
             out.octet(message.dataCoding()).octet(message.defaultMessageId());
             out.octet(message.shortMessage().length()).string(message.shortMessage());
@@ -104,17 +103,10 @@ final class SmppEncoder {
 
     private static void write(OctetWriter out, SmppAddress address) {
         out.octet(address.ton()).octet(address.npi());
-        text(out, address.value());
+        out.zeroEnded(address.value());
     }
 
     private static void write(OctetWriter out, Tlv parameter) {
         out.twoOctets(parameter.tag()).twoOctets(parameter.value().length()).string(parameter.value());
-    }
-
-    private static void text(OctetWriter out, String text) {
-        if (!text.isEmpty()) {
-            out.bytes(text.getBytes(StandardCharsets.ISO_8859_1));
-        }
-        out.octet(0);
     }
 }

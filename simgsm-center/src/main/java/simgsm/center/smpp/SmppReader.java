@@ -1,41 +1,22 @@
 package simgsm.center.smpp;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import simgsm.octets.OctetReader;
 import simgsm.octets.OctetString;
 
-/** Reads the octets of one PDU in order; the end comes as {@link SmppViolation}, never as an index error. */
-final class SmppReader {
+/** Reads one PDU; where it is too short or a field too long, the violation has the status that answers it. */
+final class SmppReader extends OctetReader<SmppViolation> {
+    /** Tag and length, two octets each (5.3.1). */
     private static final int TLV_HEADER = 4;
 
-    private final byte[] octets;
-    private final int end;
-    private int position;
-
     SmppReader(byte[] octets, int from, int to) {
-        this.octets = octets;
-        this.position = from;
-        this.end = to;
+        super(octets, from, to, text -> new SmppViolation(SmppStatus.INVALID_COMMAND_LENGTH, text));
     }
 
-    boolean hasMore() {
-        return position < end;
-    }
-
-    int octet(String field) throws SmppViolation {
-        require(1, field, SmppStatus.INVALID_COMMAND_LENGTH);
-        return octets[position++] & 0xff;
-    }
-
-    int fourOctets(String field) throws SmppViolation {
-        require(4, field, SmppStatus.INVALID_COMMAND_LENGTH);
-        int value = 0;
-        for (int i = 0; i < 4; i++) {
-            value = value << 8 | octets[position++] & 0xff;
-        }
-        return value;
+    /** Four octets of the header, as the bits of an int. */
+    int word(String field) throws SmppViolation {
+        return (int) fourOctets(field);
     }
 
     /**
@@ -45,46 +26,42 @@ final class SmppReader {
      * @param status the answer to a longer one
      */
     String text(int most, String field, int status) throws SmppViolation {
-        int limit = Math.min(end, position + most);
-        for (int i = position; i < limit; i++) {
-            if (octets[i] == 0) {
-                String text =
-                        i == position ? "" : new String(octets, position, i - position, StandardCharsets.ISO_8859_1);
-                position = i + 1;
-                return text;
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < most; i++) {
+            if (!hasMore()) {
+                throw new SmppViolation(SmppStatus.INVALID_COMMAND_LENGTH, field + " does not end within the PDU");
             }
-        }
-        if (limit < position + most) {
-            throw new SmppViolation(SmppStatus.INVALID_COMMAND_LENGTH, field + " does not end within the PDU");
+            int octet = octet(field);
+            if (octet == 0) {
+                return text.toString();
+            }
+            text.append((char) octet);
         }
         throw new SmppViolation(status, field + " does not end within " + most + " octets");
     }
 
+    /** @param status the answer if fewer octets are left */
     OctetString string(int count, String field, int status) throws SmppViolation {
         require(count, field, status);
-        position += count;
-        return OctetString.of(Arrays.copyOfRange(octets, position - count, position));
+        return string(count, field);
     }
 
     /** All that is left, as optional parameters. */
     List<Tlv> parameters() throws SmppViolation {
-        if (!hasMore()) {
-            return List.of();
-        }
         List<Tlv> found = new ArrayList<>(2);
         while (hasMore()) {
             require(TLV_HEADER, "an optional parameter", SmppStatus.INVALID_OPTIONAL_PART);
-            int tag = octet("tag") << 8 | octet("tag");
-            int length = octet("length") << 8 | octet("length");
+            int tag = twoOctets("tag");
+            int length = twoOctets("length");
             found.add(new Tlv(tag, string(length, "parameter " + tag, SmppStatus.INVALID_PARAMETER_LENGTH)));
         }
         return found;
     }
 
     private void require(int count, String field, int status) throws SmppViolation {
-        if (count > end - position) {
+        if (count > remaining()) {
             throw new SmppViolation(
-                    status, field + " needs " + count + " octets, " + (end - position) + " are left in the PDU");
+                    status, field + " needs " + count + " octets, " + remaining() + " are left in the PDU");
         }
     }
 }

@@ -80,42 +80,42 @@ public class OctetReader<X extends Exception> {
     }
 
     /** The next eight octets as a number in IEEE 754 binary64. */
-    public final double real(String what) throws X {
-        return Double.longBitsToDouble(eightOctets(what));
+    public final double real() throws X {
+        return Double.longBitsToDouble(eightOctets("a number"));
     }
 
     /** An unsigned number of 64 bits in LEB128: seven bits an octet, the lowest first, the top bit set but in the last. */
-    public final long compact(String what) throws X {
+    public final long compact() throws X {
         long value = 0;
         for (int shift = 0; shift < Long.SIZE; shift += 7) {
-            int octet = octet(what);
+            int octet = octet("a number");
             value |= (long) (octet & 0x7f) << shift;
             if (octet < 0x80) {
                 return value;
             }
         }
-        throw error.apply(what + " has over 10 octets");
+        throw error.apply("a number has over 10 octets");
     }
 
     /** A signed number in LEB128: 0, -1, 1, -2, 2 ... are written as 0, 1, 2, 3, 4 ... (zigzag). */
-    public final long compactSigned(String what) throws X {
-        long value = compact(what);
+    public final long compactSigned() throws X {
+        long value = compact();
         return value >>> 1 ^ -(value & 1);
     }
 
     /** A number of items in LEB128, of which each has one octet or more. */
-    public final int count(String what) throws X {
-        long count = compact(what);
+    public final int count() throws X {
+        long count = compact();
         if (count < 0 || count > remaining()) {
-            throw error.apply(what + " counts " + count + " items, " + remaining() + " octets are left");
+            throw error.apply("a list counts " + count + " items, " + remaining() + " octets are left");
         }
         return (int) count;
     }
 
     /** A text in UTF-8, led by its number of octets in LEB128. */
-    public final String text(String what) throws X {
-        int length = count(what);
-        return new String(octets, take(length, what), length, StandardCharsets.UTF_8);
+    public final String text() throws X {
+        int length = count();
+        return new String(octets, take(length, "a text"), length, StandardCharsets.UTF_8);
     }
 
     /** The next {@code count} octets. */
