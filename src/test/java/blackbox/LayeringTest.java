@@ -38,7 +38,10 @@ class LayeringTest {
             simgsm.speech            :
             simgsm.console           :
             simgsm.audio             : simgsm.speech
-            simgsm.ui                : simgsm.console simgsm.dtmf simgsm.speech
+            simgsm.draw              :
+            simgsm.ui                : simgsm.console simgsm.draw
+            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.draw simgsm.ui
+            simgsm.ui.window         : simgsm.console simgsm.draw simgsm.ui
             simgsm.station           : simgsm.octets simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.timer
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.state simgsm.timer
             simgsm.tools.audio       : simgsm.speech

@@ -1,9 +1,12 @@
-/** Swing components that all windows share, and the sound card. */
+/** Swing components that all windows share, the canvas of their pictures, and the sound card. */
 module simgsm.desktop {
     requires transitive java.desktop;
     requires transitive simgsm.console;
     requires transitive simgsm.sound;
 
     exports simgsm.audio;
+    exports simgsm.draw;
     exports simgsm.ui;
+    exports simgsm.ui.scope;
+    exports simgsm.ui.window;
 }

@@ -27,7 +27,7 @@ import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
-import simgsm.ui.ProgramWindow;
+import simgsm.ui.window.ProgramWindow;
 import simrobot.app.BatchRun;
 import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
@@ -53,7 +53,7 @@ import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.Refusals;
+import simrobot.ui.panel.RefusalTexts;
 import simrobot.ui.panel.SimRobotWindow;
 import simrobot.world.World;
 import vericommand.Settings;
@@ -179,7 +179,7 @@ public final class SimRobotMain {
     private static int watched(ProgramWindow window, Locale language, Path file, double speed)
             throws IOException, InterruptedException {
         try (ReplayThread replay = opened(file)) {
-            ReplayModel model = new ReplayModel(replay, new Refusals(language));
+            ReplayModel model = new ReplayModel(replay, new RefusalTexts(language));
             replay.onFailure(fault -> Collapse.end(NAME, fault));
             replay.setSpeed(speed);
             replay.setPaused(false);
@@ -201,7 +201,7 @@ public final class SimRobotMain {
                 ListeningPorts ports = opened) {
             endInOrder(simRobot, record);
             record.listenTo(simRobot);
-            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new Refusals(language));
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
             simRobot.start();
             ports.start();
             window.show(

@@ -17,8 +17,8 @@ import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.console.Options;
 import simgsm.console.Program;
-import simgsm.ui.Display;
-import simgsm.ui.ProgramWindow;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
 
 /** Starts M3 from the command line. */
 public final class CenterMain {

@@ -7,18 +7,18 @@ import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.console.TextBundle;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
-import simgsm.ui.Texts;
 
 /** Prints what the handset tells, field by field as the console's contract has it. */
 final class PhoneEventPrinter implements HandsetListener {
     private final Console console;
-    private final Texts texts;
+    private final TextBundle texts;
 
-    PhoneEventPrinter(Console console, Texts texts) {
+    PhoneEventPrinter(Console console, TextBundle texts) {
         this.console = console;
         this.texts = texts;
     }

@@ -12,13 +12,13 @@ import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
+import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
-import simgsm.ui.ProgramWindow;
-import simgsm.ui.Texts;
+import simgsm.ui.window.ProgramWindow;
 
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
@@ -64,7 +64,7 @@ public final class PhoneMain {
     static int run(Arguments arguments) throws Exception {
         PhoneSettings settings = PhoneSettings.of(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
-        Texts texts = PhoneTexts.in(arguments.language());
+        TextBundle texts = PhoneTexts.in(arguments.language());
         return arguments.has("headless")
                 ? headless(arguments, settings, center, texts)
                 : windowed(arguments, settings, center, texts);
@@ -82,7 +82,7 @@ public final class PhoneMain {
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
-    private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
+    private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, TextBundle texts)
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         Locale language = arguments.language();
@@ -99,7 +99,7 @@ public final class PhoneMain {
         return ExitStatus.OK;
     }
 
-    private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, Texts texts)
+    private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, TextBundle texts)
             throws IOException, InterruptedException, UsageException {
         try (Console console = Console.onStandardOutput();
                 Phone phone = new Phone(settings, new PhoneEventPrinter(console, texts), sound(arguments))) {

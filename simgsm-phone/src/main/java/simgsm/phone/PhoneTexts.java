@@ -2,13 +2,14 @@ package simgsm.phone;
 
 import java.util.Locale;
 import java.util.ResourceBundle;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 /** The phone's texts, for its console and its window. */
 final class PhoneTexts {
     private PhoneTexts() {}
 
-    static Texts in(Locale language) {
-        return new Texts(ResourceBundle.getBundle("simgsm.phone.messages", Texts.bundleLocale(language)), Locale.ROOT);
+    static TextBundle in(Locale language) {
+        return new TextBundle(
+                ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
     }
 }

@@ -14,7 +14,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 /** The phone's texts: both languages say the same things, and every text is used. */
 class BundleTest {
@@ -87,7 +87,7 @@ class BundleTest {
 
     @Test
     void pluralsAreChosen() {
-        Texts texts = PhoneTexts.in(Locale.ENGLISH);
+        TextBundle texts = PhoneTexts.in(Locale.ENGLISH);
         assertEquals("1 new message", texts.of("lcd.unread", 1));
         assertEquals("12 new messages", texts.of("lcd.unread", 12));
     }

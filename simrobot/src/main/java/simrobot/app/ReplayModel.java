@@ -15,20 +15,20 @@ import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.Placement;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.Refusals;
+import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.World;
 import vericommand.Pose;
 
 /** A recorded session as the window sees it: it can be looked at from any time, but nothing can be done to it. */
-public final class ReplayModel implements SimRobotActions {
+public final class ReplayModel implements OperatorActions {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final ReplayThread replay;
-    private final Refusals refusals;
+    private final RefusalTexts refusals;
     private final Timeline timeline;
     private final List<LoggedEvent> events = new ArrayList<>();
     private final String damage;
@@ -37,7 +37,7 @@ public final class ReplayModel implements SimRobotActions {
     private volatile long noticeNanos;
     private WindowSnapshot newest;
 
-    public ReplayModel(ReplayThread replay, Refusals refusals) {
+    public ReplayModel(ReplayThread replay, RefusalTexts refusals) {
         this.replay = replay;
         this.refusals = refusals;
         Recording recording = replay.recording();

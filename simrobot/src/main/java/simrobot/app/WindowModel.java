@@ -25,19 +25,19 @@ import simrobot.control.TelephoneRobot;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.simulation.SimulationThread;
-import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
+import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.Refusals;
+import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.MapFile;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
 
 /** The program as its window sees it: pictures from every thread's newest snapshots, acts to the threads that own things. */
-public final class WindowModel implements SimRobotActions {
+public final class WindowModel implements OperatorActions {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
@@ -48,7 +48,7 @@ public final class WindowModel implements SimRobotActions {
     private final RobotEventLog log;
     private final SessionButton sessions;
     private final FileExports exports;
-    private final Refusals refusals;
+    private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private final WorldWatch watch;
@@ -61,7 +61,7 @@ public final class WindowModel implements SimRobotActions {
     private record Line(TelephoneRobot robot, SentToneHistory sent) {}
 
     /** To be made before the start, for it listens to the robots. */
-    public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, Refusals refusals) {
+    public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, RefusalTexts refusals) {
         this.refusals = refusals;
         this.worldFile = worldFile;
         watch = new WorldWatch(slowActs, worldFile);
@@ -126,9 +126,9 @@ public final class WindowModel implements SimRobotActions {
         return open;
     }
 
-    private LineSnapshot picture(Line line) {
+    private TelephoneSnapshot picture(Line line) {
         TelephoneRobot robot = line.robot();
-        return new LineSnapshot(
+        return new TelephoneSnapshot(
                 robot.name(),
                 robot.number().digits(),
                 robot.modem(),

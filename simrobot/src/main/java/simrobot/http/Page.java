@@ -3,7 +3,7 @@ package simrobot.http;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
@@ -22,7 +22,7 @@ final class Page {
 
     private static final int MOST_ROWS = 200;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final String template;
 
     Page(Locale language) {
@@ -69,7 +69,7 @@ final class Page {
     private static String row(RobotSnapshot robot, WebSource source) {
         String place = Html.number(robot.xMeters(), 3) + " " + Html.number(robot.yMeters(), 3);
         return "<tr data-robot=\"" + Html.text(robot.name()) + "\"><th scope=\"row\"><a href=\"/robots/"
-                + Html.text(Paths.encoded(robot.name())) + "\">" + Html.text(robot.name()) + "</a></th>"
+                + Html.text(UrlPaths.encoded(robot.name())) + "\">" + Html.text(robot.name()) + "</a></th>"
                 + cell("number", source.number(robot.name()))
                 + cell("status", robot.status().text())
                 + cell("place", place)
@@ -83,7 +83,7 @@ final class Page {
     }
 
     private String camera(RobotSnapshot robot) {
-        String path = "/robots/" + Html.text(Paths.encoded(robot.name()));
+        String path = "/robots/" + Html.text(UrlPaths.encoded(robot.name()));
         return "<figure><img class=\"camera\" src=\"" + path + "/camera.jpg\" width=\"320\" height=\"240\" alt=\""
                 + Html.text(texts.of("page.camera", robot.name())) + "\"><figcaption>" + Html.text(robot.name())
                 + " \u00b7 <a href=\"" + path + "/camera.jpg\">" + word("page.picture") + "</a> \u00b7 <a href=\""

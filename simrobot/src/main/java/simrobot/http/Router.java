@@ -21,12 +21,12 @@ final class Router implements HttpHandler {
     private static final String STREAM = "camera.mjpg";
 
     private final WebSource source;
-    private final Scenes scenes;
-    private final CameraRoom cameras;
-    private final Streams streams;
+    private final SceneCache scenes;
+    private final CameraPictureCache cameras;
+    private final CameraStreams streams;
     private final Page page;
 
-    Router(WebSource source, Scenes scenes, CameraRoom cameras, Streams streams, Page page) {
+    Router(WebSource source, SceneCache scenes, CameraPictureCache cameras, CameraStreams streams, Page page) {
         this.source = source;
         this.scenes = scenes;
         this.cameras = cameras;
@@ -39,7 +39,7 @@ final class Router implements HttpHandler {
         String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
             requireReading(exchange);
-            List<String> parts = Paths.parts(path);
+            List<String> parts = UrlPaths.parts(path);
             if (parts.size() == 3
                     && parts.get(0).equals("robots")
                     && parts.get(2).equals(STREAM)) {
@@ -48,12 +48,12 @@ final class Router implements HttpHandler {
             } else {
                 send(exchange, answer(parts, path));
             }
-        } catch (RefusedException refusal) {
+        } catch (RequestException refusal) {
             send(exchange, refusal.answer());
         } catch (IllegalStateException standsStill) {
-            send(exchange, Answer.error(Answer.UNAVAILABLE, standsStill.getMessage()));
+            send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, standsStill.getMessage()));
         } catch (IllegalArgumentException malformed) {
-            send(exchange, Answer.error(Answer.BAD_REQUEST, "malformed path " + path));
+            send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + path));
         } catch (InterruptedException ending) {
             exchange.close();
             Thread.currentThread().interrupt();
@@ -63,42 +63,43 @@ final class Router implements HttpHandler {
         }
     }
 
-    private static void requireReading(HttpExchange exchange) throws RefusedException {
+    private static void requireReading(HttpExchange exchange) throws RequestException {
         String method = exchange.getRequestMethod();
         if (!method.equals("GET") && !method.equals("HEAD")) {
             exchange.getResponseHeaders().set("Allow", "GET, HEAD");
-            throw new RefusedException(
-                    Answer.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
+            throw new RequestException(
+                    WebResponse.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
         }
     }
 
-    private Answer answer(List<String> parts, String path) throws IOException, InterruptedException, RefusedException {
+    private WebResponse answer(List<String> parts, String path)
+            throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
         if (parts.isEmpty()) {
-            return Answer.html(page.of(scene, source));
+            return WebResponse.html(page.of(scene, source));
         }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
-                return Answer.json(StatusJson.all(scene, source));
+                return WebResponse.json(StatusJson.all(scene, source));
             }
             RobotSnapshot robot = robot(scene, parts.get(1));
             if (parts.size() == 2) {
-                return Answer.json(StatusJson.one(scene, robot, source));
+                return WebResponse.json(StatusJson.one(scene, robot, source));
             }
             if (parts.get(2).equals(CAMERA)) {
-                return Answer.jpeg(cameras.shot(scene, seeing(robot)).jpeg());
+                return WebResponse.jpeg(cameras.shot(scene, seeing(robot)).jpeg());
             }
         }
-        throw new RefusedException(
-                Answer.NOT_FOUND,
+        throw new RequestException(
+                WebResponse.NOT_FOUND,
                 "nothing at " + path + ", expected /, /robots, /robots/NAME, /robots/NAME/" + CAMERA
                         + " or /robots/NAME/" + STREAM);
     }
 
-    private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RefusedException {
+    private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RequestException {
         return scene.robot(name)
-                .orElseThrow(() -> new RefusedException(
-                        Answer.NOT_FOUND,
+                .orElseThrow(() -> new RequestException(
+                        WebResponse.NOT_FOUND,
                         "no robot " + name + ", expected one of "
                                 + scene.robots().stream()
                                         .map(RobotSnapshot::name)
@@ -106,15 +107,15 @@ final class Router implements HttpHandler {
                                         .collect(Collectors.joining(", "))));
     }
 
-    private static RobotSnapshot seeing(RobotSnapshot robot) throws RefusedException {
+    private static RobotSnapshot seeing(RobotSnapshot robot) throws RequestException {
         if (!robot.simulated()) {
-            throw new RefusedException(
-                    Answer.NOT_FOUND, robot.name() + " is a real robot, its camera is not served here");
+            throw new RequestException(
+                    WebResponse.NOT_FOUND, robot.name() + " is a real robot, its camera is not served here");
         }
         return robot;
     }
 
-    private static void send(HttpExchange exchange, Answer answer) throws IOException {
+    private static void send(HttpExchange exchange, WebResponse answer) throws IOException {
         boolean bare = exchange.getRequestMethod().equals("HEAD");
         Headers headers = exchange.getResponseHeaders();
         headers.set("Content-Type", answer.type());

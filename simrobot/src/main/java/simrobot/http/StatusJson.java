@@ -26,7 +26,7 @@ final class StatusJson {
     }
 
     private static void write(JsonText json, SimulationSnapshot scene, RobotSnapshot robot, WebSource source) {
-        String path = "/robots/" + Paths.encoded(robot.name());
+        String path = "/robots/" + UrlPaths.encoded(robot.name());
         json.open('{');
         json.name("name").value(robot.name());
         json.name("number").value(source.number(robot.name()));

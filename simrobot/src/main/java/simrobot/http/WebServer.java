@@ -29,7 +29,7 @@ public final class WebServer implements AutoCloseable {
 
     private final HttpServer server;
     private final ThreadPoolExecutor workers;
-    private final Streams streams;
+    private final CameraStreams streams;
 
     /**
      * Opens the port; nobody is answered yet.
@@ -51,9 +51,9 @@ public final class WebServer implements AutoCloseable {
                     return thread;
                 });
         workers.allowCoreThreadTimeOut(true);
-        Scenes scenes = new Scenes(source);
-        CameraRoom cameras = new CameraRoom();
-        streams = new Streams(scenes, cameras);
+        SceneCache scenes = new SceneCache(source);
+        CameraPictureCache cameras = new CameraPictureCache();
+        streams = new CameraStreams(scenes, cameras);
         server.setExecutor(workers);
         server.createContext("/", new Router(source, scenes, cameras, streams, new Page(language)));
     }

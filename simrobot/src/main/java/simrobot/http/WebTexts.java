@@ -2,14 +2,14 @@ package simrobot.http;
 
 import java.util.Locale;
 import java.util.ResourceBundle;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 /** The page's texts, English and Spanish. */
 final class WebTexts {
     private WebTexts() {}
 
-    static Texts in(Locale language) {
-        Locale locale = Texts.bundleLocale(language);
-        return new Texts(ResourceBundle.getBundle("simrobot.http.messages", locale), Locale.ROOT);
+    static TextBundle in(Locale language) {
+        Locale locale = TextBundle.bundleLocale(language);
+        return new TextBundle(ResourceBundle.getBundle("simrobot.http.messages", locale), Locale.ROOT);
     }
 }

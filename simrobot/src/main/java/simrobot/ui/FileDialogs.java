@@ -9,7 +9,7 @@ import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 /** Asks where a world is to be saved, and whether changes may be lost. */
 public final class FileDialogs {
@@ -18,7 +18,7 @@ public final class FileDialogs {
     private FileDialogs() {}
 
     /** A {@code .map} that the person chose; one that is there only if it may be replaced. */
-    public static Optional<Path> choose(Texts texts, Component owner, Path proposal) {
+    public static Optional<Path> choose(TextBundle texts, Component owner, Path proposal) {
         Path folder = proposal.toAbsolutePath().getParent();
         JFileChooser chooser = new JFileChooser(folder == null ? null : folder.toFile());
         chooser.setSelectedFile(new File(withEnding(proposal).getFileName().toString()));
@@ -41,7 +41,7 @@ public final class FileDialogs {
         return file.resolveSibling(name.replaceFirst("\\.(wld|WLD)$", "") + ENDING);
     }
 
-    public static boolean mayReplace(Texts texts, Component owner, Path file) {
+    public static boolean mayReplace(TextBundle texts, Component owner, Path file) {
         Object[] answers = {texts.of("editor.replace.yes"), texts.of("editor.cancel")};
         return JOptionPane.showOptionDialog(
                         owner,
@@ -62,7 +62,7 @@ public final class FileDialogs {
         STAY
     }
 
-    public static Leaving ask(Texts texts, Component owner, String world) {
+    public static Leaving ask(TextBundle texts, Component owner, String world) {
         Object[] answers = {texts.of("editor.save"), texts.of("editor.drop"), texts.of("editor.cancel")};
         int answer = JOptionPane.showOptionDialog(
                 owner,

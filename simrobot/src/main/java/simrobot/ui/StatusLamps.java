@@ -4,17 +4,17 @@ import java.awt.GridLayout;
 import java.util.EnumMap;
 import java.util.Map;
 import javax.swing.JPanel;
+import simgsm.console.TextBundle;
 import simgsm.ui.Lamp;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 import vericommand.RobotStatus;
 
 /** The five statuses, each with its own shape and word; the present one is lit. */
 public final class StatusLamps extends JPanel {
     private final Map<RobotStatus, Lamp> lamps = new EnumMap<>(RobotStatus.class);
-    private final Texts texts;
+    private final TextBundle texts;
 
-    public StatusLamps(Texts texts) {
+    public StatusLamps(TextBundle texts) {
         super(new GridLayout(0, 2, 0, Theme.px(4)));
         this.texts = texts;
         setOpaque(false);
@@ -29,7 +29,7 @@ public final class StatusLamps extends JPanel {
         }
     }
 
-    public static String word(Texts texts, RobotStatus status) {
+    public static String word(TextBundle texts, RobotStatus status) {
         return texts.of("status." + status.name().toLowerCase(java.util.Locale.ROOT));
     }
 

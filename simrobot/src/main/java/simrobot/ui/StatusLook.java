@@ -1,20 +1,20 @@
 package simrobot.ui;
 
-import simgsm.ui.Mark;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import vericommand.RobotStatus;
 
 /** The shape and the colour of each status. */
 public final class StatusLook {
     private StatusLook() {}
 
-    public static Mark mark(RobotStatus status) {
+    public static StatusMark mark(RobotStatus status) {
         return switch (status) {
-            case STOPPED -> Mark.SQUARE;
-            case MOVING -> Mark.ARROW;
-            case COLLISION -> Mark.BURST;
-            case NO_MOTORS -> Mark.RING;
-            case DISCONNECTED -> Mark.SLASHED_RING;
+            case STOPPED -> StatusMark.SQUARE;
+            case MOVING -> StatusMark.ARROW;
+            case COLLISION -> StatusMark.BURST;
+            case NO_MOTORS -> StatusMark.RING;
+            case DISCONNECTED -> StatusMark.SLASHED_RING;
         };
     }
 

@@ -4,9 +4,9 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.function.Supplier;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** A line of text that takes what room there is, or two, and ends in an ellipsis when that is too little. */
 public final class TextLine extends PaintedComponent {
@@ -70,7 +70,7 @@ public final class TextLine extends PaintedComponent {
     protected void paint(Graphics2D g, double width, double height) {
         Font face = font.get();
         g.setFont(face);
-        g.setColor(ink.color());
+        g.setColor(Theme.color(ink));
         int end = rows == 1 ? text.length() : firstRow(face, text, width);
         String rest = text.substring(end).strip();
         double row = height / rows;

@@ -22,7 +22,7 @@ import simrobot.simulation.SimulationSnapshot;
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,
-        List<LineSnapshot> lines,
+        List<TelephoneSnapshot> lines,
         double speed,
         boolean paused,
         Path worldFile,

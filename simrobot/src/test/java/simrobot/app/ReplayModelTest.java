@@ -30,7 +30,7 @@ import simrobot.replay.TimelineMarker;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.panel.Refusals;
+import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -84,7 +84,7 @@ class ReplayModelTest {
     @Test
     void aRecordedCollisionIsSoughtAndSeenWithItsEventsSoFar() throws Exception {
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
+            ReplayModel model = new ReplayModel(replay, new RefusalTexts(Locale.ENGLISH));
             replay.start();
             WindowSnapshot first = model.snapshot();
             assertTrue(first.paused());
@@ -112,7 +112,7 @@ class ReplayModelTest {
         Path csv = folder.resolve("anna.CSV");
         CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
+            ReplayModel model = new ReplayModel(replay, new RefusalTexts(Locale.ENGLISH));
             replay.start();
             model.export("anna", csv, answer::complete);
             assertEquals(Optional.empty(), answer.get());
@@ -133,7 +133,7 @@ class ReplayModelTest {
     void aTrackThatCannotBeWrittenIsRefusedByName() throws Exception {
         CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
         try (ReplayThread replay = new ReplayThread(Recording.open(recorded()))) {
-            ReplayModel model = new ReplayModel(replay, new Refusals(Locale.ENGLISH));
+            ReplayModel model = new ReplayModel(replay, new RefusalTexts(Locale.ENGLISH));
             model.export("anna", folder.resolve("nowhere").resolve("a.csv"), answer::complete);
             assertTrue(
                     answer.get().orElseThrow().contains("a.csv"),
@@ -150,7 +150,7 @@ class ReplayModelTest {
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
             SessionButton button = new SessionButton(
                     simRobot.simulation(),
-                    (file, why) -> problems.add(new Refusals(Locale.ENGLISH).unwritable(file, why)));
+                    (file, why) -> problems.add(new RefusalTexts(Locale.ENGLISH).unwritable(file, why)));
             simRobot.simulation().start();
             button.record(Optional.of(folder.resolve("nowhere").resolve("a.session")));
             simRobot.onSimulation(() -> null);

@@ -36,8 +36,8 @@ import simrobot.control.TelephoneRobot;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
-import simrobot.ui.LineSnapshot;
-import simrobot.ui.panel.Refusals;
+import simrobot.ui.TelephoneSnapshot;
+import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
@@ -90,7 +90,7 @@ class WindowModelTest {
                 fleet,
                 ListeningPorts.open(plain, simRobot),
                 WORLDS.resolve("empty.map"),
-                new Refusals(language));
+                new RefusalTexts(language));
     }
 
     @AfterEach
@@ -141,7 +141,7 @@ class WindowModelTest {
         assertEquals("", add("bert", "5550209", Optional.empty()));
         assertEquals(
                 List.of("robot", "bert"),
-                model.snapshot().lines().stream().map(LineSnapshot::robot).toList());
+                model.snapshot().lines().stream().map(TelephoneSnapshot::robot).toList());
     }
 
     @Test

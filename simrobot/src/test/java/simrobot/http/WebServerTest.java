@@ -304,7 +304,7 @@ class WebServerTest {
     void thoseWhoReadNothingDoNotHoldUpOthersAndTheirNumberIsLimited() throws Exception {
         List<Watcher> watchers = new ArrayList<>();
         try {
-            for (int i = 0; i < Streams.MOST; i++) {
+            for (int i = 0; i < CameraStreams.MOST; i++) {
                 Watcher watcher = new Watcher("?fps=20");
                 watchers.add(watcher);
                 assertEquals("HTTP/1.1 200 OK", watcher.line());

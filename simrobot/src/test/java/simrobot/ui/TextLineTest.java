@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
 import org.junit.jupiter.api.Test;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 class TextLineTest {
     private static final String REPLY = "3 Done: #**20. Stopped at 0.200 -1.450 m, heading 90.0.";

@@ -19,10 +19,10 @@ import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.ui.Display;
-import simgsm.ui.ProgramWindow;
 import simgsm.ui.Theme;
-import simgsm.ui.WindowPlace;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowPlace;
 
 /** The centre with its window: what the window's operator may do, and the wait for the window's end. */
 public final class CenterWindow implements CenterActions {

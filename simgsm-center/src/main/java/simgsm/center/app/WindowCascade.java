@@ -1,6 +1,6 @@
 package simgsm.center.app;
 
-import simgsm.ui.WindowPlace;
+import simgsm.ui.window.WindowPlace;
 
 /**
  * Where the windows of programs go that the operator starts: phones down from the top left corner, robots down from the top

@@ -1,6 +1,6 @@
 package simgsm.center.demo;
 
-import simgsm.ui.WindowPlace;
+import simgsm.ui.window.WindowPlace;
 
 /**
  * The demo's three windows on one screen: the phone at the left in its own size, SimRobot and the centre share the rest,

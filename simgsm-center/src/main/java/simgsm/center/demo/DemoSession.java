@@ -1,7 +1,7 @@
 package simgsm.center.demo;
 
 import simgsm.console.Event;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 /** The scripted session: each step says what it expects and how long it waits for it. */
 final class DemoSession {
@@ -18,9 +18,9 @@ final class DemoSession {
     private final DemoConsole phone;
     private final DemoConsole robot;
     private final DemoTranscript transcript;
-    private final Texts texts;
+    private final TextBundle texts;
 
-    DemoSession(DemoConsole phone, DemoConsole robot, DemoTranscript transcript, Texts texts) {
+    DemoSession(DemoConsole phone, DemoConsole robot, DemoTranscript transcript, TextBundle texts) {
         this.phone = phone;
         this.robot = robot;
         this.transcript = transcript;

@@ -8,8 +8,8 @@ import simgsm.center.app.CenterTexts;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
+import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
-import simgsm.ui.Texts;
 
 /** The demo without a display: the same programs, played by a script, with a transcript for the reader. */
 public final class HeadlessDemo {
@@ -18,7 +18,7 @@ public final class HeadlessDemo {
     public static int run(Arguments arguments, CenterSettings settings)
             throws IOException, InterruptedException, UsageException {
         DemoTranscript transcript = new DemoTranscript(Program.standardOutput());
-        Texts texts = CenterTexts.in(settings.language());
+        TextBundle texts = CenterTexts.in(settings.language());
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             play(programs, transcript, texts);
         } catch (DemoFailure failure) {
@@ -29,7 +29,7 @@ public final class HeadlessDemo {
         return ExitStatus.OK;
     }
 
-    private static void play(DemoPrograms programs, DemoTranscript transcript, Texts texts)
+    private static void play(DemoPrograms programs, DemoTranscript transcript, TextBundle texts)
             throws IOException, DemoFailure, InterruptedException {
         transcript.heading(
                 texts.of("demo.start", Integer.toString(programs.center().port())));

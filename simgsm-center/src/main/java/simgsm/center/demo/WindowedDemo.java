@@ -5,8 +5,8 @@ import java.util.Optional;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.console.Arguments;
-import simgsm.ui.Display;
-import simgsm.ui.ProgramWindow;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
 
 /** The demo with a display: three windows side by side, ready to dial; closing the centre's ends them all. */
 public final class WindowedDemo {

@@ -20,16 +20,16 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.BroadcastView;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
-import simgsm.ui.Act;
 import simgsm.ui.Arrange;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 
 /**
  * Cell broadcast: channel, language, how often, a text and how many pages it takes; below, what is repeated and can be
@@ -52,7 +52,7 @@ final class BroadcastPanel extends JPanel {
 
     private static final BroadcastSerial ANY_SERIAL = new BroadcastSerial(BroadcastSerial.NETWORK_WIDE, 0, 0);
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final CenterActions operator;
     private final JSpinner channel = new JSpinner(new SpinnerNumberModel(FIRST_CHANNEL, 0, MAX_CHANNEL, 1));
     private final JTextArea text;
@@ -65,31 +65,31 @@ final class BroadcastPanel extends JPanel {
     private final JSpinner period = new JSpinner(new SpinnerNumberModel(
             (int) BroadcastOrder.DEFAULT_PERIOD.toSeconds(), 1, (int) BroadcastOrder.LONGEST_PERIOD.toSeconds(), 1));
     private final RowsPanel<BroadcastView> running;
-    private final Act send;
-    private final Act stop;
+    private final UserAction send;
+    private final UserAction stop;
     private final JButton stopButton;
     /** What became of the latest broadcast, and how to stop one: only when there is something to say. */
     private final JPanel outcome;
 
-    BroadcastPanel(Texts texts, CenterActions operator) {
+    BroadcastPanel(TextBundle texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
         setOpaque(false);
-        send = new Act("broadcast.send", texts.of("window.broadcast.send"), this::send)
+        send = new UserAction("broadcast.send", texts.of("window.broadcast.send"), this::send)
                 .described(texts.of("window.broadcast.send.why"))
                 .with(Symbol.BROADCAST.icon());
         text = new HintedTextArea(texts.of("window.broadcast.text"));
         channelLabel = new JLabel(texts.of("window.broadcast.channel"));
         channelLabel.setLabelFor(channel);
         channel.setEditor(new JSpinner.NumberEditor(channel, "0"));
-        Named.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
-        Named.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
-        Named.name(times, "broadcast.times", texts.of("window.broadcast.times.name"));
-        Named.name(period, "broadcast.period", texts.of("window.broadcast.period.name"));
-        Named.name(text, "broadcast.text", texts.of("window.broadcast.text"));
-        Named.name(pages, "broadcast.pages", texts.of("window.broadcast.pages.name"));
-        Named.name(result, "broadcast.result", texts.of("window.broadcast.result"));
+        ComponentNames.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
+        ComponentNames.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
+        ComponentNames.name(times, "broadcast.times", texts.of("window.broadcast.times.name"));
+        ComponentNames.name(period, "broadcast.period", texts.of("window.broadcast.period.name"));
+        ComponentNames.name(text, "broadcast.text", texts.of("window.broadcast.text"));
+        ComponentNames.name(pages, "broadcast.pages", texts.of("window.broadcast.pages.name"));
+        ComponentNames.name(result, "broadcast.result", texts.of("window.broadcast.result"));
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         // Tab leads on, as everywhere; a broadcast has no use for it.
@@ -100,12 +100,13 @@ final class BroadcastPanel extends JPanel {
         field = new JScrollPane(text);
         running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
         running.setVisible(false);
-        stop = new Act("broadcast.stop", texts.of("window.broadcast.stop"), this::stop)
+        stop = new UserAction("broadcast.stop", texts.of("window.broadcast.stop"), this::stop)
                 .described(texts.of("window.broadcast.stop.why"));
         stop.setEnabled(false);
-        stopButton = Named.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
+        stopButton = ComponentNames.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
         stopButton.setVisible(false);
-        JButton sendButton = Named.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
+        JButton sendButton =
+                ComponentNames.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
         outcome = Arrange.row(8, Arrange.growing(result), stopButton);
         outcome.setVisible(false);
         add(
@@ -197,11 +198,11 @@ final class BroadcastPanel extends JPanel {
         try {
             operator.broadcast(order());
             result.setText(texts.of("window.broadcast.sent", String.valueOf(channel.getValue())));
-            result.setForeground(Ink.GOOD.color());
+            result.setForeground(Theme.color(Ink.GOOD));
             text.setText("");
         } catch (IllegalArgumentException wrong) {
             result.setText(wrong.getMessage());
-            result.setForeground(Ink.DANGER.color());
+            result.setForeground(Theme.color(Ink.DANGER));
         }
         showOutcome();
     }
@@ -213,11 +214,11 @@ final class BroadcastPanel extends JPanel {
             int count = CellBroadcast.split(written, 0, ANY_SERIAL, chosenLanguage())
                     .size();
             pages.setText(texts.of("window.broadcast.pages", written.length(), count));
-            pages.setForeground(Ink.QUIET.color());
+            pages.setForeground(Theme.color(Ink.QUIET));
             send.setEnabled(!written.isBlank());
         } catch (IllegalArgumentException tooLong) {
             pages.setText(texts.of("window.broadcast.tooLong"));
-            pages.setForeground(Ink.DANGER.color());
+            pages.setForeground(Theme.color(Ink.DANGER));
             send.setEnabled(false);
         }
     }
@@ -239,7 +240,7 @@ final class BroadcastPanel extends JPanel {
         field.setPreferredSize(least);
         running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
         result.setFont(Theme.base());
-        result.setForeground(Ink.QUIET.color());
+        result.setForeground(Theme.color(Ink.QUIET));
     }
 
     private final class Counter implements DocumentListener {

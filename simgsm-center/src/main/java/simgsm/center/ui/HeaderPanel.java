@@ -6,20 +6,20 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
-import simgsm.ui.Mark;
-import simgsm.ui.Named;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
-import simgsm.ui.WindowKeys;
+import simgsm.ui.UserAction;
+import simgsm.ui.window.WindowKeys;
 
 /** Name, port, what is going on in numbers, and the way out. */
 final class HeaderPanel extends JPanel {
-    private final Texts texts;
+    private final TextBundle texts;
     private final JLabel title = new JLabel("SMSyCT");
     private final JLabel network = new JLabel();
     private final NetworkAccess access;
@@ -30,7 +30,7 @@ final class HeaderPanel extends JPanel {
     private final RatesLabel rateLabel = new RatesLabel();
     private final Rates rates = new Rates();
 
-    HeaderPanel(Texts texts, CenterActions operator) {
+    HeaderPanel(TextBundle texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
@@ -43,11 +43,11 @@ final class HeaderPanel extends JPanel {
         network.setText(texts.of(accessKey));
         network.setToolTipText(texts.of(accessKey + ".why"));
         network.setName("network");
-        Act appearance = new Act("window.appearance", "", () -> WindowKeys.switchAppearance(this))
+        UserAction appearance = new UserAction("window.appearance", "", () -> WindowKeys.switchAppearance(this))
                 .described(texts.of("window.appearance.why"))
                 .with(Symbol.SUN_MOON.icon());
-        Act quit =
-                new Act("window.quit", texts.of("window.quit"), operator::quit).described(texts.of("window.quit.why"));
+        UserAction quit = new UserAction("window.quit", texts.of("window.quit"), operator::quit)
+                .described(texts.of("window.quit.why"));
         add(
                 Arrange.row(
                         16,
@@ -60,14 +60,14 @@ final class HeaderPanel extends JPanel {
                         waiting,
                         Arrange.row(
                                 8,
-                                Named.name(
+                                ComponentNames.name(
                                         new JButton(appearance),
                                         "window.appearance",
                                         texts.of("window.appearance.why")),
-                                Named.name(new JButton(quit), "window.quit", texts.of("window.quit.why")))),
+                                ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")))),
                 BorderLayout.CENTER);
-        port.show(Mark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
-        Named.name(rateLabel, "rates", texts.of("window.rates.name"));
+        port.show(StatusMark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
+        ComponentNames.name(rateLabel, "rates", texts.of("window.rates.name"));
         rateLabel.setToolTipText(texts.of("window.rates.why"));
         showCounts(0, 0, 0);
         showRates();
@@ -96,15 +96,15 @@ final class HeaderPanel extends JPanel {
 
     private void showCounts(int attachedCount, int callCount, int waitingCount) {
         attached.show(
-                attachedCount > 0 ? Mark.DISC : Mark.RING,
+                attachedCount > 0 ? StatusMark.DISC : StatusMark.RING,
                 attachedCount > 0 ? Ink.GOOD : Ink.QUIET,
                 texts.of("window.count.attached", attachedCount));
         calls.show(
-                callCount > 0 ? Mark.ARROW : Mark.RING,
+                callCount > 0 ? StatusMark.ARROW : StatusMark.RING,
                 callCount > 0 ? Ink.ACCENT : Ink.QUIET,
                 texts.of("window.count.calls", callCount));
         waiting.show(
-                waitingCount > 0 ? Mark.DIAMOND : Mark.RING,
+                waitingCount > 0 ? StatusMark.DIAMOND : StatusMark.RING,
                 waitingCount > 0 ? Ink.WARNING : Ink.QUIET,
                 texts.of("window.count.waiting", waitingCount));
     }
@@ -119,7 +119,7 @@ final class HeaderPanel extends JPanel {
 
     private void dress() {
         title.setFont(Theme.sans(20, true));
-        network.setForeground((access == NetworkAccess.OPEN_TO_OTHERS ? Ink.WARNING : Ink.QUIET).color());
-        rateLabel.setForeground(Ink.QUIET.color());
+        network.setForeground(Theme.color(access == NetworkAccess.OPEN_TO_OTHERS ? Ink.WARNING : Ink.QUIET));
+        rateLabel.setForeground(Theme.color(Ink.QUIET));
     }
 }

@@ -4,9 +4,9 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
 import javax.swing.JTextArea;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** A text area that says, while it is empty, what belongs there: in a low window there is no line for a label. */
 final class HintedTextArea extends JTextArea {
@@ -26,7 +26,7 @@ final class HintedTextArea extends JTextArea {
         try {
             Insets in = getInsets();
             g.setFont(Theme.base());
-            g.setColor(Ink.QUIET.color());
+            g.setColor(Theme.color(Ink.QUIET));
             g.drawString(
                     hint, in.left + Theme.px(2), in.top + g.getFontMetrics().getAscent());
         } finally {

@@ -13,9 +13,9 @@ import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.Standing;
-import simgsm.ui.Mark;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** What has happened to a message, in the operator's words and time. */
 final class HistoryWords {
@@ -28,20 +28,20 @@ final class HistoryWords {
     private HistoryWords() {}
 
     /** Where it stands; a message that has ended, how. */
-    static StateWord state(MessageRow row, Texts texts) {
+    static StateWord state(MessageRow row, TextBundle texts) {
         MessageHistory history = row.history();
         if (history.standing() == Standing.ENDED) {
             String word = texts.of("window.message." + lower(history.state()));
             return history.state() == MessageState.DELIVERED
-                    ? new StateWord(Mark.DISC, Ink.GOOD, word)
-                    : new StateWord(Mark.BURST, Ink.DANGER, word);
+                    ? new StateWord(StatusMark.DISC, Ink.GOOD, word)
+                    : new StateWord(StatusMark.BURST, Ink.DANGER, word);
         }
         String word = texts.of("window.standing." + lower(history.standing()));
         return switch (history.standing()) {
-            case UNDER_WAY -> new StateWord(Mark.ARROW, Ink.GOOD, word);
-            case BEHIND_OTHERS -> new StateWord(Mark.SQUARE, Ink.QUIET, word);
-            case AWAITING_RECEIVER -> new StateWord(Mark.RING, Ink.QUIET, word);
-            default -> new StateWord(Mark.HALF_DISC, Ink.WARNING, word);
+            case UNDER_WAY -> new StateWord(StatusMark.ARROW, Ink.GOOD, word);
+            case BEHIND_OTHERS -> new StateWord(StatusMark.SQUARE, Ink.QUIET, word);
+            case AWAITING_RECEIVER -> new StateWord(StatusMark.RING, Ink.QUIET, word);
+            default -> new StateWord(StatusMark.HALF_DISC, Ink.WARNING, word);
         };
     }
 
@@ -51,7 +51,7 @@ final class HistoryWords {
     }
 
     /** The whole course, a line for each event. */
-    static List<String> lines(MessageHistory history, Texts texts) {
+    static List<String> lines(MessageHistory history, TextBundle texts) {
         ShortMessage message = history.message();
         List<String> lines = new ArrayList<>();
         lines.add(texts.of(

@@ -10,9 +10,9 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 import simgsm.center.msc.LadderEntry;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** Paints a rung: the time, the lifelines, the arrow with the message's name on it, the protocol's tag. */
 final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
@@ -47,13 +47,13 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Drawing.on(graphics);
         try {
-            g.setColor((isSelected ? Ink.ACCENT_WASH : Ink.CARD).color());
+            g.setColor(Theme.color(isSelected ? Ink.ACCENT_WASH : Ink.CARD));
             g.fillRect(0, 0, getWidth(), getHeight());
             paintLines(g);
             paintTime(g);
             paintArrow(g, row.entry());
             if (isFocused) {
-                g.setColor(Ink.ACCENT.color());
+                g.setColor(Theme.color(Ink.ACCENT));
                 g.setStroke(Theme.hairline());
                 g.draw(Drawing.round(1, 1, getWidth() - 3, getHeight() - 3, Theme.exact(Theme.HALF)));
             }
@@ -64,18 +64,18 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
 
     private void paintLines(Graphics2D g) {
         for (String name : lifelines.names()) {
-            g.setColor((name.equals(LadderEntry.CENTER) ? Ink.ACCENT : Ink.CONTROL_LINE).color());
+            g.setColor(Theme.color(name.equals(LadderEntry.CENTER) ? Ink.ACCENT : Ink.CONTROL_LINE));
             Drawing.vertical(g, lifelines.x(name, getWidth()), 0, getHeight());
         }
     }
 
     private void paintTime(Graphics2D g) {
         g.setFont(Theme.monoSmall());
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         double cap = Drawing.capHeight(g, Theme.monoSmall());
         g.drawString(row.clock(), Theme.exact(10), (float) ((getHeight() + cap) / 2));
         g.setFont(Theme.small());
-        g.setColor(Protocol.of(row.entry()).ink().color());
+        g.setColor(Theme.color(Protocol.of(row.entry()).ink()));
         Drawing.rightAligned(g, Protocol.of(row.entry()).tag(), getWidth() - Theme.exact(10), (getHeight() + cap) / 2);
     }
 
@@ -94,7 +94,7 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         double start = from >= 0 ? from : center - gap / 2;
         double end = to >= 0 ? to : center + gap / 2;
         double y = getHeight() - Theme.exact(8);
-        g.setColor(Protocol.of(entry).ink().color());
+        g.setColor(Theme.color(Protocol.of(entry).ink()));
         g.setStroke(Theme.stroke(1.4));
         double tip = end - Math.signum(end - start) * Theme.exact(2);
         Drawing.line(g, start, y, tip - Math.signum(end - start) * Theme.exact(HEAD_UNITS - 1), y);
@@ -108,13 +108,13 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         double textWidth = Drawing.width(font, fitted);
         double x = Math.max(left, Math.min(right - textWidth, (start + end - textWidth) / 2));
         paintPlate(g, x, textWidth);
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         g.drawString(fitted, (float) x, (float) (y - Theme.exact(6)));
     }
 
     /** Keeps the lifelines that a long arrow crosses, or a long name, from running through it. */
     private void paintPlate(Graphics2D g, double x, double width) {
-        g.setColor((isSelected ? Ink.ACCENT_WASH : Ink.CARD).color());
+        g.setColor(Theme.color(isSelected ? Ink.ACCENT_WASH : Ink.CARD));
         Drawing.fillCrisp(g, x - Theme.exact(3), Theme.exact(4), width + Theme.exact(6), getHeight() - Theme.exact(15));
     }
 

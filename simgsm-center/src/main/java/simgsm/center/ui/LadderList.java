@@ -6,9 +6,9 @@ import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import javax.swing.JList;
 import javax.swing.ListSelectionModel;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** The rungs. Fills the window's width, or scrolls once the lifelines would stand too close. */
 final class LadderList extends JList<LadderRow> {
@@ -28,7 +28,7 @@ final class LadderList extends JList<LadderRow> {
         Dimension size = cell.getPreferredSize();
         setFixedCellWidth(size.width);
         setFixedCellHeight(size.height);
-        setBackground(Ink.CARD.color());
+        setBackground(Theme.color(Ink.CARD));
         revalidate();
         repaint();
     }
@@ -50,7 +50,7 @@ final class LadderList extends JList<LadderRow> {
         if (getModel().getSize() == 0) {
             Graphics2D g = Drawing.on(graphics);
             try {
-                g.setColor(Ink.QUIET.color());
+                g.setColor(Theme.color(Ink.QUIET));
                 Drawing.centred(g, empty, Theme.base(), getWidth() / 2.0, Theme.exact(60));
             } finally {
                 g.dispose();

@@ -16,12 +16,12 @@ import javax.swing.JToggleButton;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 
 /** Who sent which GSM message to whom, live; below, what the chosen message says. */
 final class LadderPanel extends JPanel {
@@ -32,7 +32,7 @@ final class LadderPanel extends JPanel {
     /** Of the width, when the message stands beside the ladder. */
     private static final double LADDER_SHARE = 0.58;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final LadderModel model = new LadderModel();
     private final LadderCell cell = new LadderCell();
     private final LifelineHeader header = new LifelineHeader();
@@ -46,13 +46,13 @@ final class LadderPanel extends JPanel {
     private final JSplitPane split;
     private List<String> terminals = List.of();
 
-    LadderPanel(Texts texts) {
+    LadderPanel(TextBundle texts) {
         super(new BorderLayout());
         this.texts = texts;
         list = new LadderList(model, cell, texts.of("window.ladder.empty"));
         setOpaque(false);
-        follow = Named.name(
-                new JToggleButton(new Act("ladder.follow", texts.of("window.ladder.follow"), this::followed)
+        follow = ComponentNames.name(
+                new JToggleButton(new UserAction("ladder.follow", texts.of("window.ladder.follow"), this::followed)
                         .described(texts.of("window.ladder.follow.why"))
                         .with(Symbol.FOLLOW.icon())),
                 "ladder.follow",
@@ -73,23 +73,23 @@ final class LadderPanel extends JPanel {
     }
 
     private JPanel tools() {
-        Act clear = new Act("ladder.clear", texts.of("window.ladder.clear"), this::clear)
+        UserAction clear = new UserAction("ladder.clear", texts.of("window.ladder.clear"), this::clear)
                 .described(texts.of("window.ladder.clear.why"))
                 .with(Symbol.ERASE.icon());
-        Named.name(who, "ladder.who", texts.of("window.ladder.who"));
+        ComponentNames.name(who, "ladder.who", texts.of("window.ladder.who"));
         heading.setText(texts.of("window.ladder"));
         JPanel row = Arrange.row(
                 12,
                 Arrange.growing(heading),
                 who,
                 follow,
-                Named.name(new JButton(clear), "ladder.clear", texts.of("window.ladder.clear")));
+                ComponentNames.name(new JButton(clear), "ladder.clear", texts.of("window.ladder.clear")));
         row.setBorder(Theme.padding(0, 0, 8, 0));
         return row;
     }
 
     private JScrollPane listPane() {
-        Named.name(list, "ladder.list", texts.of("window.ladder.name"));
+        ComponentNames.name(list, "ladder.list", texts.of("window.ladder.name"));
         JScrollPane pane = new JScrollPane(
                 list,
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
@@ -115,10 +115,10 @@ final class LadderPanel extends JPanel {
         detail.setEditable(false);
         detail.setLineWrap(true);
         detail.setWrapStyleWord(true);
-        Named.name(detail, "ladder.detail", texts.of("window.ladder.detail"));
+        ComponentNames.name(detail, "ladder.detail", texts.of("window.ladder.detail"));
         JPanel pane = new JPanel(new BorderLayout());
         pane.setOpaque(false);
-        pane.add(Named.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
+        pane.add(ComponentNames.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
         pane.add(new JScrollPane(detail), BorderLayout.CENTER);
         pane.setPreferredSize(new Dimension(Theme.px(DETAIL_UNITS.width), Theme.px(DETAIL_UNITS.height)));
         pane.setMinimumSize(new Dimension(0, 0));

@@ -5,10 +5,10 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.center.msc.LadderEntry;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.SpokenComponent;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** The heads of the lifelines, above the ladder. */
 final class LifelineHeader extends SpokenComponent {
@@ -36,12 +36,12 @@ final class LifelineHeader extends SpokenComponent {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Drawing.on(graphics);
         try {
-            g.setColor(Ink.CARD.color());
+            g.setColor(Theme.color(Ink.CARD));
             g.fillRect(0, 0, getWidth(), getHeight());
             for (String name : lifelines.names()) {
                 paintHead(g, name, lifelines.x(name, getWidth()));
             }
-            g.setColor(Ink.LINE.color());
+            g.setColor(Theme.color(Ink.LINE));
             Drawing.horizontal(g, 0, getWidth(), getHeight() - 1);
         } finally {
             g.dispose();
@@ -56,12 +56,12 @@ final class LifelineHeader extends SpokenComponent {
         double height = Theme.exact(BOX_UNITS);
         double top = (getHeight() - height) / 2;
         var box = Drawing.round(x - width / 2, top, width, height, Theme.exact(Theme.CONTROL_RADIUS));
-        g.setColor((isCenter ? Ink.ACCENT : Ink.CARD).color());
+        g.setColor(Theme.color(isCenter ? Ink.ACCENT : Ink.CARD));
         g.fill(box);
-        g.setColor((isCenter ? Ink.ACCENT : Ink.CONTROL_LINE).color());
+        g.setColor(Theme.color(isCenter ? Ink.ACCENT : Ink.CONTROL_LINE));
         g.setStroke(Theme.hairline());
         g.draw(box);
-        g.setColor((isCenter ? Ink.ON_ACCENT : Ink.TEXT).color());
+        g.setColor(Theme.color(isCenter ? Ink.ON_ACCENT : Ink.TEXT));
         Drawing.centred(g, fitted, Theme.monoStrong(), x, getHeight() / 2.0);
     }
 

@@ -8,27 +8,27 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** The queue of messages and those that have ended lately; below, the history of the one that is chosen. */
 final class MessagesPanel extends JPanel {
     private static final int HISTORY_UNITS = 132;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final RowsPanel<MessageRow> rows;
     private final JTextArea history = new JTextArea();
     private final JScrollPane scroll = new JScrollPane(history);
 
-    MessagesPanel(Texts texts) {
+    MessagesPanel(TextBundle texts) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         rows = Tables.messages(texts).onChoice(this::tell);
-        Named.name(history, "message.history", texts.of("window.history"));
+        ComponentNames.name(history, "message.history", texts.of("window.history"));
         history.setEditable(false);
         history.setLineWrap(true);
         history.setWrapStyleWord(true);
@@ -63,7 +63,7 @@ final class MessagesPanel extends JPanel {
     private void dress() {
         scroll.setPreferredSize(new Dimension(0, Theme.px(HISTORY_UNITS)));
         history.setFont(Theme.base());
-        history.setForeground(Ink.TEXT.color());
+        history.setForeground(Theme.color(Ink.TEXT));
         history.setBorder(Theme.padding(6));
     }
 }

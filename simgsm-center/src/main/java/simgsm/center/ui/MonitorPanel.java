@@ -15,14 +15,14 @@ import javax.swing.JTabbedPane;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 
 /** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
 public final class MonitorPanel extends JPanel {
@@ -33,7 +33,7 @@ public final class MonitorPanel extends JPanel {
     /** Of what room is to spare or to give up. */
     private static final double LEFT_SHARE = 0.3;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final CenterActions operator;
     private final HeaderPanel header;
     private final PassingPanel passing;
@@ -48,7 +48,7 @@ public final class MonitorPanel extends JPanel {
     private final JLabel notice = new JLabel(" ");
 
     /** @param texts of the centre's bundle; @param operator whom the buttons ask */
-    public MonitorPanel(Texts texts, CenterActions operator) {
+    public MonitorPanel(TextBundle texts, CenterActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
@@ -69,22 +69,22 @@ public final class MonitorPanel extends JPanel {
     }
 
     private JComponent left() {
-        Named.name(tabs, "tabs", texts.of("window.tabs"));
+        ComponentNames.name(tabs, "tabs", texts.of("window.tabs"));
         tabs.addTab(texts.of("window.subscribers"), subscribers);
         tabs.addTab(texts.of("window.calls"), calls);
         tabs.addTab(texts.of("window.messages"), messages);
         tabs.addTab(texts.of("window.broadcast"), broadcasts);
-        Act phone = new Act("new.phone", texts.of("window.new.phone"), () -> start(operator::newPhone))
+        UserAction phone = new UserAction("new.phone", texts.of("window.new.phone"), () -> start(operator::newPhone))
                 .described(texts.of("window.new.phone.why"))
                 .with(Symbol.PHONE.icon());
-        Act robot = new Act("new.robot", texts.of("window.new.robot"), () -> start(operator::newRobot))
+        UserAction robot = new UserAction("new.robot", texts.of("window.new.robot"), () -> start(operator::newRobot))
                 .described(texts.of("window.new.robot.why"))
                 .with(Symbol.ROBOT.icon());
         JPanel buttons = Arrange.row(
                 8,
-                Named.name(new JButton(phone), "new.phone", texts.of("window.new.phone.why")),
-                Named.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
-                Arrange.growing(Named.name(notice, "notice", texts.of("window.notice"))));
+                ComponentNames.name(new JButton(phone), "new.phone", texts.of("window.new.phone.why")),
+                ComponentNames.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
+                Arrange.growing(ComponentNames.name(notice, "notice", texts.of("window.notice"))));
         return new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
     }
 
@@ -141,8 +141,8 @@ public final class MonitorPanel extends JPanel {
     }
 
     private void dress() {
-        notice.setForeground(Ink.DANGER.color());
-        setBackground(Ink.SURFACE.color());
+        notice.setForeground(Theme.color(Ink.DANGER));
+        setBackground(Theme.color(Ink.SURFACE));
         setBorder(Theme.padding(12));
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();

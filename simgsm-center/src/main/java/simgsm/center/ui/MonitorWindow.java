@@ -3,11 +3,11 @@ package simgsm.center.ui;
 import java.util.Optional;
 import javax.swing.Timer;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.ui.Newest;
-import simgsm.ui.ProgramWindow;
+import simgsm.console.TextBundle;
+import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simgsm.ui.WindowIcon;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowIcon;
 
 /** What "SMSyCT" has in its window: a {@link MonitorPanel}, kept up to date. */
 public final class MonitorWindow {
@@ -16,13 +16,14 @@ public final class MonitorWindow {
     private MonitorWindow() {}
 
     /** Made on the event thread. */
-    public static ProgramWindow.Content content(CenterActions operator, Texts texts) {
+    public static ProgramWindow.Content content(CenterActions operator, TextBundle texts) {
         MonitorPanel panel = new MonitorPanel(texts, operator);
-        Newest<ExchangeSnapshot> newest = new Newest<>(() -> operator.snapshot().orElse(null), snapshot -> {
-            if (snapshot != null) {
-                panel.show(snapshot);
-            }
-        });
+        SnapshotPoller<ExchangeSnapshot> newest =
+                new SnapshotPoller<>(() -> operator.snapshot().orElse(null), snapshot -> {
+                    if (snapshot != null) {
+                        panel.show(snapshot);
+                    }
+                });
         newest.start();
         Timer seconds = new Timer(RATE_PERIOD_MILLIS, event -> panel.tick(System.nanoTime()));
         seconds.start();

@@ -8,12 +8,12 @@ import javax.swing.JTextField;
 import simgsm.air.LocationArea;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /**
  * The panel of the paper's figure 4, live: which telephone calls or writes (TEL entrante), through which centre (TEL
@@ -22,7 +22,7 @@ import simgsm.ui.Theme.Ink;
 final class PassingPanel extends JPanel {
     private static final int ONE_ROW_UNITS = 1100;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final JTextField incoming = field();
     private final JTextField intermediate = field();
     private final JTextField outgoing = field();
@@ -33,7 +33,7 @@ final class PassingPanel extends JPanel {
     private final JComponent text;
     private boolean isOneRow;
 
-    PassingPanel(Texts texts, int port) {
+    PassingPanel(TextBundle texts, int port) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
@@ -61,7 +61,7 @@ final class PassingPanel extends JPanel {
     }
 
     private void name(String name, JTextField field, String key) {
-        Named.name(field, name, texts.of(key));
+        ComponentNames.name(field, name, texts.of(key));
         field.setToolTipText(texts.of(key + ".why"));
     }
 
@@ -134,8 +134,8 @@ final class PassingPanel extends JPanel {
     }
 
     private void dress() {
-        firstArrow.setForeground(Ink.QUIET.color());
-        secondArrow.setForeground(Ink.QUIET.color());
+        firstArrow.setForeground(Theme.color(Ink.QUIET));
+        secondArrow.setForeground(Theme.color(Ink.QUIET));
         for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
             field.setFont(Theme.mono(15, false));
         }

@@ -1,7 +1,7 @@
 package simgsm.center.ui;
 
 import simgsm.center.msc.LadderEntry;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /** Whose message it is, by the protocol discriminator; each has a tag to read beside its colour. */
 enum Protocol {

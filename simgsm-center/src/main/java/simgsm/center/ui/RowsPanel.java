@@ -17,10 +17,11 @@ import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import simgsm.air.Msisdn;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
-import simgsm.ui.Named;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** A table of a snapshot's rows; says in words when there are none. */
 final class RowsPanel<T> extends JPanel {
@@ -37,7 +38,7 @@ final class RowsPanel<T> extends JPanel {
         super(new BorderLayout());
         setOpaque(false);
         model = new RowsModel<>(columns);
-        table = Named.name(new EmptyTable(empty), name, title);
+        table = ComponentNames.name(new EmptyTable(empty), name, title);
         table.setModel(model);
         table.setDefaultRenderer(Object.class, new CellRenderer());
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
@@ -113,7 +114,7 @@ final class RowsPanel<T> extends JPanel {
             if (getRowCount() == 0) {
                 Graphics2D g = Drawing.on(graphics);
                 try {
-                    g.setColor(Ink.QUIET.color());
+                    g.setColor(Theme.color(Ink.QUIET));
                     Drawing.centred(g, empty, Theme.base(), getWidth() / 2.0, Theme.exact(48));
                 } finally {
                     g.dispose();
@@ -150,7 +151,7 @@ final class RowsPanel<T> extends JPanel {
                     Graphics2D g = Drawing.on(graphics);
                     try {
                         double radius = getIconWidth() / 2.0;
-                        state.mark().paint(g, x + radius, y + radius, radius - 1, state.ink());
+                        state.mark().draw(new GraphicsCanvas(g), x + radius, y + radius, radius - 1, state.ink());
                     } finally {
                         g.dispose();
                     }

@@ -1,10 +1,10 @@
 package simgsm.center.ui;
 
-import simgsm.ui.Mark;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** A state as a table shows it: shape and word, the colour only helps. */
-record StateWord(Mark mark, Ink ink, String word) {
+record StateWord(StatusMark mark, Ink ink, String word) {
     /** For assistive technology and for sorting. */
     @Override
     public String toString() {

@@ -8,18 +8,18 @@ import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
-import simgsm.ui.Mark;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** The three tables and their columns. */
 final class Tables {
     private Tables() {}
 
-    static RowsPanel<SubscriberRow> subscribers(Texts texts) {
-        StateWord attached = new StateWord(Mark.DISC, Ink.GOOD, texts.of("window.subscriber.attached"));
-        StateWord barred = new StateWord(Mark.SLASHED_RING, Ink.DANGER, texts.of("window.subscriber.barred"));
-        StateWord detached = new StateWord(Mark.RING, Ink.QUIET, texts.of("window.subscriber.detached"));
+    static RowsPanel<SubscriberRow> subscribers(TextBundle texts) {
+        StateWord attached = new StateWord(StatusMark.DISC, Ink.GOOD, texts.of("window.subscriber.attached"));
+        StateWord barred = new StateWord(StatusMark.SLASHED_RING, Ink.DANGER, texts.of("window.subscriber.barred"));
+        StateWord detached = new StateWord(StatusMark.RING, Ink.QUIET, texts.of("window.subscriber.detached"));
         return new RowsPanel<>(
                 "subscribers",
                 texts.of("window.subscribers"),
@@ -34,7 +34,7 @@ final class Tables {
                         new Column<>("IMEI", 118, row -> new Digits(row.imei()))));
     }
 
-    static RowsPanel<CallView> calls(Texts texts) {
+    static RowsPanel<CallView> calls(TextBundle texts) {
         return new RowsPanel<>(
                 "calls",
                 texts.of("window.calls"),
@@ -54,7 +54,7 @@ final class Tables {
                 : "";
     }
 
-    static RowsPanel<MessageRow> messages(Texts texts) {
+    static RowsPanel<MessageRow> messages(TextBundle texts) {
         return new RowsPanel<MessageRow>(
                         "messages",
                         texts.of("window.messages"),
@@ -79,7 +79,7 @@ final class Tables {
                 .identifiedBy(row -> row.history().message().id());
     }
 
-    static RowsPanel<BroadcastView> broadcasts(Texts texts) {
+    static RowsPanel<BroadcastView> broadcasts(TextBundle texts) {
         return new RowsPanel<BroadcastView>(
                         "broadcasts",
                         texts.of("window.broadcasts"),
@@ -109,17 +109,17 @@ final class Tables {
         return dialled.isEmpty() ? "" : new Msisdn(dialled);
     }
 
-    static StateWord word(CallProgress state, Texts texts) {
+    static StateWord word(CallProgress state, TextBundle texts) {
         String word = texts.of("window.call." + state.name().toLowerCase(Locale.ROOT));
         switch (state) {
             case INITIATED:
-                return new StateWord(Mark.HALF_DISC, Ink.WARNING, word);
+                return new StateWord(StatusMark.HALF_DISC, Ink.WARNING, word);
             case ALERTING:
-                return new StateWord(Mark.DIAMOND, Ink.WARNING, word);
+                return new StateWord(StatusMark.DIAMOND, Ink.WARNING, word);
             case ACTIVE:
-                return new StateWord(Mark.ARROW, Ink.GOOD, word);
+                return new StateWord(StatusMark.ARROW, Ink.GOOD, word);
             default:
-                return new StateWord(Mark.RING, Ink.QUIET, word);
+                return new StateWord(StatusMark.RING, Ink.QUIET, word);
         }
     }
 }

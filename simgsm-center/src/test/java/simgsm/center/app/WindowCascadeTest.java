@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import simgsm.ui.WindowPlace;
+import simgsm.ui.window.WindowPlace;
 
 class WindowCascadeTest {
     private static final WindowPlace SCREEN = new WindowPlace(10, 20, 1_600, 1_000);

@@ -18,12 +18,12 @@ import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.Standing;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 class HistoryWordsTest {
-    private static Texts texts(String language) {
+    private static TextBundle texts(String language) {
         Locale locale = Locale.forLanguageTag(language);
-        return new Texts(ResourceBundle.getBundle("simgsm.center.app.messages", locale), locale);
+        return new TextBundle(ResourceBundle.getBundle("simgsm.center.app.messages", locale), locale);
     }
 
     private static MessageHistory history(MessageState state, Standing standing, DeliveryOutcome outcome) {

@@ -38,12 +38,12 @@ import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.ui.Appearance;
+import simgsm.console.TextBundle;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();
@@ -359,9 +359,9 @@ class MonitorPanelTest {
         return new MonitorPanel(texts(language), new NotingOperator());
     }
 
-    private static Texts texts(String language) {
-        Locale locale = Texts.bundleLocale(Locale.forLanguageTag(language));
-        return new Texts(ResourceBundle.getBundle("simgsm.center.app.messages", locale), Locale.ROOT);
+    private static TextBundle texts(String language) {
+        Locale locale = TextBundle.bundleLocale(Locale.forLanguageTag(language));
+        return new TextBundle(ResourceBundle.getBundle("simgsm.center.app.messages", locale), Locale.ROOT);
     }
 
     private BufferedImage paint(double scale) {
@@ -388,7 +388,7 @@ class MonitorPanelTest {
     }
 
     private static int count(BufferedImage image, Ink ink) {
-        int wanted = ink.color().getRGB();
+        int wanted = Theme.color(ink).getRGB();
         int count = 0;
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
@@ -399,7 +399,8 @@ class MonitorPanelTest {
     }
 
     private <T extends JComponent> T find(String name, Class<T> type) {
-        return type.cast(Named.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name)));
+        return type.cast(
+                ComponentNames.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name)));
     }
 
     private String lamp(String name) {

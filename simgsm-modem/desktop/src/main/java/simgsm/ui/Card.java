@@ -6,7 +6,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /** A calm sheet on the surface: rounded, thin line, an optional title, content below. */
 public final class Card extends JPanel {
@@ -40,9 +40,9 @@ public final class Card extends JPanel {
         Graphics2D g = Drawing.on(graphics);
         try {
             var sheet = Drawing.round(0.5, 0.5, getWidth() - 1, getHeight() - 1, Theme.exact(Theme.CARD_RADIUS));
-            g.setColor(Ink.CARD.color());
+            g.setColor(Theme.color(Ink.CARD));
             g.fill(sheet);
-            g.setColor(Ink.LINE.color());
+            g.setColor(Theme.color(Ink.LINE));
             g.setStroke(Theme.hairline());
             g.draw(sheet);
         } finally {

@@ -2,13 +2,14 @@ package simgsm.ui;
 
 import java.util.Locale;
 import java.util.ResourceBundle;
+import simgsm.console.TextBundle;
 
 /** The texts of the shared pieces. */
-final class DesktopTexts {
+public final class DesktopTexts {
     private DesktopTexts() {}
 
-    static Texts in(Locale language) {
-        Locale locale = Texts.bundleLocale(language);
-        return new Texts(ResourceBundle.getBundle("simgsm.ui.messages", locale), Locale.ROOT);
+    public static TextBundle in(Locale language) {
+        Locale locale = TextBundle.bundleLocale(language);
+        return new TextBundle(ResourceBundle.getBundle("simgsm.ui.messages", locale), Locale.ROOT);
     }
 }

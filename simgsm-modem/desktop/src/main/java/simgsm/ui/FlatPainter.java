@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.Painter;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /**
  * Paints one region of a Nimbus component in one set of states. A region is painted as a box (fill, line, corner), or
@@ -116,7 +116,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             case FRAME -> frame(g, w, h);
             case CHECK -> check(g, w, h);
             case RADIO -> radio(g, w, h);
-            case TICK_ITEM -> tick(g, 0, 0, w, h, Ink.ACCENT.color());
+            case TICK_ITEM -> tick(g, 0, 0, w, h, Theme.color(Ink.ACCENT));
             case THUMB -> box(g, 3, w, h, is("Enabled") ? Ink.LINE : Ink.CONTROL_LINE, null, 3);
             case SLIDER_TRACK -> track(g, w, h);
             case SLIDER_THUMB -> knob(g, w, h);
@@ -162,11 +162,11 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     private void box(Graphics2D g, double inset, double w, double h, Ink fill, Ink line, double radiusUnits) {
         double i = Theme.exact(inset);
         var shape = Drawing.round(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1, Theme.exact(radiusUnits));
-        g.setColor(fill.color());
+        g.setColor(Theme.color(fill));
         g.fill(shape);
         if (line != null) {
             ring(g, w, h, i, radiusUnits);
-            g.setColor(line.color());
+            g.setColor(Theme.color(line));
             g.setStroke(Theme.hairline());
             g.draw(shape);
         }
@@ -175,7 +175,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     /** The mark of the focus: a second line of the accent's colour around the first, never a colour alone. */
     private void ring(Graphics2D g, double w, double h, double i, double radiusUnits) {
         if (is("Focused")) {
-            g.setColor(Ink.ACCENT.color(0.45));
+            g.setColor(Theme.color(Ink.ACCENT, 0.45));
             g.setStroke(Theme.stroke(2));
             g.draw(Drawing.round(i - 0.5, i - 0.5, w - 2 * i + 1, h - 2 * i + 1, Theme.exact(radiusUnits + 1)));
         }
@@ -184,19 +184,19 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     private void outline(Graphics2D g, double inset, double w, double h, Ink line) {
         double i = Theme.exact(inset);
         ring(g, w, h, i, 3);
-        g.setColor((is("Disabled") ? Ink.LINE : line).color());
+        g.setColor(Theme.color(is("Disabled") ? Ink.LINE : line));
         g.setStroke(Theme.hairline());
         g.draw(Drawing.round(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1, Theme.exact(3)));
     }
 
     private static void fill(Graphics2D g, double w, double h, Ink ink) {
-        g.setColor(ink.color());
+        g.setColor(Theme.color(ink));
         Drawing.fillCrisp(g, 0, 0, w, h);
     }
 
     private static void edge(Graphics2D g, double w, double h, Ink ink) {
         double one = Theme.exact(1);
-        g.setColor(ink.color());
+        g.setColor(Theme.color(ink));
         Drawing.fillCrisp(g, 0, 0, w, one);
         Drawing.fillCrisp(g, 0, h - one, w, one);
         Drawing.fillCrisp(g, 0, 0, one, h);
@@ -212,7 +212,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
         box(g, 2, w, h, on && !is("Disabled") ? Ink.ACCENT : Ink.CARD, line, 3);
         if (on) {
-            tick(g, 0, 0, w, h, (is("Disabled") ? Ink.DISABLED : Ink.ON_ACCENT).color());
+            tick(g, 0, 0, w, h, Theme.color(is("Disabled") ? Ink.DISABLED : Ink.ON_ACCENT));
         }
     }
 
@@ -230,9 +230,9 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         double i = Theme.exact(2);
         boolean on = is("Selected");
         Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(new Ellipse2D.Double(i, i, w - 2 * i, h - 2 * i));
-        g.setColor(line.color());
+        g.setColor(Theme.color(line));
         g.setStroke(Theme.stroke(is("Focused") ? 2 : 1));
         g.draw(new Ellipse2D.Double(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1));
         if (on) {
@@ -243,16 +243,16 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
 
     private static void track(Graphics2D g, double w, double h) {
         double thickness = Theme.exact(4);
-        g.setColor(Ink.LINE.color());
+        g.setColor(Theme.color(Ink.LINE));
         g.fill(Drawing.round(0, (h - thickness) / 2, w, thickness, thickness / 2));
     }
 
     private void knob(Graphics2D g, double w, double h) {
         double d = Math.min(w, h) - 3;
         var disc = new Ellipse2D.Double((w - d) / 2, (h - d) / 2, d, d);
-        g.setColor((is("Disabled") ? Ink.SURFACE : is("Pressed") ? Ink.ACCENT : Ink.CARD).color());
+        g.setColor(Theme.color(is("Disabled") ? Ink.SURFACE : is("Pressed") ? Ink.ACCENT : Ink.CARD));
         g.fill(disc);
-        g.setColor((is("Disabled") ? Ink.LINE : Ink.ACCENT).color());
+        g.setColor(Theme.color(is("Disabled") ? Ink.LINE : Ink.ACCENT));
         g.setStroke(Theme.stroke(is("Focused") ? 2.5 : 1.5));
         g.draw(disc);
     }
@@ -265,7 +265,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         path.moveTo(-r, -r / 2);
         path.lineTo(0, r / 2);
         path.lineTo(r, -r / 2);
-        g.setColor((is("Disabled") ? Ink.DISABLED : Ink.QUIET).color());
+        g.setColor(Theme.color(is("Disabled") ? Ink.DISABLED : Ink.QUIET));
         g.setStroke(Theme.line());
         g.draw(path);
     }
@@ -275,7 +275,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             fill(g, w, h, Ink.HOVER);
         }
         if (is("Selected")) {
-            g.setColor(Ink.ACCENT.color());
+            g.setColor(Theme.color(Ink.ACCENT));
             Drawing.fillCrisp(g, 0, h - Theme.exact(2.5), w, Theme.exact(2.5));
         }
         if (is("Focused")) {
@@ -285,12 +285,12 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
 
     private static void header(Graphics2D g, double w, double h) {
         fill(g, w, h, Ink.SURFACE);
-        g.setColor(Ink.LINE.color());
+        g.setColor(Theme.color(Ink.LINE));
         Drawing.fillCrisp(g, 0, h - Theme.exact(1), w, Theme.exact(1));
     }
 
     private static void rule(Graphics2D g, double w, double h) {
-        g.setColor(Ink.LINE.color());
+        g.setColor(Theme.color(Ink.LINE));
         if (w >= h) {
             Drawing.fillCrisp(g, 0, h / 2, w, Theme.exact(1));
         } else {
@@ -300,7 +300,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
 
     private static void grip(Graphics2D g, double w, double h) {
         double d = Theme.exact(2.5);
-        g.setColor(Ink.CONTROL_LINE.color());
+        g.setColor(Theme.color(Ink.CONTROL_LINE));
         for (int k = -1; k <= 1; k++) {
             double x = w / 2 + (w > h ? k * 3 * d : 0);
             double y = h / 2 + (w > h ? 0 : k * 3 * d);

@@ -10,7 +10,7 @@ import javax.swing.plaf.ColorUIResource;
 import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.InsetsUIResource;
 import javax.swing.plaf.nimbus.NimbusLookAndFeel;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /** Nimbus with our colours and fonts, and its glossy painters replaced by flat ones. */
 final class InstrumentLookAndFeel extends NimbusLookAndFeel {
@@ -99,7 +99,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
 
     /** Synth paints a renderer's background only if the colour does not come from the look and feel: so plain for states. */
     private void put(String key, Ink ink) {
-        Color color = ink.color();
+        Color color = Theme.color(ink);
         boolean plain = key.contains("[") || key.endsWith("RowColor");
         defaults.put(key, plain ? color : new ColorUIResource(color));
     }

@@ -5,7 +5,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /** A run of telephone keys as keycaps, newest at the right; a fault is underlined at its position. */
 public final class Keycaps extends SpokenComponent {
@@ -83,12 +83,12 @@ public final class Keycaps extends SpokenComponent {
         double tall = Theme.exact(CAP_UNITS + 3);
         double radius = Theme.exact(5);
         Ink line = faulty ? Ink.DANGER : Ink.CONTROL_LINE;
-        g.setColor(line.color());
+        g.setColor(Theme.color(line));
         g.fill(Drawing.round(x, top, size, tall, radius));
-        g.setColor((faulty ? Ink.DANGER_WASH : Ink.CARD).color());
+        g.setColor(Theme.color(faulty ? Ink.DANGER_WASH : Ink.CARD));
         double edge = Theme.exact(1);
         g.fill(Drawing.round(x + edge, top + edge, size - 2 * edge, tall - Theme.exact(3.5), radius - edge));
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         Drawing.centred(g, key, Theme.monoStrong(), x + size / 2, top + tall / 2 - edge);
     }
 
@@ -99,7 +99,7 @@ public final class Keycaps extends SpokenComponent {
         for (int i = 1; i <= 6; i++) {
             wave.lineTo(x + i * step, y + (i % 2 == 0 ? 0 : Theme.exact(3)));
         }
-        g.setColor(Ink.DANGER.color());
+        g.setColor(Theme.color(Ink.DANGER));
         g.setStroke(Theme.line());
         g.draw(wave);
     }

@@ -7,7 +7,8 @@ import java.awt.Graphics2D;
 import java.util.Locale;
 import java.util.Objects;
 import javax.accessibility.AccessibleRole;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
 public final class Lamp extends SpokenComponent {
@@ -15,7 +16,7 @@ public final class Lamp extends SpokenComponent {
     private static final double RADIUS_UNITS = 6;
 
     private final String subject;
-    private Mark mark = Mark.RING;
+    private StatusMark mark = StatusMark.RING;
     private Ink ink = Ink.QUIET;
     private String word = "";
     private boolean lit = true;
@@ -29,7 +30,7 @@ public final class Lamp extends SpokenComponent {
     }
 
     /** Shows a state. A lamp that is not lit shows its shape as an outline of quiet colour. */
-    public void show(Mark newMark, Ink newInk, String newWord) {
+    public void show(StatusMark newMark, Ink newInk, String newWord) {
         if (newMark != mark || newInk != ink || !newWord.equals(word)) {
             String before = spoken();
             mark = newMark;
@@ -104,9 +105,9 @@ public final class Lamp extends SpokenComponent {
         try {
             double r = Theme.exact(RADIUS_UNITS);
             double middle = getHeight() / 2.0;
-            mark.paint(g, r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
+            mark.draw(new GraphicsCanvas(g), r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
             g.setFont(getFont());
-            g.setColor((lit ? Ink.TEXT : Ink.QUIET).color());
+            g.setColor(Theme.color(lit ? Ink.TEXT : Ink.QUIET));
             double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
             String fitted = Drawing.fitted(getFont(), word, getWidth() - x);
             g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));

@@ -1,28 +1,29 @@
 package simgsm.ui;
 
 import java.util.Locale;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** The link to the centre, as every window's lamp shows it. */
 public enum LinkState {
     /** Registered, or with the centre: listening. */
-    UP(Mark.DISC, Ink.GOOD),
+    UP(StatusMark.DISC, Ink.GOOD),
     /** No centre yet; trying. */
-    SEARCHING(Mark.HALF_DISC, Ink.WARNING),
+    SEARCHING(StatusMark.HALF_DISC, Ink.WARNING),
     /** The network refuses. */
-    REFUSED(Mark.SLASHED_RING, Ink.DANGER),
+    REFUSED(StatusMark.SLASHED_RING, Ink.DANGER),
     /** Switched off. */
-    OFF(Mark.RING, Ink.QUIET);
+    OFF(StatusMark.RING, Ink.QUIET);
 
-    private final Mark mark;
+    private final StatusMark mark;
     private final Ink ink;
 
-    LinkState(Mark mark, Ink ink) {
+    LinkState(StatusMark mark, Ink ink) {
         this.mark = mark;
         this.ink = ink;
     }
 
-    public Mark mark() {
+    public StatusMark mark() {
         return mark;
     }
 

@@ -5,7 +5,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /** Signal strength as bars of growing height; the painter serves the phone's display, too. */
 public final class SignalBars extends SpokenComponent {
@@ -60,8 +60,8 @@ public final class SignalBars extends SpokenComponent {
                     Math.min(getWidth(), Theme.exact(24)),
                     height,
                     level,
-                    Ink.TEXT.color(),
-                    Ink.LINE.color());
+                    Theme.color(Ink.TEXT),
+                    Theme.color(Ink.LINE));
         } finally {
             g.dispose();
         }

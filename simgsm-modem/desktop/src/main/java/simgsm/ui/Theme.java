@@ -11,15 +11,19 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
 import javax.swing.border.Border;
+import javax.swing.border.EmptyBorder;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 
 /**
- * The one place that names colours, fonts, strokes and distances. Everything else asks here, at the moment it paints,
- * so that a change of appearance or zoom needs nothing but {@link #refresh}.
+ * Colours, fonts, strokes and distances of the windows, at the window's appearance and zoom. Components read them when they
+ * paint, so that a change of appearance or zoom needs only {@link #refresh}.
  *
- * <p>Distances are written in units of the design, on a grid of 8 (4 inside controls), and become logical pixels by
- * {@link #px}, which applies the zoom. The display's own scale is the JRE's business.
+ * <p>Distances are written in units of the design, on a grid of 8 (4 inside controls); {@link #px} multiplies them by the
+ * zoom into logical pixels. The JRE applies the display's scale.
  *
- * <p>One program has one window, so appearance and zoom belong to the program. Touched on the event thread only.
+ * <p>A program has one window, so appearance and zoom are static. They are set on the event thread. The zoom is read there
+ * only; the appearance is read by any thread that draws a picture for a file.
  */
 public final class Theme {
     /** The step of the layout grid, in units. */
@@ -41,92 +45,10 @@ public final class Theme {
     private static final double SMALL_POINTS = 11;
     private static final double TITLE_POINTS = 15;
 
-    private static Appearance appearance = Appearance.LIGHT;
+    private static volatile Appearance appearance = Appearance.LIGHT;
     private static double zoom = 1;
 
     private Theme() {}
-
-    /** A colour by its task. The pairs that carry text have a contrast of at least 4.5 to 1 in both appearances. */
-    public enum Ink {
-        /** What windows are made of. */
-        SURFACE(0xF6F7F9, 0x1E2126),
-        /** What lies on the surface and carries content. */
-        CARD(0xFFFFFF, 0x272B31),
-        /** Borders and rules. */
-        LINE(0xD5D9E0, 0x3B4149),
-        /** Borders of things that can be used; 3 to 1 against the card. */
-        CONTROL_LINE(0x848D9A, 0x79828D),
-        TEXT(0x1B1F24, 0xE8EAED),
-        QUIET(0x5B6470, 0xA6AEB8),
-        DISABLED(0x99A1AC, 0x6C747E),
-        ACCENT(0x1F5FBF, 0x7FB0FF),
-        /** Text on the accent. */
-        ON_ACCENT(0xFFFFFF, 0x10141A),
-        /** A thin wash of the accent: selections, the lit part of a track. */
-        ACCENT_WASH(0xDFE9F8, 0x2C3B53),
-        GOOD(0x1E7F4F, 0x5CC890),
-        GOOD_WASH(0xE2F3EA, 0x233A2F),
-        WARNING(0x9A6200, 0xF0B64A),
-        WARNING_WASH(0xFBF1DE, 0x3C3321),
-        DANGER(0xB3261E, 0xFF8A80),
-        DANGER_WASH(0xFBE6E4, 0x452B2B),
-        /** Text on a filled good or danger key. */
-        ON_SIGNAL(0xFFFFFF, 0x10141A),
-        HOVER(0xEDF0F4, 0x30353C),
-        PRESSED(0xDDE2E9, 0x3A4048),
-
-        /** The handset's body, its keys' faces and their lower edge. */
-        BODY(0xDCE1E8, 0x2D3239),
-        BODY_LINE(0xB4BCC7, 0x4A515B),
-        KEY_FACE(0xFDFDFE, 0x3A4048),
-        CALL_FACE(0x1E7F4F, 0x278052),
-        END_FACE(0xB3261E, 0xC03A30),
-        /** Signs on those two. */
-        ON_FACE(0xFFFFFF, 0xFFFFFF),
-        KEY_LINE(0xAAB3BF, 0x565E69),
-        KEY_HOVER(0xF0F3F7, 0x434A53),
-        /** The display of the phone: the same in both appearances, as a real one is. */
-        LCD_PAPER(0xB9C9A3, 0xB9C9A3),
-        LCD_INK(0x20301A, 0x20301A),
-        LCD_QUIET(0x3F5236, 0x3F5236),
-        /** Segments that are not driven, just to be seen. */
-        LCD_GHOST(0xA6B78F, 0xA6B78F),
-        LCD_RIM(0x5E6B50, 0x10130E),
-
-        /** The world view: floor, grid, walls, robot. */
-        FLOOR(0xFCFCFA, 0x22262B),
-        GRID_LINE(0xE9ECEF, 0x2C3137),
-        GRID_MAJOR(0xD5D9E0, 0x3B4149),
-        WALL(0x2B3037, 0xCDD3DA),
-        ROBOT(0xC2402F, 0xE2705C),
-        ROBOT_LINE(0x5C160E, 0xFFD9D2),
-        WHEEL(0x23272D, 0x14171B),
-        TRAIL(0x1F5FBF, 0x7FB0FF),
-        RAY(0x9A6200, 0xF0B64A);
-
-        private final Color light;
-        private final Color dark;
-
-        Ink(int light, int dark) {
-            this.light = new Color(light);
-            this.dark = new Color(dark);
-        }
-
-        /** The colour in the present appearance. */
-        public Color color() {
-            return in(appearance);
-        }
-
-        public Color in(Appearance appearance) {
-            return appearance == Appearance.LIGHT ? light : dark;
-        }
-
-        /** The colour, see-through. @param opacity 0 (nothing to be seen) to 1 */
-        public Color color(double opacity) {
-            Color solid = color();
-            return new Color(solid.getRed(), solid.getGreen(), solid.getBlue(), (int) Math.round(opacity * 255));
-        }
-    }
 
     public static Appearance appearance() {
         return appearance;
@@ -148,7 +70,8 @@ public final class Theme {
         reinstall();
     }
 
-    static void zoomBy(int steps) {
+    /** Zooms by that many steps of 10 %. */
+    public static void zoomBy(int steps) {
         zoomTo(Math.round(zoom * Math.pow(ZOOM_STEP, steps) * 100) / 100.0);
     }
 
@@ -169,6 +92,19 @@ public final class Theme {
         root.repaint();
     }
 
+    public static Color color(Ink ink) {
+        return new Color(ink.rgb(appearance));
+    }
+
+    /** @param opacity 0 (invisible) to 1 */
+    public static Color color(Ink ink, double opacity) {
+        return color(ink, appearance, opacity);
+    }
+
+    static Color color(Ink ink, Appearance in, double opacity) {
+        return new Color(ink.rgb(in) | (int) Math.round(opacity * 255) << 24, true);
+    }
+
     /** Logical pixels for a distance in units, at the present zoom; at least 1 for anything above 0. */
     public static int px(double units) {
         long pixels = Math.round(units * zoom);
@@ -182,46 +118,48 @@ public final class Theme {
 
     /** Text and labels. */
     public static Font base() {
-        return font(Font.SANS_SERIF, Font.PLAIN, BASE_POINTS);
+        return sans(BASE_POINTS, false);
     }
 
     public static Font strong() {
-        return font(Font.SANS_SERIF, Font.BOLD, BASE_POINTS);
+        return sans(BASE_POINTS, true);
     }
 
     public static Font small() {
-        return font(Font.SANS_SERIF, Font.PLAIN, SMALL_POINTS);
+        return sans(SMALL_POINTS, false);
     }
 
     public static Font title() {
-        return font(Font.SANS_SERIF, Font.BOLD, TITLE_POINTS);
+        return sans(TITLE_POINTS, true);
     }
 
     /** Numbers, keys, orders. */
     public static Font mono() {
-        return font(Font.MONOSPACED, Font.PLAIN, BASE_POINTS);
+        return mono(BASE_POINTS, false);
     }
 
     public static Font monoStrong() {
-        return font(Font.MONOSPACED, Font.BOLD, BASE_POINTS);
+        return mono(BASE_POINTS, true);
     }
 
     public static Font monoSmall() {
-        return font(Font.MONOSPACED, Font.PLAIN, SMALL_POINTS);
+        return mono(SMALL_POINTS, false);
     }
 
-    /** A monospaced face of another size, for displays and keys. */
+    /** A monospaced face of another size in units, for displays and keys. */
     public static Font mono(double points, boolean bold) {
-        return font(Font.MONOSPACED, bold ? Font.BOLD : Font.PLAIN, points);
+        return font(true, bold, points * zoom);
     }
 
-    /** A text face of another size. */
+    /** A sans-serif face of another size in units. */
     public static Font sans(double points, boolean bold) {
-        return font(Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, points);
+        return font(false, bold, points * zoom);
     }
 
-    private static Font font(String family, int style, double points) {
-        return new Font(family, style, 1).deriveFont((float) (points * zoom));
+    /** A font of a size in pixels, whatever the zoom. */
+    static Font font(boolean monospaced, boolean bold, double pixels) {
+        return new Font(monospaced ? Font.MONOSPACED : Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1)
+                .deriveFont((float) pixels);
     }
 
     /** Rules and borders. */
@@ -236,25 +174,34 @@ public final class Theme {
 
     /** A round stroke of a width in units. */
     public static Stroke stroke(double units) {
-        return new BasicStroke(exact(units), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+        return stroke(exact(units), 0);
     }
 
-    /** A dashed stroke. @param dash length of dash and gap, in units */
+    /** A dashed stroke. @param dash length of each dash and gap, in units */
     public static Stroke dashed(double units, double dash) {
-        return new BasicStroke(
-                exact(units), BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {exact(dash)}, 0);
+        return stroke(exact(units), exact(dash));
+    }
+
+    /** @param dash length of each dash and gap in pixels; 0 for a solid line with round ends */
+    static Stroke stroke(double pixels, double dash) {
+        return dash == 0
+                ? new BasicStroke((float) pixels, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
+                : new BasicStroke(
+                        (float) pixels, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {(float) dash}, 0);
     }
 
     /** Empty space around a component, in units; follows the zoom. */
     public static Border padding(int top, int left, int bottom, int right) {
-        return new Padding(top, left, bottom, right);
+        return new EmptyBorder(top, left, bottom, right) {
+            @Override
+            public Insets getBorderInsets(Component c, Insets insets) {
+                insets.set(px(top), px(left), px(bottom), px(right));
+                return insets;
+            }
+        };
     }
 
     public static Border padding(int units) {
-        return new Padding(units, units, units, units);
-    }
-
-    static Insets insets(int top, int left, int bottom, int right) {
-        return new Insets(px(top), px(left), px(bottom), px(right));
+        return padding(units, units, units, units);
     }
 }

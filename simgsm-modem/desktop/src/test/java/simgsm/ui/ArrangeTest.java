@@ -59,10 +59,10 @@ class ArrangeTest {
 
     @Test
     void aComponentIsFoundByItsName() {
-        JLabel label = Named.name(new JLabel("x"), "status", "Status");
+        JLabel label = ComponentNames.name(new JLabel("x"), "status", "Status");
         JPanel panel = Arrange.row(0, Arrange.column(0, label));
-        assertEquals(label, Named.find(panel, "status").orElseThrow());
-        assertTrue(Named.find(panel, "nothing").isEmpty());
+        assertEquals(label, ComponentNames.find(panel, "status").orElseThrow());
+        assertTrue(ComponentNames.find(panel, "nothing").isEmpty());
         assertEquals("Status", label.getAccessibleContext().getAccessibleName());
     }
 
@@ -70,22 +70,22 @@ class ArrangeTest {
     void anActIsReachedByItsKeyAndDoesNothingWhileDisabled() {
         List<String> done = new ArrayList<>();
         JPanel panel = new JPanel();
-        Act act = new Act("world.fit", "&Fit", () -> done.add("fit"));
+        UserAction act = new UserAction("world.fit", "&Fit", () -> done.add("fit"));
         act.bindInWindow(panel, KeyStroke.getKeyStroke('f'));
         Object binding = panel.getInputMap(JPanel.WHEN_IN_FOCUSED_WINDOW).get(KeyStroke.getKeyStroke('f'));
         panel.getActionMap().get(binding).actionPerformed(null);
         act.setEnabled(false);
         panel.getActionMap().get(binding).actionPerformed(null);
         assertEquals(List.of("fit"), done);
-        assertEquals("Fit", act.getValue(Act.NAME));
-        assertEquals((int) 'F', act.getValue(Act.MNEMONIC_KEY));
+        assertEquals("Fit", act.getValue(UserAction.NAME));
+        assertEquals((int) 'F', act.getValue(UserAction.MNEMONIC_KEY));
     }
 
     @Test
     void theNewestSnapshotIsShownOnceAndOnlyWhenItChanged() {
         List<String> shown = new ArrayList<>();
         String[] source = {"a"};
-        Newest<String> newest = new Newest<>(() -> source[0], shown::add);
+        SnapshotPoller<String> newest = new SnapshotPoller<>(() -> source[0], shown::add);
         newest.show();
         newest.show();
         source[0] = "b";

@@ -14,7 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 
 /** Lamps, bars, keycaps, chips and symbols, painted without a display. */
 class ShapesTest {
@@ -24,7 +26,7 @@ class ShapesTest {
         Theme.install(Appearance.LIGHT);
     }
 
-    private static Lamp lamp(Mark mark, Ink ink, String word) {
+    private static Lamp lamp(StatusMark mark, Ink ink, String word) {
         Lamp lamp = new Lamp("Status");
         lamp.show(mark, ink, word);
         return lamp;
@@ -33,15 +35,15 @@ class ShapesTest {
     @Test
     void everyMarkHasAShapeOfItsOwnEvenWithoutColour() {
         Set<Integer> pictures = new HashSet<>();
-        for (Mark mark : Mark.values()) {
+        for (StatusMark mark : StatusMark.values()) {
             pictures.add(Painted.hash(Painted.at(lamp(mark, Ink.TEXT, ""), 2)));
         }
-        assertEquals(Mark.values().length, pictures.size());
+        assertEquals(StatusMark.values().length, pictures.size());
     }
 
     @Test
     void everyLinkStateHasAMarkOfItsOwn() {
-        Set<Mark> marks = new HashSet<>();
+        Set<StatusMark> marks = new HashSet<>();
         for (LinkState state : LinkState.values()) {
             marks.add(state.mark());
         }
@@ -50,10 +52,10 @@ class ShapesTest {
 
     @Test
     void aLampTellsItsWordAndSaysWhenItChanges() {
-        Lamp lamp = lamp(Mark.SQUARE, Ink.GOOD, "Stopped");
+        Lamp lamp = lamp(StatusMark.SQUARE, Ink.GOOD, "Stopped");
         StringBuilder heard = new StringBuilder();
         lamp.getAccessibleContext().addPropertyChangeListener(change -> heard.append(change.getNewValue()));
-        lamp.show(Mark.ARROW, Ink.ACCENT, "Moving");
+        lamp.show(StatusMark.ARROW, Ink.ACCENT, "Moving");
         assertEquals("Status: Moving", lamp.getAccessibleContext().getAccessibleName());
         assertEquals("Status: Moving", heard.toString());
     }
@@ -62,7 +64,7 @@ class ShapesTest {
     @ValueSource(doubles = {1, 1.1, 1.46, 2, 3})
     void aLampsWordFitsAtEveryZoom(double zoom) {
         Theme.zoomTo(zoom);
-        Lamp lamp = lamp(Mark.DISC, Ink.GOOD, "Disconnected");
+        Lamp lamp = lamp(StatusMark.DISC, Ink.GOOD, "Disconnected");
         int preferred = Painted.count(Painted.at(lamp, 1), Ink.TEXT);
         int roomy = Painted.count(Painted.at(lamp, lamp.getWidth() + 50, lamp.getHeight(), 1), Ink.TEXT);
         assertEquals(roomy, preferred);
@@ -70,7 +72,7 @@ class ShapesTest {
 
     @Test
     void aLampThatIsNotLitShowsNoColourOfItsOwn() {
-        Lamp lamp = lamp(Mark.SQUARE, Ink.GOOD, "Stopped");
+        Lamp lamp = lamp(StatusMark.SQUARE, Ink.GOOD, "Stopped");
         assertTrue(Painted.count(Painted.at(lamp, 1), Ink.GOOD) > 50);
         lamp.setLit(false);
         assertEquals(0, Painted.count(Painted.at(lamp, 1), Ink.GOOD));
@@ -135,8 +137,8 @@ class ShapesTest {
     @Test
     void everyReplyToneHasAChip() {
         for (char tone = '1'; tone <= '8'; tone++) {
-            Chip chip = new Chip(String.valueOf(tone), "word", Chip.inkOfTone(tone));
-            assertTrue(Painted.count(Painted.at(chip, 1), Chip.inkOfTone(tone)) > 100);
+            NumberedLabel chip = new NumberedLabel(String.valueOf(tone), "word", NumberedLabel.inkOfTone(tone));
+            assertTrue(Painted.count(Painted.at(chip, 1), NumberedLabel.inkOfTone(tone)) > 100);
             assertEquals(tone + " word", chip.getAccessibleContext().getAccessibleName());
         }
     }
@@ -148,7 +150,7 @@ class ShapesTest {
         int margin = 16;
         BufferedImage image = new BufferedImage(side + 2 * margin, side + 2 * margin, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = Drawing.on(image.createGraphics());
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         symbol.paint(g, margin + side / 2.0, margin + side / 2.0, side);
         g.dispose();
         int inside = 0;

@@ -18,7 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 
 /** Colours that can be read, and an appearance and a zoom that take hold everywhere. */
 class ThemeTest {
@@ -29,9 +30,9 @@ class ThemeTest {
     }
 
     /** Relative luminance and contrast as WCAG 2.1 defines them. */
-    private static double contrast(Color one, Color other) {
-        double a = luminance(one) + 0.05;
-        double b = luminance(other) + 0.05;
+    private static double contrast(Ink one, Ink other, Appearance appearance) {
+        double a = luminance(new Color(one.rgb(appearance))) + 0.05;
+        double b = luminance(new Color(other.rgb(appearance))) + 0.05;
         return Math.max(a, b) / Math.min(a, b);
     }
 
@@ -84,7 +85,7 @@ class ThemeTest {
     })
     void textCanBeReadInBothAppearances(Ink ink, Ink ground) {
         for (Appearance appearance : Appearance.values()) {
-            double contrast = contrast(ink.in(appearance), ground.in(appearance));
+            double contrast = contrast(ink, ground, appearance);
             assertTrue(contrast >= 4.5, ink + " on " + ground + ", " + appearance + ": " + contrast);
         }
     }
@@ -93,9 +94,7 @@ class ThemeTest {
     @CsvSource({"CONTROL_LINE, CARD", "CONTROL_LINE, SURFACE", "WALL, FLOOR", "ROBOT, FLOOR"})
     void whatMustBeSeenStandsOut(Ink ink, Ink ground) {
         for (Appearance appearance : Appearance.values()) {
-            assertTrue(
-                    contrast(ink.in(appearance), ground.in(appearance)) >= 3,
-                    ink + " on " + ground + ", " + appearance);
+            assertTrue(contrast(ink, ground, appearance) >= 3, ink + " on " + ground + ", " + appearance);
         }
     }
 
@@ -104,10 +103,11 @@ class ThemeTest {
     void swingsOwnComponentsTakeOurColours(Appearance appearance) {
         Theme.install(appearance);
         assertEquals(
-                Ink.CARD.in(appearance).getRGB(),
+                0xFF000000 | Ink.CARD.rgb(appearance),
                 UIManager.getColor("nimbusLightBackground").getRGB());
         assertEquals(
-                Ink.TEXT.in(appearance).getRGB(), UIManager.getColor("text").getRGB());
+                0xFF000000 | Ink.TEXT.rgb(appearance),
+                UIManager.getColor("text").getRGB());
     }
 
     @Test
@@ -117,8 +117,8 @@ class ThemeTest {
         button.setSize(80, 32);
         BufferedImage image = new BufferedImage(80, 32, BufferedImage.TYPE_INT_RGB);
         button.paint(image.getGraphics());
-        assertEquals(Ink.CARD.color().getRGB(), image.getRGB(40, 8));
-        assertEquals(Ink.CARD.color().getRGB(), image.getRGB(40, 24));
+        assertEquals(Theme.color(Ink.CARD).getRGB(), image.getRGB(40, 8));
+        assertEquals(Theme.color(Ink.CARD).getRGB(), image.getRGB(40, 24));
     }
 
     @Test
@@ -165,12 +165,13 @@ class ThemeTest {
     @ParameterizedTest
     @ValueSource(strings = {"TEXT", "SURFACE", "CARD", "ACCENT"})
     void lightAndDarkAreNotTheSame(Ink ink) {
-        assertNotEquals(ink.in(Appearance.LIGHT), ink.in(Appearance.DARK));
+        assertNotEquals(ink.rgb(Appearance.LIGHT), ink.rgb(Appearance.DARK));
     }
 
     @Test
     void anInkCanBeSeenThrough() {
-        assertEquals(128, Ink.ACCENT.color(0.5).getAlpha());
-        assertEquals(Ink.ACCENT.color().getBlue(), Ink.ACCENT.color(0.5).getBlue());
+        assertEquals(128, Theme.color(Ink.ACCENT, 0.5).getAlpha());
+        assertEquals(
+                Theme.color(Ink.ACCENT).getBlue(), Theme.color(Ink.ACCENT, 0.5).getBlue());
     }
 }

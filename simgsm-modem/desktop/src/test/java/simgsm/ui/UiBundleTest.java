@@ -10,6 +10,7 @@ import java.util.PropertyResourceBundle;
 import java.util.ResourceBundle;
 import org.junit.jupiter.api.Test;
 import simgsm.speech.SpeechCodec;
+import simgsm.ui.scope.CodecText;
 
 /** The shared pieces' texts say the same things in both languages. */
 class UiBundleTest {
@@ -33,9 +34,9 @@ class UiBundleTest {
     @Test
     void theCodecIsNamedOnceWhereBothEndsAgreeAndTwiceWhereNot() {
         Optional<SpeechCodec.Kind> full = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
-        assertEquals("A-law", SpeechText.of(SpeechCodec.Kind.A_LAW, Optional.empty(), Locale.ENGLISH));
-        assertEquals("GSM 06.10", SpeechText.of(SpeechCodec.Kind.GSM_FULL_RATE, full, Locale.ENGLISH));
-        assertEquals("A-law out, GSM 06.10 in", SpeechText.of(SpeechCodec.Kind.A_LAW, full, Locale.ENGLISH));
+        assertEquals("A-law", CodecText.of(SpeechCodec.Kind.A_LAW, Optional.empty(), Locale.ENGLISH));
+        assertEquals("GSM 06.10", CodecText.of(SpeechCodec.Kind.GSM_FULL_RATE, full, Locale.ENGLISH));
+        assertEquals("A-law out, GSM 06.10 in", CodecText.of(SpeechCodec.Kind.A_LAW, full, Locale.ENGLISH));
     }
 
     @Test

@@ -4,20 +4,20 @@ import java.util.Locale;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.console.TextBundle;
 import simgsm.phone.handset.StoredMessage;
-import simgsm.ui.Texts;
 
 /** Causes in words: the user's own where there are any, else the standard's. */
 final class CauseText {
     private CauseText() {}
 
     /** Why a call ended. */
-    static String of(Texts texts, Cause cause) {
+    static String of(TextBundle texts, Cause cause) {
         return of(texts, cause.code(), cause.title());
     }
 
     /** Why the network does not register the phone. */
-    static String ofRefusal(Texts texts, RejectCause cause, boolean cardRefused, Msisdn own) {
+    static String ofRefusal(TextBundle texts, RejectCause cause, boolean cardRefused, Msisdn own) {
         if (cardRefused) {
             return texts.of("lcd.refused.card");
         }
@@ -32,14 +32,14 @@ final class CauseText {
     }
 
     /** How far a message of one's own has got, and why it failed. */
-    static String ofDelivery(Texts texts, StoredMessage message) {
+    static String ofDelivery(TextBundle texts, StoredMessage message) {
         String state = texts.of("lcd.delivery." + message.delivery().name().toLowerCase(Locale.ROOT), message.parts());
         return message.cause()
                 .map(cause -> state + ": " + of(texts, cause.code(), cause.title()))
                 .orElse(state);
     }
 
-    private static String of(Texts texts, int code, String title) {
+    private static String of(TextBundle texts, int code, String title) {
         String key = "cause." + code;
         String words = texts.of(key);
         return words.equals(key) ? title + " (" + code + ")" : words;

@@ -12,27 +12,27 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.station.StationSnapshot;
-import simgsm.ui.Act;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
-import simgsm.ui.Named;
-import simgsm.ui.ScreenRoom;
 import simgsm.ui.SignalBars;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
-import simgsm.ui.ToneScopePanel;
+import simgsm.ui.UserAction;
+import simgsm.ui.scope.ToneScopePanel;
+import simgsm.ui.window.ScreenArea;
 
 /** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */
 public final class HandsetPanel extends JPanel {
     private final HandsetLayout layout = new HandsetLayout();
     private final Locale language;
-    private final Texts texts;
+    private final TextBundle texts;
     private final Lcd lcd;
     private final Lamp link;
     private final SignalBars signal;
@@ -47,7 +47,8 @@ public final class HandsetPanel extends JPanel {
      *
      * @param clock for the time of day on the display
      */
-    public HandsetPanel(Texts texts, Locale language, Clock clock, HandsetSnapshot first, HandsetControls controls) {
+    public HandsetPanel(
+            TextBundle texts, Locale language, Clock clock, HandsetSnapshot first, HandsetControls controls) {
         this.texts = texts;
         this.language = language;
         setLayout(layout);
@@ -55,7 +56,7 @@ public final class HandsetPanel extends JPanel {
         add(lcd, HandsetLayout.LCD);
         link = Lamp.ofLink(language);
         add(link, HandsetLayout.LINK);
-        signal = Named.name(new SignalBars(texts.of("signal.name")), "signal", texts.of("signal.name"));
+        signal = ComponentNames.name(new SignalBars(texts.of("signal.name")), "signal", texts.of("signal.name"));
         add(signal, HandsetLayout.SIGNAL);
         for (PhoneKey key : PhoneKey.values()) {
             PhoneKeyButton button = new PhoneKeyButton(key, texts, controls);
@@ -65,13 +66,14 @@ public final class HandsetPanel extends JPanel {
         scope = new ToneScopePanel(language, controls::tryOut);
         scope.setVisible(false);
         add(scope, HandsetLayout.SCOPE);
-        scopeSwitch = new JButton(new Act("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));
+        scopeSwitch =
+                new JButton(new UserAction("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));
         scopeSwitch.setContentAreaFilled(false);
         scopeSwitch.setHorizontalAlignment(JButton.LEADING);
         scopeSwitch.setRequestFocusEnabled(false);
-        add(Named.name(scopeSwitch, "scope.switch", texts.of("scope.open")), HandsetLayout.SCOPE_SWITCH);
+        add(ComponentNames.name(scopeSwitch, "scope.switch", texts.of("scope.open")), HandsetLayout.SCOPE_SWITCH);
         sound.setHorizontalAlignment(JLabel.TRAILING);
-        add(Named.name(sound, "sound", texts.of("sound.off")), HandsetLayout.SOUND);
+        add(ComponentNames.name(sound, "sound", texts.of("sound.off")), HandsetLayout.SOUND);
         Keyboard.install(this, controls);
         setScopeOpen(false);
         dress();
@@ -130,7 +132,7 @@ public final class HandsetPanel extends JPanel {
         if (window != null && before != layout.height() && getWidth() > 0) {
             double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
             int grown = (int) Math.round((layout.height() - before) * scale);
-            ScreenRoom.resize(window, window.getWidth(), window.getHeight() + grown);
+            ScreenArea.resize(window, window.getWidth(), window.getHeight() + grown);
         }
         revalidate();
         repaint();
@@ -145,13 +147,13 @@ public final class HandsetPanel extends JPanel {
     }
 
     private void dress() {
-        setBackground(Ink.SURFACE.color());
+        setBackground(Theme.color(Ink.SURFACE));
         for (JLabel label : new JLabel[] {sound}) {
             label.setFont(Theme.small());
-            label.setForeground(Ink.QUIET.color());
+            label.setForeground(Theme.color(Ink.QUIET));
         }
         scopeSwitch.setFont(Theme.small());
-        scopeSwitch.setForeground(Ink.QUIET.color());
+        scopeSwitch.setForeground(Theme.color(Ink.QUIET));
         scopeSwitch.setBorder(Theme.padding(2));
     }
 
@@ -175,16 +177,16 @@ public final class HandsetPanel extends JPanel {
     private void body(Graphics2D g, double unit) {
         var box = layout.onPanel(this, new Rectangle2D.Double(4, 4, HandsetLayout.WIDTH - 8, layout.height() - 8));
         var body = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), 30 * unit);
-        g.setColor(Ink.BODY.color());
+        g.setColor(Theme.color(Ink.BODY));
         g.fill(body);
-        g.setColor(Ink.BODY_LINE.color());
+        g.setColor(Theme.color(Ink.BODY_LINE));
         g.setStroke(Theme.stroke(1.2 * unit / Theme.zoom()));
         g.draw(body);
     }
 
     private void brand(Graphics2D g, double unit) {
         Rectangle2D box = layout.onPanel(this, HandsetLayout.BRAND);
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         Drawing.centred(
                 g,
                 texts.of("window.title"),
@@ -196,9 +198,9 @@ public final class HandsetPanel extends JPanel {
     private void screen(Graphics2D g, double unit) {
         Rectangle2D box = layout.onPanel(this, HandsetLayout.SCREEN);
         var sheet = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), Theme.CARD_RADIUS * unit);
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(sheet);
-        g.setColor(Ink.BODY_LINE.color());
+        g.setColor(Theme.color(Ink.BODY_LINE));
         g.setStroke(Theme.stroke(unit / Theme.zoom()));
         g.draw(sheet);
     }
@@ -206,9 +208,9 @@ public final class HandsetPanel extends JPanel {
     private void pad(Graphics2D g, double unit) {
         Rectangle2D box = layout.onPanel(this, HandsetLayout.PAD);
         double radius = Theme.KEY_RADIUS * 1.5 * unit;
-        g.setColor(Ink.KEY_LINE.color());
+        g.setColor(Theme.color(Ink.KEY_LINE));
         g.fill(Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), radius));
-        g.setColor(Ink.KEY_FACE.color());
+        g.setColor(Theme.color(Ink.KEY_FACE));
         g.fill(Drawing.round(
                 box.getX() + 1, box.getY() + 1, box.getWidth() - 2, box.getHeight() - 2 - 2 * unit, radius - 1));
     }

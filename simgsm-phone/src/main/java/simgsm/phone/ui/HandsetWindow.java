@@ -5,12 +5,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.Timer;
+import simgsm.console.TextBundle;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.ui.Newest;
-import simgsm.ui.ProgramWindow;
+import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simgsm.ui.WindowIcon;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowIcon;
 
 /** What "Sim Cellular" has in its window: the handset, kept up to date. */
 public final class HandsetWindow {
@@ -21,12 +21,12 @@ public final class HandsetWindow {
     /** Made on the event thread. @param number the phone's own, for the title */
     public static ProgramWindow.Content content(
             String number,
-            Texts texts,
+            TextBundle texts,
             Locale language,
             Supplier<HandsetSnapshot> snapshots,
             HandsetControls controls) {
         HandsetPanel panel = new HandsetPanel(texts, language, Clock.systemDefaultZone(), snapshots.get(), controls);
-        Newest<HandsetSnapshot> newest = new Newest<>(snapshots, panel::show);
+        SnapshotPoller<HandsetSnapshot> newest = new SnapshotPoller<>(snapshots, panel::show);
         Timer clock = new Timer(SECOND_MILLIS, event -> panel.lookAtClock());
         newest.start();
         clock.start();

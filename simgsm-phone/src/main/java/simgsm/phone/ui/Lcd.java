@@ -6,10 +6,10 @@ import java.time.Clock;
 import java.time.LocalTime;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
+import simgsm.console.TextBundle;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.ui.Drawing;
 import simgsm.ui.SpokenComponent;
-import simgsm.ui.Texts;
 
 /** The phone's display. */
 final class Lcd extends SpokenComponent {
@@ -19,7 +19,7 @@ final class Lcd extends SpokenComponent {
     private HandsetSnapshot phone;
     private int shownMinute = -1;
 
-    Lcd(Texts texts, Locale language, Clock clock, HandsetSnapshot first) {
+    Lcd(TextBundle texts, Locale language, Clock clock, HandsetSnapshot first) {
         super(AccessibleRole.LABEL);
         this.spoken = new LcdSpoken(texts);
         this.painter = new LcdPainter(texts, language, clock.getZone());

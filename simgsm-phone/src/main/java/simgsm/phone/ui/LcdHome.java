@@ -1,6 +1,9 @@
 package simgsm.phone.ui;
 
 import java.util.Locale;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
@@ -10,11 +13,9 @@ import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Drawing;
-import simgsm.ui.Mark;
-import simgsm.ui.SpeechText;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.scope.CodecText;
 
 /** The display at rest, with a number being typed, and in a call. */
 final class LcdHome {
@@ -25,10 +26,10 @@ final class LcdHome {
     private static final double CODEC_SIZE = 11;
     private static final double CODEC_GAP = 6;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final Locale language;
 
-    LcdHome(Texts texts, Locale language) {
+    LcdHome(TextBundle texts, Locale language) {
         this.texts = texts;
         this.language = language;
     }
@@ -104,7 +105,13 @@ final class LcdHome {
     private void call(LcdPen pen, HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
         String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
-        symbolOf(call.phase()).paint(pen.graphics(), 19 * pen.unit(), 48 * pen.unit(), 6 * pen.unit(), Ink.LCD_INK);
+        symbolOf(call.phase())
+                .draw(
+                        new GraphicsCanvas(pen.graphics()),
+                        19 * pen.unit(),
+                        48 * pen.unit(),
+                        6 * pen.unit(),
+                        Ink.LCD_INK);
         pen.left(phase, pen.sans(13, true), 32, 53, 150);
         if (call.phase() == CallPhase.CONNECTED) {
             String time = time(call.seconds());
@@ -135,7 +142,7 @@ final class LcdHome {
 
     /** How the speech is coded, in the middle of what room there is. */
     private void codec(LcdPen pen, StationSnapshot station, double from, double to) {
-        String words = SpeechText.of(station.codec(), station.heardCodec(), language);
+        String words = CodecText.of(station.codec(), station.heardCodec(), language);
         double natural = pen.width(pen.sans(CODEC_SIZE, false), words);
         double room = to - from - 2 * CODEC_GAP;
         var font = pen.sans(Math.min(CODEC_SIZE, CODEC_SIZE * room / natural), false);
@@ -144,11 +151,11 @@ final class LcdHome {
         pen.ink(Ink.LCD_INK);
     }
 
-    private static Mark symbolOf(CallPhase phase) {
+    private static StatusMark symbolOf(CallPhase phase) {
         return switch (phase) {
-            case CONNECTED -> Mark.DISC;
-            case RINGING -> Mark.DIAMOND;
-            default -> Mark.HALF_DISC;
+            case CONNECTED -> StatusMark.DISC;
+            case RINGING -> StatusMark.DIAMOND;
+            default -> StatusMark.HALF_DISC;
         };
     }
 

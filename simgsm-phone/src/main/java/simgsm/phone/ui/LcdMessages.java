@@ -4,14 +4,14 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.MenuItem;
 import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 
 /** Menu, lists and messages on the display. */
 final class LcdMessages {
@@ -21,10 +21,10 @@ final class LcdMessages {
     private static final int LINES = 5;
     private static final double LINE_HEIGHT = 19;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final DateTimeFormatter when;
 
-    LcdMessages(Texts texts, ZoneId zone) {
+    LcdMessages(TextBundle texts, ZoneId zone) {
         this.texts = texts;
         this.when = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT).withZone(zone);
     }

@@ -5,26 +5,27 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.ui.Drawing;
 import simgsm.ui.SignalBars;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.Theme;
 
 /** Paints the phone's display from a snapshot: the status line, then the screen. */
 final class LcdPainter {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
     private static final int FULL_SIGNAL = 5;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final LcdHome home;
     private final LcdMessages messages;
     private final LcdWriting writing;
 
-    LcdPainter(Texts texts, Locale language, ZoneId zone) {
+    LcdPainter(TextBundle texts, Locale language, ZoneId zone) {
         this.texts = texts;
         this.home = new LcdHome(texts, language);
         this.messages = new LcdMessages(texts, zone);
@@ -34,9 +35,9 @@ final class LcdPainter {
     /** Fills the box of that size at the origin. */
     void paint(Graphics2D g, HandsetSnapshot phone, LocalTime now, double width, double height) {
         double unit = Math.min(width / LcdPen.WIDTH, height / LcdPen.HEIGHT);
-        g.setColor(Ink.LCD_RIM.color());
+        g.setColor(Theme.color(Ink.LCD_RIM));
         g.fill(Drawing.round(0, 0, width, height, 10 * unit));
-        g.setColor(Ink.LCD_PAPER.color());
+        g.setColor(Theme.color(Ink.LCD_PAPER));
         g.fill(Drawing.round(2.5 * unit, 2.5 * unit, width - 5 * unit, height - 5 * unit, 8 * unit));
         LcdPen pen = new LcdPen(g, unit);
         pen.ink(Ink.LCD_INK);
@@ -59,8 +60,8 @@ final class LcdPainter {
                 24 * pen.unit(),
                 13 * pen.unit(),
                 level,
-                Ink.LCD_INK.color(),
-                Ink.LCD_GHOST.color());
+                Theme.color(Ink.LCD_INK),
+                Theme.color(Ink.LCD_GHOST));
         pen.ink(Ink.LCD_INK);
         pen.left(serviceName(phone), pen.sans(12.5, true), 44, 24, 138);
         if (phone.unread() > 0) {

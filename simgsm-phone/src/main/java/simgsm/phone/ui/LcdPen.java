@@ -4,10 +4,10 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /**
  * Writes on the phone's display: ink on paper, on a drawing of 280 by 180 units with its origin at the top left. Every
@@ -68,7 +68,7 @@ final class LcdPen {
     }
 
     void ink(Ink ink) {
-        g.setColor(ink.color());
+        g.setColor(Theme.color(ink));
     }
 
     void fill(double x, double y, double width, double height) {

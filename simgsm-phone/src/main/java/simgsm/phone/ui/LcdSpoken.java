@@ -2,6 +2,7 @@ package simgsm.phone.ui;
 
 import java.util.List;
 import java.util.Locale;
+import simgsm.console.TextBundle;
 import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
@@ -10,13 +11,12 @@ import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.ToneMeaning;
-import simgsm.ui.Texts;
 
 /** What the display says, as a sentence for assistive technology. */
 final class LcdSpoken {
-    private final Texts texts;
+    private final TextBundle texts;
 
-    LcdSpoken(Texts texts) {
+    LcdSpoken(TextBundle texts) {
         this.texts = texts;
     }
 

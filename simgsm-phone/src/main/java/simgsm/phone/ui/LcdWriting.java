@@ -2,23 +2,23 @@ package simgsm.phone.ui;
 
 import java.util.List;
 import java.util.Locale;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.TextEntry;
 import simgsm.sms.Alphabet;
 import simgsm.sms.MessageSplitter;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
 
 /** Writing a message on the display, naming who gets it, and short notes. */
 final class LcdWriting {
     private static final int LINES = 4;
     private static final double LINE_HEIGHT = 20;
 
-    private final Texts texts;
+    private final TextBundle texts;
 
-    LcdWriting(Texts texts) {
+    LcdWriting(TextBundle texts) {
         this.texts = texts;
     }
 

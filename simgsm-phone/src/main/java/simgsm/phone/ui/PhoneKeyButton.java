@@ -7,10 +7,10 @@ import java.awt.event.KeyEvent;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.KeyStroke;
+import simgsm.console.TextBundle;
 import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
 
 /** One key of the handset. It is down as long as it is held, by mouse, by the space bar or by assistive technology. */
 final class PhoneKeyButton extends JButton {
@@ -19,7 +19,7 @@ final class PhoneKeyButton extends JButton {
     private boolean down;
     private boolean sounding;
 
-    PhoneKeyButton(PhoneKey key, Texts texts, HandsetControls controls) {
+    PhoneKeyButton(PhoneKey key, TextBundle texts, HandsetControls controls) {
         this.key = key;
         this.painter = new PhoneKeyPainter(key, texts);
         setContentAreaFilled(false);
@@ -31,7 +31,7 @@ final class PhoneKeyButton extends JButton {
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
         getModel().addChangeListener(event -> follow(controls));
         String description = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
-        Named.name(this, nameOf(key), description);
+        ComponentNames.name(this, nameOf(key), description);
         setToolTipText(tip(texts, description));
         // Enter is the keyboard's own key wherever the focus is; the space bar presses the key that has it.
         getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, false), "none");
@@ -39,7 +39,7 @@ final class PhoneKeyButton extends JButton {
     }
 
     /** What the key is, and where the keyboard has it under another name. */
-    private String tip(Texts texts, String description) {
+    private String tip(TextBundle texts, String description) {
         return switch (key) {
             case CALL, OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
             case END -> texts.of("key.tip", description, "Esc");

@@ -2,12 +2,12 @@ package simgsm.phone.ui;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** Paints a key of the handset: a face with a lower edge, its sign, its letters. */
 final class PhoneKeyPainter {
@@ -15,9 +15,9 @@ final class PhoneKeyPainter {
     record Look(boolean down, boolean sounding, boolean rollover, boolean focused) {}
 
     private final PhoneKey key;
-    private final Texts texts;
+    private final TextBundle texts;
 
-    PhoneKeyPainter(PhoneKey key, Texts texts) {
+    PhoneKeyPainter(PhoneKey key, TextBundle texts) {
         this.key = key;
         this.texts = texts;
     }
@@ -42,17 +42,17 @@ final class PhoneKeyPainter {
         double radius = Theme.KEY_RADIUS * unit;
         double edge = 2.5 * unit;
         double drop = look.down ? 1.5 * unit : 0;
-        g.setColor(lower().color());
+        g.setColor(Theme.color(lower()));
         g.fill(Drawing.round(0.5, 0.5 + drop, width - 1, height - 1 - drop, radius));
-        g.setColor(face(look).color());
+        g.setColor(Theme.color(face(look)));
         g.fill(Drawing.round(1.2, 1.2 + drop, width - 2.4, height - 2.4 - edge, radius - 0.7));
         if (look.sounding || look.focused) {
-            g.setColor(Ink.ACCENT.color());
+            g.setColor(Theme.color(Ink.ACCENT));
             g.setStroke(Theme.stroke(2 * unit / Theme.zoom()));
             g.draw(Drawing.round(1.5, 1.5 + drop, width - 3, height - 3 - drop, radius - 1));
         }
         double middle = (height - edge) / 2 + drop;
-        g.setColor(sign().color());
+        g.setColor(Theme.color(sign()));
         switch (key) {
             case CALL -> Symbol.CALL.paint(g, width / 2, middle, 24 * unit);
             case END -> Symbol.HANG_UP.paint(g, width / 2, middle, 24 * unit);
@@ -103,7 +103,7 @@ final class PhoneKeyPainter {
         boolean plain = key.letters().isEmpty() && key != PhoneKey.ONE;
         double x = plain ? width / 2 : width * 0.33;
         Drawing.centred(g, symbol, Theme.mono(points * unit / Theme.zoom(), true), x, middle + drop);
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         if (key == PhoneKey.ONE) {
             Symbol.ENVELOPE.paint(g, width * 0.66, middle, 17 * unit);
         } else if (!plain) {
@@ -116,16 +116,16 @@ final class PhoneKeyPainter {
         boolean centre = key == PhoneKey.OK;
         var shape = centre ? Drawing.round(0.5, 0.5, width - 1, height - 1, 8 * unit) : null;
         if (centre) {
-            g.setColor(fill.color());
+            g.setColor(Theme.color(fill));
             g.fill(shape);
-            g.setColor((look.focused ? Ink.ACCENT : Ink.KEY_LINE).color());
+            g.setColor(Theme.color(look.focused ? Ink.ACCENT : Ink.KEY_LINE));
             g.setStroke(Theme.stroke((look.focused ? 2 : 1) * unit / Theme.zoom()));
             g.draw(shape);
         } else if (look.down || look.rollover || look.focused) {
-            g.setColor(look.focused && !look.down ? Ink.ACCENT_WASH.color() : fill.color());
+            g.setColor(look.focused && !look.down ? Theme.color(Ink.ACCENT_WASH) : Theme.color(fill));
             g.fill(Drawing.round(2, 2, width - 4, height - 4, 7 * unit));
         }
-        g.setColor((centre ? Ink.TEXT : Ink.QUIET).color());
+        g.setColor(Theme.color(centre ? Ink.TEXT : Ink.QUIET));
         if (centre) {
             Drawing.centred(g, "OK", Theme.sans(11.5 * unit / Theme.zoom(), true), width / 2, height / 2);
         } else {

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 
 class CauseTextTest {
     @ParameterizedTest
@@ -23,8 +23,8 @@ class CauseTextTest {
         "en, 22, false, refused by the network: congestion"
     })
     void whyTheNetworkRefusesThePhoneIsSaidInWords(String language, int code, boolean cardRefused, String words) {
-        Locale locale = Texts.bundleLocale(Locale.forLanguageTag(language));
-        Texts texts = new Texts(ResourceBundle.getBundle("simgsm.phone.messages", locale), Locale.ROOT);
+        Locale locale = TextBundle.bundleLocale(Locale.forLanguageTag(language));
+        TextBundle texts = new TextBundle(ResourceBundle.getBundle("simgsm.phone.messages", locale), Locale.ROOT);
         assertEquals(
                 words.toLowerCase(Locale.ROOT),
                 CauseText.ofRefusal(texts, RejectCause.ofCode(code), cardRefused, new Msisdn("5550100"))

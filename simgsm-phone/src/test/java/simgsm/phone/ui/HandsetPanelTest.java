@@ -20,11 +20,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
-import simgsm.ui.Appearance;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 
 /** The handset's panel, built and painted without a display. */
 class HandsetPanelTest {

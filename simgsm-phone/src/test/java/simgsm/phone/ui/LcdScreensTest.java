@@ -19,12 +19,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
+import simgsm.console.TextBundle;
+import simgsm.draw.Appearance;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.KeyMode;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.speech.SpeechCodec;
-import simgsm.ui.Appearance;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
 
 /** Every screen of the display is painted, in both languages, and no two look alike. */
@@ -166,8 +166,8 @@ class LcdScreensTest {
     @ParameterizedTest
     @ValueSource(strings = {"en", "es"})
     void everyHintFitsTheDisplay(String language) {
-        ResourceBundle bundle =
-                ResourceBundle.getBundle("simgsm.phone.messages", Texts.bundleLocale(Locale.forLanguageTag(language)));
+        ResourceBundle bundle = ResourceBundle.getBundle(
+                "simgsm.phone.messages", TextBundle.bundleLocale(Locale.forLanguageTag(language)));
         LcdPen pen = new LcdPen(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics(), 1);
         for (String key : bundle.keySet()) {
             if (key.startsWith("lcd.hint.") || key.startsWith("lcd.delivery.")) {

@@ -11,11 +11,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
 /** A handset's panel on a bench: acts are noted and go into a handset at once; pictures are painted without a display. */
@@ -30,8 +31,8 @@ final class PanelBench {
 
     PanelBench(Bench bench, Locale language) {
         this.bench = bench;
-        Texts texts =
-                new Texts(ResourceBundle.getBundle("simgsm.phone.messages", Texts.bundleLocale(language)), Locale.ROOT);
+        TextBundle texts = new TextBundle(
+                ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
         Clock clock = Clock.fixed(Bench.NOON, ZoneOffset.UTC);
         panel = new HandsetPanel(texts, language, clock, bench.snapshot(), new Controls());
         panel.setSize(panel.getPreferredSize());
@@ -52,7 +53,7 @@ final class PanelBench {
     }
 
     Component find(String name) {
-        return Named.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name));
+        return ComponentNames.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name));
     }
 
     /** Shows the handset's newest snapshot and paints it at a scale. */
@@ -71,9 +72,9 @@ final class PanelBench {
     }
 
     /** How many pixels of the picture have the ink's colour exactly. */
-    static int count(BufferedImage image, Theme.Ink ink) {
+    static int count(BufferedImage image, Ink ink) {
         int count = 0;
-        int wanted = ink.color().getRGB();
+        int wanted = Theme.color(ink).getRGB();
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
                 count += image.getRGB(x, y) == wanted ? 1 : 0;

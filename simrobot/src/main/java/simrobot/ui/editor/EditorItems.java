@@ -3,7 +3,7 @@ package simrobot.ui.editor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 import simrobot.editor.Edits;
 import simrobot.editor.Item;
 import simrobot.ui.PoseTexts;
@@ -56,7 +56,7 @@ final class EditorItems {
         return items;
     }
 
-    static String text(Texts texts, World world, Item item) {
+    static String text(TextBundle texts, World world, Item item) {
         return switch (item.kind()) {
             case WALL -> {
                 Segment w = world.segments().get(item.index());

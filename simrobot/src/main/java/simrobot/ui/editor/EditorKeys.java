@@ -4,8 +4,8 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
 
@@ -19,7 +19,7 @@ final class EditorKeys {
 
     private EditorKeys() {}
 
-    static void install(EditorFloor floor, EditorMouse mouse) {
+    static void install(EditorView floor, EditorMouse mouse) {
         arrow(floor, KeyEvent.VK_LEFT, -1, 0);
         arrow(floor, KeyEvent.VK_RIGHT, 1, 0);
         arrow(floor, KeyEvent.VK_UP, 0, 1);
@@ -50,14 +50,14 @@ final class EditorKeys {
                 KeyEvent.VK_ESCAPE);
     }
 
-    private static void arrow(EditorFloor floor, int key, int dx, int dy) {
+    private static void arrow(EditorView floor, int key, int dx, int dy) {
         bind(floor, "editor.arrow." + key, () -> arrow(floor, dx, dy), key);
         // with Ctrl the view moves also while something is selected
-        new Act("editor.pan." + key, "", () -> pan(floor, dx, dy))
+        new UserAction("editor.pan." + key, "", () -> pan(floor, dx, dy))
                 .bind(floor, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
     }
 
-    private static void arrow(EditorFloor floor, int dx, int dy) {
+    private static void arrow(EditorView floor, int dx, int dy) {
         Draft draft = floor.draft();
         if (draft.selected().isPresent()) {
             double raster = floor.snap().stepMeters();
@@ -69,12 +69,12 @@ final class EditorKeys {
         }
     }
 
-    private static void pan(EditorFloor floor, int dx, int dy) {
+    private static void pan(EditorView floor, int dx, int dy) {
         floor.look(floor.viewport().draggedBy(-dx * Theme.exact(PAN_UNITS), dy * Theme.exact(PAN_UNITS)));
     }
 
-    private static void bind(EditorFloor floor, String id, Runnable deed, int... keys) {
-        Act act = new Act(id, id, deed);
+    private static void bind(EditorView floor, String id, Runnable deed, int... keys) {
+        UserAction act = new UserAction(id, id, deed);
         for (int key : keys) {
             act.bind(floor, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
         }

@@ -32,14 +32,14 @@ final class EditorMouse extends MouseAdapter {
         PULL
     }
 
-    private final EditorFloor floor;
+    private final EditorView floor;
     private Drag drag = Drag.NONE;
     private Position from;
     private Handle handle;
     private double lastX;
     private double lastY;
 
-    EditorMouse(EditorFloor floor) {
+    EditorMouse(EditorView floor) {
         this.floor = floor;
     }
 

@@ -5,9 +5,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.editor.Edits;
 import simrobot.editor.Handle;
 import simrobot.editor.Item;
@@ -34,7 +34,7 @@ final class EditorPainter {
         if (gap < Theme.exact(7)) {
             return;
         }
-        g.setColor(Ink.CONTROL_LINE.color(0.55));
+        g.setColor(Theme.color(Ink.CONTROL_LINE, 0.55));
         double dot = Theme.exact(1.2);
         for (double row = Math.ceil(view.worldY(view.height()) / stepMeters);
                 row * stepMeters <= view.worldY(0);
@@ -51,22 +51,22 @@ final class EditorPainter {
 
     /** Where robots stand, as mere circles. */
     void robots(List<RobotSnapshot> robots) {
-        g.setColor(Ink.ROBOT.color(0.6));
+        g.setColor(Theme.color(Ink.ROBOT, 0.6));
         g.setStroke(Theme.dashed(1.4, 4));
         double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
         for (RobotSnapshot robot : robots) {
             double x = view.screenX(robot.xMeters());
             double y = view.screenY(robot.yMeters());
             g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
-            g.setColor(Ink.QUIET.color());
+            g.setColor(Theme.color(Ink.QUIET));
             Drawing.centred(g, robot.name(), Theme.small(), x, y - r - Theme.exact(8));
-            g.setColor(Ink.ROBOT.color(0.6));
+            g.setColor(Theme.color(Ink.ROBOT, 0.6));
         }
     }
 
     void selection(World world, Item item) {
         List<Handle> handles = Edits.handles(world, item);
-        g.setColor(Ink.ACCENT.color());
+        g.setColor(Theme.color(Ink.ACCENT));
         g.setStroke(Theme.stroke(2.4));
         Path2D outline = new Path2D.Double();
         if (item.kind() == Item.Kind.HOME) {
@@ -98,9 +98,9 @@ final class EditorPainter {
         double x = view.screenX(handle.xMeters());
         double y = view.screenY(handle.yMeters());
         Ellipse2D knob = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(knob);
-        g.setColor(Ink.ACCENT.color());
+        g.setColor(Theme.color(Ink.ACCENT));
         g.setStroke(Theme.stroke(1.6));
         g.draw(knob);
     }
@@ -111,7 +111,7 @@ final class EditorPainter {
         double y = view.screenY(at.yMeters());
         if (crossed) {
             double arm = Theme.exact(7);
-            g.setColor(Ink.ACCENT.color());
+            g.setColor(Theme.color(Ink.ACCENT));
             g.setStroke(Theme.stroke(1.4));
             Drawing.line(g, x - arm, y, x + arm, y);
             Drawing.line(g, x, y - arm, x, y + arm);
@@ -120,9 +120,9 @@ final class EditorPainter {
             double width = Drawing.width(Theme.monoSmall(), text) + Theme.exact(16);
             double left = Math.min(x + Theme.exact(14), view.width() - width - Theme.exact(4));
             double top = Math.max(Theme.exact(4), y - Theme.exact(30));
-            g.setColor(Ink.CARD.color(0.92));
+            g.setColor(Theme.color(Ink.CARD, 0.92));
             g.fill(Drawing.round(left, top, width, Theme.exact(20), Theme.exact(Theme.CONTROL_RADIUS)));
-            g.setColor(Ink.TEXT.color());
+            g.setColor(Theme.color(Ink.TEXT));
             Drawing.centred(g, text, Theme.monoSmall(), left + width / 2, top + Theme.exact(10));
         }
     }

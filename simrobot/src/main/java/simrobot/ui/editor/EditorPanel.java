@@ -16,20 +16,19 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.editor.Draft;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.EventThread;
 import simrobot.ui.FileDialogs;
-import simrobot.ui.Glyph;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
 import simrobot.ui.TextLine;
 import simrobot.world.World;
@@ -39,19 +38,19 @@ public final class EditorPanel extends JPanel {
     private static final double[] RASTERS_METERS = {0, 0.1, 0.5};
     private static final int CTRL = InputEvent.CTRL_DOWN_MASK;
 
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final Runnable closed;
-    private final EditorFloor floor;
-    private final EditorSheet sheet;
+    private final EditorView floor;
+    private final ItemSidebar sheet;
     private final TextLine title = new TextLine("editor.file", Theme::title, Ink.TEXT);
     private final TextLine state = new TextLine("editor.state", Theme::base, Ink.QUIET);
     private final Map<EditorTool, JToggleButton> tools = new EnumMap<>(EditorTool.class);
     private final JPanel rows;
-    private Act undo;
-    private Act redo;
-    private Act delete;
-    private Act apply;
+    private UserAction undo;
+    private UserAction redo;
+    private UserAction delete;
+    private UserAction apply;
     private Path file = Path.of("");
     private boolean named;
     private World applied;
@@ -59,15 +58,15 @@ public final class EditorPanel extends JPanel {
     private boolean failed;
 
     /** @param closed run when the person is done */
-    public EditorPanel(Texts texts, SimRobotActions operator, Runnable closed) {
+    public EditorPanel(TextBundle texts, OperatorActions operator, Runnable closed) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
         this.closed = closed;
         setOpaque(false);
         setName("editor");
-        floor = new EditorFloor(texts, this::tell);
-        sheet = new EditorSheet(texts, floor);
+        floor = new EditorView(texts, this::tell);
+        sheet = new ItemSidebar(texts, floor);
         JPanel files = Arrange.row(
                 Theme.HALF,
                 button("back", Symbol.LEFT.icon(), KeyEvent.VK_W, this::close, true),
@@ -88,16 +87,16 @@ public final class EditorPanel extends JPanel {
         for (EditorTool tool : EditorTool.values()) {
             String name = texts.of("editor.tool." + tool.id());
             JToggleButton button = new JToggleButton();
-            Act act = new Act("editor.tool." + tool.id(), name, () -> {
+            UserAction act = new UserAction("editor.tool." + tool.id(), name, () -> {
                 floor.take(tool);
                 floor.requestFocusInWindow();
             });
             act.bindInWindow(this, KeyStroke.getKeyStroke(tool.key(), InputEvent.ALT_DOWN_MASK));
             button.setAction(
-                    act.with(tool.glyph().icon()).described(name + "  (Alt+" + KeyEvent.getKeyText(tool.key()) + ")"));
+                    act.with(tool.symbol().icon()).described(name + "  (Alt+" + KeyEvent.getKeyText(tool.key()) + ")"));
             button.setIconTextGap(Theme.HALF);
             one.add(button);
-            tools.put(tool, Named.name(button, act.id(), name));
+            tools.put(tool, ComponentNames.name(button, act.id(), name));
             row.add(button);
         }
         return row;
@@ -106,8 +105,8 @@ public final class EditorPanel extends JPanel {
     private JPanel editRow() {
         JPanel row = Arrange.row(
                 Theme.HALF,
-                button("undo", Glyph.UNDO.icon(), KeyEvent.VK_Z, () -> step(floor.draft()::undo), false),
-                button("redo", Glyph.REDO.icon(), KeyEvent.VK_Y, () -> step(floor.draft()::redo), false),
+                button("undo", Symbol.UNDO.icon(), KeyEvent.VK_Z, () -> step(floor.draft()::undo), false),
+                button("redo", Symbol.REDO.icon(), KeyEvent.VK_Y, () -> step(floor.draft()::redo), false),
                 button("delete", Symbol.ERASE.icon(), KeyEvent.VK_D, () -> step(floor.draft()::deleteSelected), false),
                 rasters(),
                 button("smaller", Symbol.MINUS.icon(), 0, () -> floor.zoom(0.8), false),
@@ -124,12 +123,12 @@ public final class EditorPanel extends JPanel {
         box.setSelectedIndex(1);
         box.addActionListener(event -> floor.snapBy(RASTERS_METERS[box.getSelectedIndex()]));
         box.setToolTipText(texts.of("editor.raster"));
-        return Named.name(box, "editor.raster", texts.of("editor.raster"));
+        return ComponentNames.name(box, "editor.raster", texts.of("editor.raster"));
     }
 
     private AbstractButton button(String id, Icon icon, int key, Runnable deed, boolean worded) {
         String name = texts.of("editor." + id);
-        Act act = new Act("editor." + id, name, deed);
+        UserAction act = new UserAction("editor." + id, name, deed);
         if (icon != null) {
             act.with(icon);
         }
@@ -141,10 +140,10 @@ public final class EditorPanel extends JPanel {
         button.setHideActionText(!worded);
         button.setIconTextGap(Theme.HALF);
         keep(id, act);
-        return Named.name(button, act.id(), name);
+        return ComponentNames.name(button, act.id(), name);
     }
 
-    private void keep(String id, Act act) {
+    private void keep(String id, UserAction act) {
         switch (id) {
             case "undo" -> undo = act;
             case "redo" -> redo = act;

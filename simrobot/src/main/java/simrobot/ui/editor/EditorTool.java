@@ -2,29 +2,29 @@ package simrobot.ui.editor;
 
 import java.awt.event.KeyEvent;
 import java.util.Locale;
+import simgsm.ui.Symbol;
 import simrobot.editor.Item;
-import simrobot.ui.Glyph;
 
 /** What the mouse does on the floor of the editor. */
 public enum EditorTool {
-    SELECT(Glyph.POINTER, KeyEvent.VK_V, null),
-    WALL(Glyph.WALL, KeyEvent.VK_W, Item.Kind.WALL),
-    BOX(Glyph.BOX, KeyEvent.VK_B, Item.Kind.BOX),
-    HOME(Glyph.HOME, KeyEvent.VK_H, Item.Kind.HOME),
-    TREADMILL(Glyph.TREADMILL, KeyEvent.VK_T, Item.Kind.TREADMILL);
+    SELECT(Symbol.POINTER, KeyEvent.VK_V, null),
+    WALL(Symbol.WALL, KeyEvent.VK_W, Item.Kind.WALL),
+    BOX(Symbol.BOX, KeyEvent.VK_B, Item.Kind.BOX),
+    HOME(Symbol.HOME, KeyEvent.VK_H, Item.Kind.HOME),
+    TREADMILL(Symbol.TREADMILL, KeyEvent.VK_T, Item.Kind.TREADMILL);
 
-    private final Glyph glyph;
+    private final Symbol symbol;
     private final int key;
     private final Item.Kind kind;
 
-    EditorTool(Glyph glyph, int key, Item.Kind kind) {
-        this.glyph = glyph;
+    EditorTool(Symbol symbol, int key, Item.Kind kind) {
+        this.symbol = symbol;
         this.key = key;
         this.kind = kind;
     }
 
-    Glyph glyph() {
-        return glyph;
+    Symbol symbol() {
+        return symbol;
     }
 
     /** With Alt it takes up the tool. */

@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 import simrobot.world.World;

@@ -7,9 +7,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.editor.Item;
 import simrobot.world.Area;
 import simrobot.world.Box;
@@ -36,7 +36,7 @@ public final class FloorPainter {
     // ---- paper -----------------------------------------------------------------------------------------------------
 
     void paper() {
-        g.setColor(Ink.FLOOR.color());
+        g.setColor(Theme.color(Ink.FLOOR));
         g.fill(new Rectangle2D.Double(0, 0, view.width(), view.height()));
     }
 
@@ -47,7 +47,7 @@ public final class FloorPainter {
             step *= 5;
         }
         for (int pass = 0; pass < 2; pass++) {
-            g.setColor((pass == 0 ? Ink.GRID_LINE : Ink.GRID_MAJOR).color());
+            g.setColor(Theme.color(pass == 0 ? Ink.GRID_LINE : Ink.GRID_MAJOR));
             verticals(step, pass == 1);
             horizontals(step, pass == 1);
         }
@@ -83,7 +83,7 @@ public final class FloorPainter {
     }
 
     private void asWalls() {
-        g.setColor(Ink.WALL.color());
+        g.setColor(Theme.color(Ink.WALL));
         double width = Math.max(Theme.exact(1.6), WALL_METERS * view.pixelsPerMeter());
         g.setStroke(Theme.stroke(width / Theme.zoom()));
     }
@@ -131,9 +131,9 @@ public final class FloorPainter {
 
     private void box(Box box) {
         Shape outline = outline(box.area());
-        g.setColor(Ink.GRID_MAJOR.color(0.75));
+        g.setColor(Theme.color(Ink.GRID_MAJOR, 0.75));
         g.fill(outline);
-        g.setColor(Ink.WALL.color());
+        g.setColor(Theme.color(Ink.WALL));
         g.setStroke(Theme.stroke(1.4));
         g.draw(outline);
         boxName(box);
@@ -158,7 +158,7 @@ public final class FloorPainter {
 
     void markings(World world) {
         world.forbiddenAreas().forEach(this::forbidden);
-        g.setColor(Ink.DANGER.color(0.7));
+        g.setColor(Theme.color(Ink.DANGER, 0.7));
         g.setStroke(Theme.dashed(1.4, 6));
         world.forbiddenLines().forEach(this::line);
         world.homes().forEach(this::home);
@@ -169,9 +169,9 @@ public final class FloorPainter {
         Shape outline = outline(area);
         Graphics2D inside = (Graphics2D) g.create();
         try {
-            inside.setColor(Ink.DANGER.color(0.06));
+            inside.setColor(Theme.color(Ink.DANGER, 0.06));
             inside.fill(outline);
-            inside.setColor(Ink.DANGER.color(0.25));
+            inside.setColor(Theme.color(Ink.DANGER, 0.25));
             inside.setStroke(Theme.hairline());
             inside.clip(outline);
             Rectangle2D box = outline.getBounds2D();
@@ -181,7 +181,7 @@ public final class FloorPainter {
         } finally {
             inside.dispose();
         }
-        g.setColor(Ink.DANGER.color(0.7));
+        g.setColor(Theme.color(Ink.DANGER, 0.7));
         g.setStroke(Theme.dashed(1.4, 6));
         g.draw(outline);
     }
@@ -195,14 +195,14 @@ public final class FloorPainter {
         Shape outline = outline(belt.area());
         Graphics2D inside = (Graphics2D) g.create();
         try {
-            inside.setColor(Ink.ACCENT.color(0.07));
+            inside.setColor(Theme.color(Ink.ACCENT, 0.07));
             inside.fill(outline);
             inside.clip(outline);
             chevrons(inside, belt, outline.getBounds2D(), timeNanos);
         } finally {
             inside.dispose();
         }
-        g.setColor(Ink.ACCENT.color(0.6));
+        g.setColor(Theme.color(Ink.ACCENT, 0.6));
         g.setStroke(Theme.stroke(1.2));
         g.draw(outline);
     }
@@ -215,7 +215,7 @@ public final class FloorPainter {
         }
         double ahead = Math.signum(belt.speedMetersPerSecond());
         double run = Math.abs(belt.speedMetersPerSecond()) * (timeNanos * 1e-9) % 0.5 * view.pixelsPerMeter();
-        inside.setColor(Ink.ACCENT.color(0.35));
+        inside.setColor(Theme.color(Ink.ACCENT, 0.35));
         inside.setStroke(Theme.stroke(1.6));
         inside.translate(box.getCenterX(), box.getCenterY());
         inside.rotate(-belt.directionRadians());
@@ -239,14 +239,14 @@ public final class FloorPainter {
 
     private void home(Home home) {
         home.area().ifPresent(area -> {
-            g.setColor(Ink.GOOD.color(0.5));
+            g.setColor(Theme.color(Ink.GOOD, 0.5));
             g.setStroke(Theme.dashed(1.2, 5));
             g.draw(outline(area));
         });
         double x = view.screenX(home.position().xMeters());
         double y = view.screenY(home.position().yMeters());
         double r = Math.max(Theme.exact(5), 0.3 * view.pixelsPerMeter());
-        g.setColor(Ink.GOOD.color(0.55));
+        g.setColor(Theme.color(Ink.GOOD, 0.55));
         g.setStroke(Theme.dashed(1.2, 4));
         g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
         g.setStroke(Theme.stroke(1.2));
@@ -266,7 +266,7 @@ public final class FloorPainter {
         diamond.lineTo(x, y + r);
         diamond.lineTo(x - r, y);
         diamond.closePath();
-        g.setColor(Ink.QUIET.color(0.8));
+        g.setColor(Theme.color(Ink.QUIET, 0.8));
         g.setStroke(Theme.stroke(1.2));
         g.draw(diamond);
         caption(goal.name(), goal.position(), Theme.exact(13), Double.MAX_VALUE, Ink.QUIET);
@@ -277,7 +277,7 @@ public final class FloorPainter {
         if (!text.isEmpty()
                 && view.pixelsPerMeter() >= Theme.exact(22)
                 && Drawing.width(Theme.small(), text) <= room - Theme.exact(4)) {
-            g.setColor(ink.color());
+            g.setColor(Theme.color(ink));
             Drawing.centred(g, text, Theme.small(), view.screenX(at.xMeters()), view.screenY(at.yMeters()) + below);
         }
     }

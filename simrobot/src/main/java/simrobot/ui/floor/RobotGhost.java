@@ -1,6 +1,6 @@
 package simrobot.ui.floor;
 
-import simgsm.ui.Theme.Ink;
+import simgsm.draw.Ink;
 
 /**
  * A robot that is not there: where one is to be put, or where one was not let.

@@ -9,9 +9,10 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
 import simrobot.robot.Trail;
@@ -62,7 +63,7 @@ final class RobotPainter {
             while (to < last && opacity(nowNanos - points.timesNanos()[to]) == opacity) {
                 leg(path, points, to++);
             }
-            g.setColor(Ink.TRAIL.color(opacity));
+            g.setColor(Theme.color(Ink.TRAIL, opacity));
             g.draw(path);
             from = to;
         }
@@ -99,7 +100,7 @@ final class RobotPainter {
             if (echo) {
                 cone(x, y, direction, ranges[i]);
             }
-            g.setColor(Ink.RAY.color(echo ? 0.55 : 0.16));
+            g.setColor(Theme.color(Ink.RAY, echo ? 0.55 : 0.16));
             g.setStroke(Theme.stroke(0.8));
             Drawing.line(
                     g,
@@ -126,9 +127,9 @@ final class RobotPainter {
         Path2D wedge = new Path2D.Double(arc);
         wedge.lineTo(view.screenX(x), view.screenY(y));
         wedge.closePath();
-        g.setColor(Ink.RAY.color(0.08));
+        g.setColor(Theme.color(Ink.RAY, 0.08));
         g.fill(wedge);
-        g.setColor(Ink.RAY.color(0.9));
+        g.setColor(Theme.color(Ink.RAY, 0.9));
         g.setStroke(Theme.stroke(1.6));
         g.draw(arc);
     }
@@ -160,9 +161,9 @@ final class RobotPainter {
         if (robot.status() == RobotStatus.COLLISION) {
             contact();
         }
-        g.setColor(paint(robot).color());
+        g.setColor(Theme.color(paint(robot)));
         g.fill(BODY);
-        g.setColor(Ink.ROBOT_LINE.color());
+        g.setColor(Theme.color(Ink.ROBOT_LINE));
         g.setStroke(meters(Math.max(OUTLINE_METERS, pixels(1.2))));
         g.draw(BODY);
         wheels();
@@ -178,9 +179,9 @@ final class RobotPainter {
         AffineTransform before = g.getTransform();
         g.translate(x, y);
         g.rotate(-ghost.headingRadians());
-        g.setColor(ghost.ink().color(0.14));
+        g.setColor(Theme.color(ghost.ink(), 0.14));
         g.fill(circle(0, 0, r));
-        g.setColor(ghost.ink().color());
+        g.setColor(Theme.color(ghost.ink()));
         g.setStroke(Theme.dashed(1.6, 4));
         g.draw(circle(0, 0, r));
         g.draw(new Line2D.Double(0, 0, r + Theme.exact(10), 0));
@@ -200,9 +201,9 @@ final class RobotPainter {
     private void caption(String text, double x, double y, Ink ink) {
         double width = Drawing.width(Theme.strong(), text) + Theme.exact(16);
         double left = Math.max(Theme.exact(4), Math.min(view.width() - width - Theme.exact(4), x - width / 2));
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(Drawing.round(left, y - Theme.exact(11), width, Theme.exact(22), Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(ink.color());
+        g.setColor(Theme.color(ink));
         g.setStroke(Theme.hairline());
         g.draw(Drawing.round(left, y - Theme.exact(11), width, Theme.exact(22), Theme.exact(Theme.CONTROL_RADIUS)));
         Drawing.centred(g, text, Theme.strong(), left + width / 2, y);
@@ -215,30 +216,30 @@ final class RobotPainter {
 
     private void selection() {
         double r = Pioneer2Dx.RADIUS_METERS + 0.05;
-        g.setColor(Ink.ACCENT.color(0.10));
+        g.setColor(Theme.color(Ink.ACCENT, 0.10));
         g.fill(circle(0, 0, r));
-        g.setColor(Ink.ACCENT.color(0.9));
+        g.setColor(Theme.color(Ink.ACCENT, 0.9));
         g.setStroke(meters(pixels(1.4)));
         g.draw(circle(0, 0, r));
         double handle = Math.max(0.035, pixels(4.5));
         g.draw(new Line2D.Double(r, 0, HANDLE_METERS - handle, 0));
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(circle(HANDLE_METERS, 0, handle));
-        g.setColor(Ink.ACCENT.color());
+        g.setColor(Theme.color(Ink.ACCENT));
         g.draw(circle(HANDLE_METERS, 0, handle));
     }
 
     /** The circle that touches. */
     private void contact() {
-        g.setColor(Ink.DANGER.color(0.16));
+        g.setColor(Theme.color(Ink.DANGER, 0.16));
         g.fill(circle(0, 0, Pioneer2Dx.RADIUS_METERS));
-        g.setColor(Ink.DANGER.color());
+        g.setColor(Theme.color(Ink.DANGER));
         g.setStroke(meters(pixels(1.6)));
         g.draw(circle(0, 0, Pioneer2Dx.RADIUS_METERS));
     }
 
     private void wheels() {
-        g.setColor(Ink.WHEEL.color());
+        g.setColor(Theme.color(Ink.WHEEL));
         double d = Pioneer2Dx.WHEEL_DIAMETER_METERS;
         double w = Pioneer2Dx.WHEEL_WIDTH_METERS;
         for (int side = -1; side <= 1; side += 2) {
@@ -248,7 +249,7 @@ final class RobotPainter {
 
     /** The heading mark, the axle and the sonars' mouths. */
     private void deck() {
-        g.setColor(Ink.ROBOT_LINE.color(0.5));
+        g.setColor(Theme.color(Ink.ROBOT_LINE, 0.5));
         g.setStroke(meters(Math.max(0.006, pixels(0.8))));
         g.draw(new Line2D.Double(0, -Pioneer2Dx.TRACK_METERS / 2, 0, Pioneer2Dx.TRACK_METERS / 2));
         for (int i = 0; i < SonarRing.COUNT; i++) {
@@ -266,7 +267,7 @@ final class RobotPainter {
         nose.lineTo(0.055, 0);
         nose.lineTo(0.02, -0.075);
         nose.closePath();
-        g.setColor(Ink.ON_SIGNAL.color());
+        g.setColor(Theme.color(Ink.ON_SIGNAL));
         g.fill(nose);
     }
 
@@ -279,15 +280,15 @@ final class RobotPainter {
             double r = Theme.exact(6);
             double bx = x + reach * 0.8;
             double by = y - reach * 0.8;
-            g.setColor(Ink.CARD.color());
+            g.setColor(Theme.color(Ink.CARD));
             g.fill(circle(bx, by, r + Theme.exact(3)));
-            g.setColor(Ink.LINE.color());
+            g.setColor(Theme.color(Ink.LINE));
             g.setStroke(Theme.hairline());
             g.draw(circle(bx, by, r + Theme.exact(3)));
-            StatusLook.mark(robot.status()).paint(g, bx, by, r, StatusLook.ink(robot.status()));
+            StatusLook.mark(robot.status()).draw(new GraphicsCanvas(g), bx, by, r, StatusLook.ink(robot.status()));
         }
         if (named) {
-            g.setColor(Ink.TEXT.color());
+            g.setColor(Theme.color(Ink.TEXT));
             Drawing.centred(g, robot.name(), Theme.small(), x, y - reach - Theme.exact(6));
         }
     }

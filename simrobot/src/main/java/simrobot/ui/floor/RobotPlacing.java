@@ -2,11 +2,11 @@ package simrobot.ui.floor;
 
 import java.util.Optional;
 import javax.swing.Timer;
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 import simrobot.robot.Placement;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.EventThread;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 
 /**
  * Puts robots where the person at the window wants them. A place that is refused is shown as a ghost with the reason;
@@ -15,15 +15,15 @@ import simrobot.ui.SimRobotActions;
 public final class RobotPlacing {
     private static final int GHOST_MILLIS = 2500;
 
-    private final SimRobotActions operator;
-    private final Texts texts;
+    private final OperatorActions operator;
+    private final TextBundle texts;
     private final Runnable changed;
     private final Timer fading = new Timer(GHOST_MILLIS, event -> fade());
     private RobotGhost ghost;
     private RobotSnapshot taken;
 
     /** @param changed run when there is something else to be seen */
-    RobotPlacing(SimRobotActions operator, Texts texts, Runnable changed) {
+    RobotPlacing(OperatorActions operator, TextBundle texts, Runnable changed) {
         this.operator = operator;
         this.texts = texts;
         this.changed = changed;

@@ -1,9 +1,9 @@
 package simrobot.ui.floor;
 
 import java.awt.Graphics2D;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.ui.PoseTexts;
 import simrobot.world.Position;
 
@@ -43,10 +43,10 @@ record Ruler(Position from, Position to) {
         double y1 = view.screenY(from.yMeters());
         double x2 = view.screenX(to.xMeters());
         double y2 = view.screenY(to.yMeters());
-        g.setColor(Ink.CARD.color(0.8));
+        g.setColor(Theme.color(Ink.CARD, 0.8));
         g.setStroke(Theme.stroke(5));
         Drawing.line(g, x1, y1, x2, y2);
-        g.setColor(Ink.ACCENT.color());
+        g.setColor(Theme.color(Ink.ACCENT));
         g.setStroke(Theme.stroke(1.8));
         Drawing.line(g, x1, y1, x2, y2);
         ticks(g, view, x1, y1);
@@ -81,14 +81,14 @@ record Ruler(Position from, Position to) {
         double height = Theme.exact(40);
         double left = clamp(x + Theme.exact(14), view.width() - width - Theme.exact(4));
         double top = clamp(y + Theme.exact(10), view.height() - height - Theme.exact(4));
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(Drawing.round(left, top, width, height, Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(Ink.ACCENT.color());
+        g.setColor(Theme.color(Ink.ACCENT));
         g.setStroke(Theme.hairline());
         g.draw(Drawing.round(left, top, width, height, Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         Drawing.centred(g, text(), Theme.monoStrong(), left + width / 2, top + Theme.exact(13));
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         Drawing.centred(g, parts(), Theme.monoSmall(), left + width / 2, top + Theme.exact(29));
     }
 

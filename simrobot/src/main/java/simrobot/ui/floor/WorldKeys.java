@@ -4,8 +4,8 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 
 /** The floor by keyboard: arrows pan, plus and minus zoom, Home fits; with Alt the arrows move the robot, Page keys turn it. */
 final class WorldKeys {
@@ -57,7 +57,7 @@ final class WorldKeys {
     }
 
     private static void bind(WorldView view, String id, Runnable deed, KeyStroke... strokes) {
-        new Act(id, id, deed).bind(view, JComponent.WHEN_FOCUSED, strokes);
+        new UserAction(id, id, deed).bind(view, JComponent.WHEN_FOCUSED, strokes);
     }
 
     private static KeyStroke stroke(int key) {

@@ -1,9 +1,9 @@
 package simrobot.ui.floor;
 
 import java.awt.Graphics2D;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.World;
@@ -64,7 +64,7 @@ final class WorldPainter {
         double x = Theme.exact(18);
         double y = view.height() - Theme.exact(46);
         double length = Theme.exact(24);
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         g.setStroke(Theme.stroke(1.2));
         arrow(g, x, y, 1, 0, length);
         arrow(g, x, y, 0, -1, length);
@@ -88,14 +88,14 @@ final class WorldPainter {
         double x = Theme.exact(14);
         double y = view.height() - Theme.exact(14);
         double tick = Theme.exact(5);
-        g.setColor(Ink.FLOOR.color(0.8));
+        g.setColor(Theme.color(Ink.FLOOR, 0.8));
         g.fill(Drawing.round(
                 x - Theme.exact(8),
                 y - Theme.exact(22),
                 length + Theme.exact(16),
                 Theme.exact(30),
                 Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(Ink.TEXT.color());
+        g.setColor(Theme.color(Ink.TEXT));
         Drawing.horizontal(g, x, x + length, y);
         Drawing.vertical(g, x, y - tick, y + Theme.exact(1));
         Drawing.vertical(g, x + length - Theme.exact(1), y - tick, y + Theme.exact(1));

@@ -10,15 +10,15 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.SpokenComponent;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.PoseTexts;
-import simrobot.ui.SimRobotActions;
 import simrobot.world.Area;
 import simrobot.world.Position;
 import simrobot.world.World;
@@ -27,8 +27,8 @@ import simrobot.world.World;
 public final class WorldView extends SpokenComponent {
     private static final double MARGIN_UNITS = 36;
 
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final Consumer<String> selection;
     private final FloorCache floor = new FloorCache();
     private SimulationSnapshot picture;
@@ -49,7 +49,8 @@ public final class WorldView extends SpokenComponent {
     }
 
     /** @param selection told when a robot is picked with the mouse */
-    public WorldView(SimulationSnapshot picture, Texts texts, SimRobotActions operator, Consumer<String> selection) {
+    public WorldView(
+            SimulationSnapshot picture, TextBundle texts, OperatorActions operator, Consumer<String> selection) {
         super(AccessibleRole.CANVAS);
         this.picture = picture;
         this.texts = texts;
@@ -245,7 +246,7 @@ public final class WorldView extends SpokenComponent {
         return picture;
     }
 
-    Texts texts() {
+    TextBundle texts() {
         return texts;
     }
 
@@ -294,7 +295,7 @@ public final class WorldView extends SpokenComponent {
             clock(g);
             place(g);
             if (isFocusOwner()) {
-                g.setColor(Ink.ACCENT.color());
+                g.setColor(Theme.color(Ink.ACCENT));
                 g.setStroke(Theme.stroke(1.6));
                 g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
             }
@@ -322,9 +323,9 @@ public final class WorldView extends SpokenComponent {
     private void tag(Graphics2D g, String text, double top) {
         double width = Drawing.width(Theme.monoSmall(), text) + Theme.exact(16);
         double x = getWidth() - width - Theme.exact(10);
-        g.setColor(Ink.FLOOR.color(0.85));
+        g.setColor(Theme.color(Ink.FLOOR, 0.85));
         g.fill(Drawing.round(x, top, width, Theme.exact(20), Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         Drawing.centred(g, text, Theme.monoSmall(), x + width / 2, top + Theme.exact(10));
     }
 

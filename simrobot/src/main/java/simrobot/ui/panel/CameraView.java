@@ -11,10 +11,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.camera.Camera;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
@@ -29,7 +29,7 @@ public final class CameraView extends PaintedComponent {
     private static final int PERIOD_MILLIS = 66;
     private static final double LEAST_SHARE = 0.6;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final Timer timer = new Timer(PERIOD_MILLIS, tick -> draw());
     private final Camera camera = new Camera();
     private ExecutorService drawer;
@@ -61,7 +61,7 @@ public final class CameraView extends PaintedComponent {
         }
     }
 
-    public CameraView(Texts texts) {
+    public CameraView(TextBundle texts) {
         super("camera");
         this.texts = texts;
         timer.setCoalesce(true);
@@ -146,7 +146,7 @@ public final class CameraView extends PaintedComponent {
         double x = (width - w) / 2;
         double y = (height - h) / 2;
         double round = Theme.exact(6);
-        g.setColor(Ink.LINE.color());
+        g.setColor(Theme.color(Ink.LINE));
         g.fill(new RoundRectangle2D.Double(x, y, w, h, round, round));
         String missing = missing();
         if (picture != null && missing.isEmpty()) {
@@ -155,7 +155,7 @@ public final class CameraView extends PaintedComponent {
             g.drawImage(picture, new AffineTransform(share, 0, 0, share, x, y), null);
         } else {
             g.setFont(Theme.base());
-            g.setColor(Ink.QUIET.color());
+            g.setColor(Theme.color(Ink.QUIET));
             float left = (float) (x + (w - Drawing.width(Theme.base(), missing)) / 2);
             g.drawString(missing, left, (float) (y + h / 2));
         }

@@ -1,6 +1,6 @@
 package simrobot.ui.panel;
 
-import simgsm.ui.Texts;
+import simgsm.console.TextBundle;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
 import simrobot.ui.StatusLamps;
@@ -9,9 +9,9 @@ import vericommand.RobotStatus;
 
 /** Logged events as people read them. */
 final class EventTexts {
-    private final Texts texts;
+    private final TextBundle texts;
 
-    EventTexts(Texts texts) {
+    EventTexts(TextBundle texts) {
         this.texts = texts;
     }
 

@@ -19,14 +19,14 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListCellRenderer;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.control.LoggedEvent;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.PaintedComponent;
@@ -42,24 +42,25 @@ final class EventsCard extends JPanel {
     private List<LoggedEvent> events = List.of();
     private String selected = "";
 
-    EventsCard(Texts texts) {
+    EventsCard(TextBundle texts) {
         super(new BorderLayout());
         setOpaque(false);
         words = new EventTexts(texts);
-        Named.name(list, "events", texts.of("log.title"));
+        ComponentNames.name(list, "events", texts.of("log.title"));
         list.setCellRenderer(new RowRenderer());
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         onlySelected = new JCheckBox(texts.of("log.only"));
         onlySelected.setOpaque(false);
         onlySelected.addActionListener(event -> filter());
-        Named.name(onlySelected, "events.only", texts.of("log.only"));
-        Act copy = new Act("events.copy", texts.of("log.copy"), this::copy).described(texts.of("log.copy.hint"));
+        ComponentNames.name(onlySelected, "events.only", texts.of("log.only"));
+        UserAction copy =
+                new UserAction("events.copy", texts.of("log.copy"), this::copy).described(texts.of("log.copy.hint"));
         copy.bind(list, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_C, InputEvent.CTRL_DOWN_MASK));
         JPanel tools = Arrange.row(
                 Theme.HALF,
                 onlySelected,
                 Arrange.spring(),
-                Named.name(new JButton(copy), "events.copy", texts.of("log.copy.hint")));
+                ComponentNames.name(new JButton(copy), "events.copy", texts.of("log.copy.hint")));
         CompactButtons.buttonsIn(tools);
         add(new Card(texts.of("log.title"), Arrange.column(Theme.GRID, tools, Arrange.growing(pane))));
     }
@@ -159,12 +160,12 @@ final class EventsCard extends JPanel {
         @Override
         protected void paint(Graphics2D g, double width, double height) {
             if (chosen) {
-                g.setColor(Ink.ACCENT_WASH.color());
+                g.setColor(Theme.color(Ink.ACCENT_WASH));
                 g.fillRect(0, 0, getWidth(), getHeight());
             }
             double left = Theme.exact(8);
             String time = WorldView.clockText(event.timeNanos());
-            g.setColor(Ink.QUIET.color());
+            g.setColor(Theme.color(Ink.QUIET));
             g.setFont(Theme.monoSmall());
             g.drawString(time, (float) left, Theme.exact(14));
             double nameAt = left + Drawing.width(Theme.monoSmall(), time) + Theme.exact(8);
@@ -173,7 +174,7 @@ final class EventsCard extends JPanel {
                     Drawing.fitted(Theme.small(), event.robot(), width - nameAt - left),
                     (float) nameAt,
                     Theme.exact(14));
-            g.setColor(Ink.TEXT.color());
+            g.setColor(Theme.color(Ink.TEXT));
             g.setFont(Theme.base());
             g.drawString(
                     Drawing.fitted(Theme.base(), words.of(event), width - 2 * left), (float) left, Theme.exact(30));

@@ -13,32 +13,32 @@ import javax.swing.JOptionPane;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import simgsm.ui.Act;
-import simgsm.ui.Named;
+import simgsm.console.TextBundle;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
+import simgsm.ui.UserAction;
 import simrobot.ui.EventThread;
 import simrobot.ui.FileDialogs;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 
 /** Saves what is to be seen: the world as PNG or SVG, the selected robot's track as CSV. */
 final class ExportChoice {
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final JButton button;
     private String robot = "";
     private Path world = Path.of("world.map");
 
-    ExportChoice(Texts texts, SimRobotActions operator) {
+    ExportChoice(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
-        Act act = new Act("tool.export", texts.of("tool.export"), this::offer).with(Symbol.DOWN.icon(12));
+        UserAction act = new UserAction("tool.export", texts.of("tool.export"), this::offer).with(Symbol.DOWN.icon(12));
         button = new JButton(act);
         button.setText(texts.of("tool.export.word"));
         button.setHorizontalTextPosition(JButton.LEADING);
         button.setToolTipText(texts.of("tool.export") + "  (Ctrl+X)");
         act.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_X, InputEvent.CTRL_DOWN_MASK));
-        Named.name(button, "tool.export", texts.of("tool.export"));
+        ComponentNames.name(button, "tool.export", texts.of("tool.export"));
     }
 
     JButton component() {
@@ -56,9 +56,9 @@ final class ExportChoice {
 
     JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
-        menu.add(new Act("export.png", texts.of("export.png"), () -> choose("png", worldName())));
-        menu.add(new Act("export.svg", texts.of("export.svg"), () -> choose("svg", worldName())));
-        Act track = new Act("export.csv", texts.of("export.csv", robot), () -> choose("csv", robot));
+        menu.add(new UserAction("export.png", texts.of("export.png"), () -> choose("png", worldName())));
+        menu.add(new UserAction("export.svg", texts.of("export.svg"), () -> choose("svg", worldName())));
+        UserAction track = new UserAction("export.csv", texts.of("export.csv", robot), () -> choose("csv", robot));
         track.setEnabled(!robot.isEmpty());
         menu.add(track);
         return menu;

@@ -13,18 +13,18 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.ScrolledColumn;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.PoseTexts;
-import simrobot.ui.Reading;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.ValueRow;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
@@ -35,12 +35,12 @@ final class Inspector extends JPanel {
     private final EventsCard events;
     private final CardLayout sheets = new CardLayout();
     private final JPanel sheet = new JPanel(sheets);
-    private final Reading x;
-    private final Reading y;
-    private final Reading heading;
-    private final Reading speed;
-    private final Reading turn;
-    private final Reading battery;
+    private final ValueRow x;
+    private final ValueRow y;
+    private final ValueRow heading;
+    private final ValueRow speed;
+    private final ValueRow turn;
+    private final ValueRow battery;
     private final OdometryCard wheels;
     private final SonarRose sonar;
     private final CameraView camera;
@@ -49,19 +49,19 @@ final class Inspector extends JPanel {
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
-    Inspector(Texts texts, Consumer<String> selection, SimRobotActions operator, WorldView view) {
+    Inspector(TextBundle texts, Consumer<String> selection, OperatorActions operator, WorldView view) {
         super(new BorderLayout());
         setOpaque(false);
         low = texts.of("pose.battery.low");
         newcomer = new NewRobotForm(texts, operator, view);
         robots = new RobotsCard(texts, selection, operator, this::askForNewcomer);
         events = new EventsCard(texts);
-        x = new Reading("pose.x", "x", "m");
-        y = new Reading("pose.y", "y", "m");
-        heading = new Reading("pose.heading", texts.of("pose.heading"), "\u00b0");
-        speed = new Reading("pose.speed", texts.of("pose.speed"), "m/s");
-        turn = new Reading("pose.turn", texts.of("pose.turn"), "\u00b0/s");
-        battery = new Reading("pose.battery", texts.of("pose.battery"), "V");
+        x = new ValueRow("pose.x", "x", "m");
+        y = new ValueRow("pose.y", "y", "m");
+        heading = new ValueRow("pose.heading", texts.of("pose.heading"), "\u00b0");
+        speed = new ValueRow("pose.speed", texts.of("pose.speed"), "m/s");
+        turn = new ValueRow("pose.turn", texts.of("pose.turn"), "\u00b0/s");
+        battery = new ValueRow("pose.battery", texts.of("pose.battery"), "V");
         wheels = new OdometryCard(texts);
         sonar = new SonarRose(texts);
         camera = new CameraView(texts);
@@ -86,7 +86,7 @@ final class Inspector extends JPanel {
     }
 
     /** What the lower part shows: the robot or the events. */
-    private JPanel tabs(Texts texts) {
+    private JPanel tabs(TextBundle texts) {
         JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, "robot");
         JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, "events");
         ButtonGroup one = new ButtonGroup();
@@ -98,15 +98,15 @@ final class Inspector extends JPanel {
         return tabs;
     }
 
-    private JToggleButton tab(String id, Texts texts, int key, String name) {
+    private JToggleButton tab(String id, TextBundle texts, int key, String name) {
         JToggleButton button = new JToggleButton();
-        Act act = new Act(id, texts.of(id), () -> {
+        UserAction act = new UserAction(id, texts.of(id), () -> {
             button.setSelected(true);
             sheets.show(sheet, name);
         });
         act.bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK));
         button.setAction(act.described(texts.of(id) + "  (Alt+" + KeyEvent.getKeyText(key) + ")"));
-        return Named.name(button, id, texts.of(id));
+        return ComponentNames.name(button, id, texts.of(id));
     }
 
     @Override

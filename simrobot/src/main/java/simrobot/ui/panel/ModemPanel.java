@@ -6,51 +6,52 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.station.MobileCallState;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
-import simgsm.ui.Mark;
-import simgsm.ui.Named;
 import simgsm.ui.SignalBars;
-import simgsm.ui.SpeechText;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
-import simgsm.ui.ToneScopePanel;
-import simrobot.ui.LineSnapshot;
-import simrobot.ui.SimRobotActions;
+import simgsm.ui.scope.CodecText;
+import simgsm.ui.scope.ToneScopePanel;
+import simrobot.ui.OperatorActions;
+import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 
 /** M2: its number, the network, the call, and what it hears. */
 final class ModemPanel extends JPanel {
-    private final Texts texts;
+    private final TextBundle texts;
     private final TextLine number = new TextLine("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
     private final TextLine network = new TextLine("modem.network", Theme::base, Ink.QUIET);
     private final SignalBars signal;
     private final Lamp call;
     private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
-    private final JLabel sound = Named.name(new JLabel(), "modem.sound", "");
+    private final JLabel sound = ComponentNames.name(new JLabel(), "modem.sound", "");
     private final ToneScopePanel scope;
-    private final SimRobotActions operator;
+    private final OperatorActions operator;
     /** Holds for whichever robot is shown. */
     private ToneExperiment experiment = ToneExperiment.NONE;
 
     private String robot = "";
     private final Locale language;
 
-    ModemPanel(Texts texts, Locale language, SimRobotActions operator) {
+    ModemPanel(TextBundle texts, Locale language, OperatorActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
         this.operator = operator;
         setOpaque(false);
-        signal = Named.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
+        signal =
+                ComponentNames.name(new SignalBars(texts.of("modem.signal")), "modem.signal", texts.of("modem.signal"));
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
         scope = new ToneScopePanel(language, this::tryOut);
@@ -69,14 +70,14 @@ final class ModemPanel extends JPanel {
         dress();
     }
 
-    void show(LineSnapshot line) {
+    void show(TelephoneSnapshot line) {
         StationSnapshot modem = line.modem();
         number.show(line.number());
         network.show(network(modem));
         signal.show(modem.registered() ? SignalBars.BARS : 0);
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
-        codec.show(SpeechText.of(modem.codec(), modem.heardCodec(), language));
+        codec.show(CodecText.of(modem.codec(), modem.heardCodec(), language));
         showSound(line.audible());
         robot = line.robot();
         if (!line.heard().experiment().equals(experiment)) {
@@ -133,7 +134,7 @@ final class ModemPanel extends JPanel {
 
     private void dress() {
         sound.setFont(Theme.small());
-        sound.setForeground(Ink.QUIET.color());
+        sound.setForeground(Theme.color(Ink.QUIET));
     }
 
     @Override
@@ -146,11 +147,11 @@ final class ModemPanel extends JPanel {
 
     private void showCall(MobileCallState state) {
         if (state == MobileCallState.NULL) {
-            call.show(Mark.RING, Ink.QUIET, texts.of("modem.call.none"));
+            call.show(StatusMark.RING, Ink.QUIET, texts.of("modem.call.none"));
         } else if (state == MobileCallState.ACTIVE) {
-            call.show(Mark.DISC, Ink.GOOD, texts.of("modem.call.active"));
+            call.show(StatusMark.DISC, Ink.GOOD, texts.of("modem.call.active"));
         } else {
-            call.show(Mark.HALF_DISC, Ink.WARNING, texts.of("modem.call.setup"));
+            call.show(StatusMark.HALF_DISC, Ink.WARNING, texts.of("modem.call.setup"));
         }
     }
 

@@ -10,17 +10,17 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.EventThread;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.PoseTexts;
-import simrobot.ui.SimRobotActions;
 import simrobot.ui.TextLine;
 import simrobot.ui.floor.RobotGhost;
 import simrobot.ui.floor.WorldView;
@@ -31,8 +31,8 @@ import vericommand.Pose;
  * floor; without one it goes to the first home that is free.
  */
 final class NewRobotForm extends JPanel {
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final WorldView view;
     private final JTextField name = new JTextField(8);
     private final JTextField number = new JTextField(8);
@@ -42,21 +42,21 @@ final class NewRobotForm extends JPanel {
     private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).modest();
     private String awaited = "";
 
-    NewRobotForm(Texts texts, SimRobotActions operator, WorldView view) {
+    NewRobotForm(TextBundle texts, OperatorActions operator, WorldView view) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
         this.view = view;
         setOpaque(false);
-        Act add = new Act("newcomer.add", texts.of("newcomer.add"), this::add);
-        Act cancel = new Act("newcomer.cancel", texts.of("newcomer.cancel"), this::close);
+        UserAction add = new UserAction("newcomer.add", texts.of("newcomer.add"), this::add);
+        UserAction cancel = new UserAction("newcomer.cancel", texts.of("newcomer.cancel"), this::close);
         add.bind(this, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
         cancel.bind(this, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
         JPanel buttons = Arrange.row(
                 Theme.HALF,
                 Arrange.spring(),
-                Named.name(new JButton(cancel), cancel.id(), texts.of("newcomer.cancel")),
-                Named.name(new JButton(add), add.id(), texts.of("newcomer.add")));
+                ComponentNames.name(new JButton(cancel), cancel.id(), texts.of("newcomer.cancel")),
+                ComponentNames.name(new JButton(add), add.id(), texts.of("newcomer.add")));
         CompactButtons.buttonsIn(buttons);
         JPanel rows = Arrange.column(
                 6,
@@ -84,7 +84,7 @@ final class NewRobotForm extends JPanel {
     private JPanel labelled(String key, JTextField field) {
         JLabel label = new JLabel(texts.of(key));
         label.setLabelFor(field);
-        Named.name(field, key, texts.of(key));
+        ComponentNames.name(field, key, texts.of(key));
         return Arrange.column(2, label, field);
     }
 

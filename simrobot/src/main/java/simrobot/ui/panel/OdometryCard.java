@@ -2,28 +2,28 @@ package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
 import javax.swing.JPanel;
+import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Texts;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.PoseTexts;
-import simrobot.ui.Reading;
+import simrobot.ui.ValueRow;
 import vericommand.Pose;
 
 /** Where the wheels say that the robot is, and how far that is from the truth. */
 final class OdometryCard extends JPanel {
-    private final Reading x = new Reading("odometry.x", "x", "m");
-    private final Reading y = new Reading("odometry.y", "y", "m");
-    private final Reading heading;
-    private final Reading error;
-    private final Reading turned;
+    private final ValueRow x = new ValueRow("odometry.x", "x", "m");
+    private final ValueRow y = new ValueRow("odometry.y", "y", "m");
+    private final ValueRow heading;
+    private final ValueRow error;
+    private final ValueRow turned;
 
-    OdometryCard(Texts texts) {
+    OdometryCard(TextBundle texts) {
         super(new BorderLayout());
         setOpaque(false);
-        heading = new Reading("odometry.heading", texts.of("pose.heading"), "\u00b0");
-        error = new Reading("odometry.error", texts.of("odometry.error"), "m");
-        turned = new Reading("odometry.turned", texts.of("odometry.turned"), "\u00b0");
+        heading = new ValueRow("odometry.heading", texts.of("pose.heading"), "\u00b0");
+        error = new ValueRow("odometry.error", texts.of("odometry.error"), "m");
+        turned = new ValueRow("odometry.turned", texts.of("odometry.turned"), "\u00b0");
         add(new Card(texts.of("odometry.title"), Arrange.column(0, x, y, heading, error, turned)));
     }
 

@@ -10,33 +10,34 @@ import javax.swing.JFileChooser;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import simgsm.ui.Act;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
-import simgsm.ui.Theme.Ink;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Symbol;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.ui.FileDialogs;
-import simrobot.ui.Glyph;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 
 /** Records the session in a file that is asked for, until it is pressed again. */
 final class RecordButton {
     private static final String ENDING = "rec";
 
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final JToggleButton button;
     private Optional<Path> recording = Optional.empty();
     private boolean known;
 
-    RecordButton(Texts texts, SimRobotActions operator) {
+    RecordButton(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
-        Act act = new Act("tool.record", texts.of("tool.record"), this::press).with(Glyph.RECORD.icon());
+        UserAction act = new UserAction("tool.record", texts.of("tool.record"), this::press).with(Symbol.RECORD.icon());
         button = new JToggleButton(act);
         button.setText(null);
         button.setHideActionText(true);
         act.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_K, InputEvent.CTRL_DOWN_MASK));
-        Named.name(button, "tool.record", texts.of("tool.record"));
+        ComponentNames.name(button, "tool.record", texts.of("tool.record"));
     }
 
     JToggleButton component() {
@@ -53,7 +54,7 @@ final class RecordButton {
                     .orElse(texts.of("tool.record"));
             button.setToolTipText(words + "  (Ctrl+K)");
             button.getAccessibleContext().setAccessibleName(words);
-            button.setForeground(file.isPresent() ? Ink.DANGER.color() : null);
+            button.setForeground(file.isPresent() ? Theme.color(Ink.DANGER) : null);
         }
     }
 

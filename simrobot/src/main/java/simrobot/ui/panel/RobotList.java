@@ -10,12 +10,13 @@ import javax.swing.JList;
 import javax.swing.JScrollPane;
 import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
-import simgsm.ui.Named;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.ui.PaintedComponent;
 import simrobot.ui.StatusLamps;
 import simrobot.ui.StatusLook;
@@ -37,8 +38,8 @@ final class RobotList {
     private final JList<Row> list = new JList<>(model);
     private final JScrollPane pane = new JScrollPane(list);
 
-    RobotList(Texts texts, Consumer<String> selection) {
-        Named.name(list, "robots", texts.of("robots.name"));
+    RobotList(TextBundle texts, Consumer<String> selection) {
+        ComponentNames.name(list, "robots", texts.of("robots.name"));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new RowRenderer(texts));
         list.setVisibleRowCount(ROWS_SHOWN);
@@ -87,11 +88,11 @@ final class RobotList {
     }
 
     private static final class RowRenderer extends PaintedComponent implements ListCellRenderer<Row> {
-        private final Texts texts;
+        private final TextBundle texts;
         private Row row = new Row("", RobotStatus.STOPPED, "", false);
         private boolean chosen;
 
-        RowRenderer(Texts texts) {
+        RowRenderer(TextBundle texts) {
             super("robot");
             this.texts = texts;
         }
@@ -115,24 +116,25 @@ final class RobotList {
         @Override
         protected void paint(Graphics2D g, double width, double height) {
             if (chosen) {
-                g.setColor(Ink.ACCENT_WASH.color());
+                g.setColor(Theme.color(Ink.ACCENT_WASH));
                 g.fillRect(0, 0, getWidth(), getHeight());
             }
             double r = Theme.exact(5.5);
-            StatusLook.mark(row.status()).paint(g, Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
+            StatusLook.mark(row.status())
+                    .draw(new GraphicsCanvas(g), Theme.exact(8) + r, height / 2, r, StatusLook.ink(row.status()));
             double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
             double number = Drawing.width(Theme.mono(), row.number()) + Theme.exact(8);
             double room = width - number - Theme.exact(row.calling() ? 22 : 4);
             if (row.calling()) {
-                g.setColor(Ink.GOOD.color());
+                g.setColor(Theme.color(Ink.GOOD));
                 Symbol.CALL.paint(g, width - number - Theme.exact(10), height / 2, Theme.exact(12));
             }
             g.setFont(Theme.strong());
-            g.setColor(Ink.TEXT.color());
+            g.setColor(Theme.color(Ink.TEXT));
             double left = Theme.exact(28);
             g.drawString(Drawing.fitted(Theme.strong(), row.name(), room - left), (float) left, (float) base);
             g.setFont(Theme.mono());
-            g.setColor(Ink.QUIET.color());
+            g.setColor(Theme.color(Ink.QUIET));
             g.drawString(row.number(), (float) (width - number), (float) base);
         }
     }

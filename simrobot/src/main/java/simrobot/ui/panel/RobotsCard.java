@@ -13,30 +13,30 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Named;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.OpenPort;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.StatusLamps;
 import simrobot.ui.TextLine;
 
 /** Which robots there are, the selected one's status and ports, and the buttons that add and remove robots. */
 final class RobotsCard extends JPanel {
-    private final Texts texts;
+    private final TextBundle texts;
     private final RobotList robots;
     private final StatusLamps statuses;
     private final TextLine ports = new TextLine("ports", Theme::monoSmall, Ink.QUIET);
-    private final Act add;
-    private final Act remove;
+    private final UserAction add;
+    private final UserAction remove;
     private final JPanel buttons;
     private final JPanel process;
     private final JComboBox<String> behaviour = new JComboBox<>();
@@ -45,15 +45,15 @@ final class RobotsCard extends JPanel {
     private boolean showing;
 
     /** @param newcomer opens and closes the form for a new robot */
-    RobotsCard(Texts texts, Consumer<String> selection, SimRobotActions operator, Runnable newcomer) {
+    RobotsCard(TextBundle texts, Consumer<String> selection, OperatorActions operator, Runnable newcomer) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
-        add = new Act("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
+        add = new UserAction("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
         add.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK));
-        remove = new Act("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
+        remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
                 .with(Symbol.MINUS.icon(12));
         remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
         buttons = Arrange.row(
@@ -65,7 +65,7 @@ final class RobotsCard extends JPanel {
         for (BehaviourKind kind : BehaviourKind.values()) {
             behaviour.addItem(word(texts, kind));
         }
-        Named.name(behaviour, "robot.behaviour", texts.of("robot.behaviour"));
+        ComponentNames.name(behaviour, "robot.behaviour", texts.of("robot.behaviour"));
         behaviour.setToolTipText(texts.of("robot.behaviour.hint"));
         behaviour.addActionListener(event -> chosen(operator));
         JLabel label = new JLabel(texts.of("robot.behaviour"));
@@ -77,14 +77,14 @@ final class RobotsCard extends JPanel {
                 texts.of("robots.title"), Arrange.column(10, robots.component(), buttons, statuses, process, ports)));
     }
 
-    private static AbstractButton button(Act act, String hint) {
+    private static AbstractButton button(UserAction act, String hint) {
         JButton button = new JButton(act.described(hint));
-        return Named.name(button, act.id(), hint);
+        return ComponentNames.name(button, act.id(), hint);
     }
 
     /** Ctrl and an arrow select the next or the last robot from everywhere in the window. */
     private void step(int key, int by) {
-        new Act("robots.step." + by, "", () -> robots.step(by))
+        new UserAction("robots.step." + by, "", () -> robots.step(by))
                 .bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
     }
 
@@ -101,7 +101,7 @@ final class RobotsCard extends JPanel {
         process.setVisible(live);
     }
 
-    static String word(Texts texts, BehaviourKind kind) {
+    static String word(TextBundle texts, BehaviourKind kind) {
         return switch (kind) {
             case NONE -> texts.of("behaviour.none");
             case WANDER -> texts.of("behaviour.wander");
@@ -110,7 +110,7 @@ final class RobotsCard extends JPanel {
     }
 
     /** A choice shows what is: it asks, and what the robot then does comes back. */
-    private void chosen(SimRobotActions operator) {
+    private void chosen(OperatorActions operator) {
         BehaviourKind kind = BehaviourKind.values()[behaviour.getSelectedIndex()];
         if (!showing && kind != present) {
             operator.setBehaviour(selected, kind);

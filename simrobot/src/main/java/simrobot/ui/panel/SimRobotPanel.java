@@ -9,16 +9,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JPanel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Drawing;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.LineSnapshot;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.SimRobotTexts;
+import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.editor.EditorPanel;
@@ -35,8 +35,8 @@ public final class SimRobotPanel extends JPanel {
     /** In units; in a lower window the floor needs the room more than the scope's faders do. */
     private static final int LEAST_ROOMY_HEIGHT = 640;
 
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final ToolRow tools;
     private final WorldView world;
     private final Inspector inspector;
@@ -49,14 +49,14 @@ public final class SimRobotPanel extends JPanel {
     private final EditorPanel editor;
     private boolean pausedBefore;
     private WindowSnapshot shown;
-    private final CalledElsewhere elsewhere;
+    private final BusyRobotNotice elsewhere;
     private final TimelinePanel timeline;
     private final JPanel bottom;
     private String selected;
     private String wished;
 
     /** A window that shows the given snapshot until it gets a newer one. */
-    public SimRobotPanel(Locale language, WindowSnapshot first, SimRobotActions operator) {
+    public SimRobotPanel(Locale language, WindowSnapshot first, OperatorActions operator) {
         super(new BorderLayout());
         this.operator = operator;
         texts = SimRobotTexts.in(language);
@@ -69,7 +69,7 @@ public final class SimRobotPanel extends JPanel {
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);
-        elsewhere = new CalledElsewhere(texts, this::select);
+        elsewhere = new BusyRobotNotice(texts, this::select);
         JPanel floor = new Framed(world);
         bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), orders);
         timeline = new TimelinePanel(texts, operator);
@@ -81,7 +81,7 @@ public final class SimRobotPanel extends JPanel {
         sheets.add(all, RUNNING);
         sheets.add(editor, EDITING);
         add(sheets, BorderLayout.CENTER);
-        setBackground(Ink.SURFACE.color());
+        setBackground(Theme.color(Ink.SURFACE));
         setName("simrobot");
         show(first);
     }
@@ -103,7 +103,7 @@ public final class SimRobotPanel extends JPanel {
             operator.watch(selected);
         }
         Optional<RobotSnapshot> robot = robot(selected);
-        Optional<LineSnapshot> line = line(selected);
+        Optional<TelephoneSnapshot> line = line(selected);
         if (editor.isVisible()) {
             editor.showRobots(newest.simulation().robots());
         }
@@ -180,7 +180,7 @@ public final class SimRobotPanel extends JPanel {
                 .findFirst();
     }
 
-    private Optional<LineSnapshot> line(String robot) {
+    private Optional<TelephoneSnapshot> line(String robot) {
         return shown.lines().stream().filter(line -> line.robot().equals(robot)).findFirst();
     }
 
@@ -189,8 +189,8 @@ public final class SimRobotPanel extends JPanel {
                 .map(robot -> new RobotList.Row(
                         robot.name(),
                         robot.status(),
-                        line(robot.name()).map(LineSnapshot::number).orElse(""),
-                        line(robot.name()).filter(LineSnapshot::isInCall).isPresent()))
+                        line(robot.name()).map(TelephoneSnapshot::number).orElse(""),
+                        line(robot.name()).filter(TelephoneSnapshot::isInCall).isPresent()))
                 .toList();
     }
 
@@ -203,7 +203,7 @@ public final class SimRobotPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        setBackground(Ink.SURFACE.color());
+        setBackground(Theme.color(Ink.SURFACE));
     }
 
     /** A thin line about the floor. */
@@ -219,7 +219,7 @@ public final class SimRobotPanel extends JPanel {
         protected void paintComponent(Graphics graphics) {
             Graphics2D g = Drawing.on(graphics);
             try {
-                g.setColor(Ink.LINE.color());
+                g.setColor(Theme.color(Ink.LINE));
                 g.fillRect(0, 0, getWidth(), getHeight());
             } finally {
                 g.dispose();

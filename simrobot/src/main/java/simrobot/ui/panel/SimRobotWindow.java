@@ -4,11 +4,11 @@ import java.awt.Dimension;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import simgsm.ui.Newest;
-import simgsm.ui.ProgramWindow;
+import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
-import simgsm.ui.WindowIcon;
-import simrobot.ui.SimRobotActions;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowIcon;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.WindowSnapshot;
 
 /** What SimRobot has in its window: {@link SimRobotPanel}, kept up to date. */
@@ -24,9 +24,9 @@ public final class SimRobotWindow {
      * @param snapshots asked by the event thread; the same object as long as nothing has changed
      */
     public static ProgramWindow.Content content(
-            String title, Locale language, Supplier<WindowSnapshot> snapshots, SimRobotActions operator) {
+            String title, Locale language, Supplier<WindowSnapshot> snapshots, OperatorActions operator) {
         SimRobotPanel panel = new SimRobotPanel(language, snapshots.get(), operator);
-        Newest<WindowSnapshot> newest = new Newest<>(snapshots, panel::show);
+        SnapshotPoller<WindowSnapshot> newest = new SnapshotPoller<>(snapshots, panel::show);
         newest.start();
         return new ProgramWindow.Content(
                 title,

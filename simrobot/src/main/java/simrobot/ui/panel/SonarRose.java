@@ -6,10 +6,10 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
 import simrobot.ui.PaintedComponent;
@@ -24,10 +24,10 @@ final class SonarRose extends PaintedComponent {
     private static final double[] RINGS_METERS = {1, 2, 5};
     private static final double SECTOR_DEGREES = 17;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private double[] ranges = new double[0];
 
-    SonarRose(Texts texts) {
+    SonarRose(TextBundle texts) {
         super("sonar");
         this.texts = texts;
         show(ranges);
@@ -80,7 +80,7 @@ final class SonarRose extends PaintedComponent {
             sector(g, x, y, radius, i);
         }
         robot(g, x, y, radius);
-        g.setColor(Ink.QUIET.color());
+        g.setColor(Theme.color(Ink.QUIET));
         Drawing.centred(g, nearestInWords(), Theme.small(), x, height - caption / 2);
     }
 
@@ -91,7 +91,7 @@ final class SonarRose extends PaintedComponent {
     private static void rings(Graphics2D g, double x, double y, double radius) {
         for (double meters : RINGS_METERS) {
             double r = reach(meters, radius);
-            g.setColor(Ink.LINE.color());
+            g.setColor(Theme.color(Ink.LINE));
             g.setStroke(Theme.hairline());
             g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
         }
@@ -106,11 +106,11 @@ final class SonarRose extends PaintedComponent {
         double middle = 90 + Math.toDegrees(SonarRing.directionRadians(sonar));
         Arc2D sector =
                 new Arc2D.Double(x - r, y - r, 2 * r, 2 * r, middle - SECTOR_DEGREES / 2, SECTOR_DEGREES, Arc2D.PIE);
-        g.setColor(ink.color(echo ? 0.16 : 0.05));
+        g.setColor(Theme.color(ink, echo ? 0.16 : 0.05));
         g.fill(sector);
         if (echo) {
             sector.setArcType(Arc2D.OPEN);
-            g.setColor(ink.color());
+            g.setColor(Theme.color(ink));
             g.setStroke(Theme.stroke(ranges[sonar] < NEAR_METERS ? 2.6 : 1.6));
             g.draw(sector);
         }
@@ -129,9 +129,9 @@ final class SonarRose extends PaintedComponent {
             }
         }
         body.closePath();
-        g.setColor(Ink.CARD.color());
+        g.setColor(Theme.color(Ink.CARD));
         g.fill(body);
-        g.setColor(Ink.ROBOT.color());
+        g.setColor(Theme.color(Ink.ROBOT));
         g.setStroke(Theme.stroke(1.6));
         g.draw(body);
         double tip = 0.12 * scale;

@@ -2,21 +2,21 @@ package simrobot.ui.panel;
 
 import java.awt.event.ActionEvent;
 import javax.swing.JComboBox;
-import simgsm.ui.Named;
-import simgsm.ui.Texts;
-import simrobot.ui.SimRobotActions;
+import simgsm.console.TextBundle;
+import simgsm.ui.ComponentNames;
+import simrobot.ui.OperatorActions;
 
 /** How fast simulated time runs; a pace that came from the command line is listed, too. */
 final class SpeedChoice {
     private static final double[] PACES = {0.1, 0.25, 0.5, 1, 2, 5, 10, 50, Double.POSITIVE_INFINITY};
 
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final JComboBox<String> box = new JComboBox<>();
     private double shown = 1;
     private boolean showing;
 
-    SpeedChoice(Texts texts, SimRobotActions operator) {
+    SpeedChoice(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
         for (double pace : PACES) {
@@ -24,7 +24,7 @@ final class SpeedChoice {
         }
         box.setSelectedItem(word(shown));
         box.addActionListener(this::chosen);
-        Named.name(box, "tool.speed", texts.of("tool.speed"));
+        ComponentNames.name(box, "tool.speed", texts.of("tool.speed"));
         box.setToolTipText(texts.of("tool.speed"));
     }
 

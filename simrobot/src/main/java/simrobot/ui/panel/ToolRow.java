@@ -15,19 +15,18 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
-import simgsm.ui.Named;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.WindowKeys;
+import simgsm.ui.UserAction;
+import simgsm.ui.window.WindowKeys;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
-import simrobot.ui.Glyph;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.Layers;
@@ -35,9 +34,9 @@ import simrobot.ui.floor.WorldView;
 
 /** The row above the floor: world, link, switches, time, and what the floor shows. */
 final class ToolRow extends JPanel {
-    private final Texts texts;
+    private final TextBundle texts;
     private final Locale language;
-    private final SimRobotActions operator;
+    private final OperatorActions operator;
     private final WorldView view;
     private final WorldChoice worlds;
     private final Lamp link;
@@ -56,7 +55,7 @@ final class ToolRow extends JPanel {
     private String robot = "";
     private boolean paused;
 
-    ToolRow(Texts texts, Locale language, SimRobotActions operator, WorldView view, Consumer<Boolean> editing) {
+    ToolRow(TextBundle texts, Locale language, OperatorActions operator, WorldView view, Consumer<Boolean> editing) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
@@ -72,9 +71,9 @@ final class ToolRow extends JPanel {
         step = button("step", Symbol.STEP.icon(), KeyEvent.VK_PERIOD, operator::stepOnce);
         follow = toggle("follow", Symbol.FOLLOW.icon(), KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
         speed = new SpeedChoice(texts, operator);
-        ruler = toggle("ruler", Glyph.RULER.icon(), KeyEvent.VK_R, view::toggleRuler);
+        ruler = toggle("ruler", Symbol.RULER.icon(), KeyEvent.VK_R, view::toggleRuler);
         exports = new ExportChoice(texts, operator);
-        JButton brake = button("brake", Glyph.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
+        JButton brake = button("brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
         worded(brake, "brake");
         worded(power, "power");
         worded(motors, "motors");
@@ -98,7 +97,7 @@ final class ToolRow extends JPanel {
                 follow,
                 layer("trail", Symbol.TRAIL.icon(), KeyEvent.VK_T, shown -> shown.withTrail(!shown.trail())),
                 layer("rays", Symbol.RAYS.icon(), KeyEvent.VK_S, shown -> shown.withSonar(!shown.sonar())),
-                layer("grid", Glyph.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
+                layer("grid", Symbol.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
                 ruler,
                 exports.component(),
                 button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
@@ -190,13 +189,13 @@ final class ToolRow extends JPanel {
     private <B extends AbstractButton> B dressed(B button, String id) {
         button.setText(null);
         button.setHideActionText(true);
-        return Named.name(button, "tool." + id, texts.of("tool." + id));
+        return ComponentNames.name(button, "tool." + id, texts.of("tool." + id));
     }
 
     /** With Ctrl and its letter an act is reached from everywhere in the window. */
-    private Act act(String id, Icon icon, int key, Runnable deed) {
+    private UserAction act(String id, Icon icon, int key, Runnable deed) {
         String name = texts.of("tool." + id);
-        Act act = new Act("tool." + id, name, deed).with(icon);
+        UserAction act = new UserAction("tool." + id, name, deed).with(icon);
         if (key == 0) {
             return act.described(name);
         }

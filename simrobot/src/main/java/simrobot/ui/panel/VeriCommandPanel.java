@@ -5,15 +5,15 @@ import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JPanel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;
-import simgsm.ui.Mark;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
-import simrobot.ui.LineSnapshot;
+import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 import vericommand.VeriCommandSnapshot;
 
@@ -21,15 +21,15 @@ import vericommand.VeriCommandSnapshot;
 final class VeriCommandPanel extends JPanel {
     private static final int WIDTH_UNITS = 340;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final TextLine from = new TextLine("order.from", Theme::base, Ink.QUIET);
     private final Keycaps keys;
     private final TextLine words = new TextLine("order.words", Theme::strong, Ink.TEXT);
     private final Lamp verdict;
-    private final ReplyChips replies;
+    private final ReplyLabels replies;
     private final TextLine reply = new TextLine("order.reply", Theme::small, Ink.QUIET).overTwoRows();
 
-    VeriCommandPanel(Texts texts, Locale language) {
+    VeriCommandPanel(TextBundle texts, Locale language) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
@@ -37,7 +37,7 @@ final class VeriCommandPanel extends JPanel {
         keys.setName("order.keys");
         verdict = new Lamp(texts.of("order.verdict"));
         verdict.setName("order.verdict");
-        replies = new ReplyChips(language);
+        replies = new ReplyLabels(language);
         JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
         add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
     }
@@ -48,7 +48,7 @@ final class VeriCommandPanel extends JPanel {
         return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
     }
 
-    void show(LineSnapshot line) {
+    void show(TelephoneSnapshot line) {
         VeriCommandSnapshot order = line.orders();
         from.show(origin(order));
         keys.show(order.keys(), order.failingPosition());
@@ -71,14 +71,15 @@ final class VeriCommandPanel extends JPanel {
         switch (order.verdictWord()) {
             case "accepted" -> {
                 boolean going = order.underWay();
-                Mark mark = going ? Mark.ARROW : Mark.TICK;
+                StatusMark mark = going ? StatusMark.ARROW : StatusMark.TICK;
                 verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, order.verdictText());
             }
-            case "refused" -> verdict.show(Mark.CROSS, Ink.WARNING, order.verdictText());
-            case "invalid" -> verdict.show(Mark.CROSS, Ink.DANGER, order.verdictText());
+            case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, order.verdictText());
+            case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, order.verdictText());
             default -> {
                 String waiting = order.keys().isEmpty() ? "order.waiting" : "order.reading";
-                verdict.show(order.keys().isEmpty() ? Mark.RING : Mark.HALF_DISC, Ink.QUIET, texts.of(waiting));
+                verdict.show(
+                        order.keys().isEmpty() ? StatusMark.RING : StatusMark.HALF_DISC, Ink.QUIET, texts.of(waiting));
             }
         }
     }

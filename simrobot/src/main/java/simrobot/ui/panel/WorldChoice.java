@@ -14,33 +14,33 @@ import javax.swing.JFileChooser;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import simgsm.ui.Act;
-import simgsm.ui.Named;
+import simgsm.console.TextBundle;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
-import simrobot.ui.SimRobotActions;
+import simgsm.ui.UserAction;
+import simrobot.ui.OperatorActions;
 
 /** The present world's name; pressing it offers its neighbours in the folder, or any other file. */
 public final class WorldChoice {
-    private final Texts texts;
-    private final SimRobotActions operator;
+    private final TextBundle texts;
+    private final OperatorActions operator;
     private final Consumer<Boolean> editing;
     private final JButton button;
     private Path file = Path.of("");
 
     /** @param editing told true for a new world, false for the present one */
-    WorldChoice(Texts texts, SimRobotActions operator, Consumer<Boolean> editing) {
+    WorldChoice(TextBundle texts, OperatorActions operator, Consumer<Boolean> editing) {
         this.texts = texts;
         this.editing = editing;
         this.operator = operator;
-        Act open = new Act("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
+        UserAction open = new UserAction("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
         button = new JButton(open);
         button.setHorizontalTextPosition(JButton.LEADING);
         button.setToolTipText(texts.of("tool.world"));
         open.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK));
-        new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+        new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
                 .bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK));
-        Named.name(button, "tool.world", texts.of("tool.world"));
+        ComponentNames.name(button, "tool.world", texts.of("tool.world"));
     }
 
     JButton component() {
@@ -63,15 +63,15 @@ public final class WorldChoice {
         JPopupMenu menu = new JPopupMenu();
         for (Path neighbour : neighbours()) {
             String name = neighbour.getFileName().toString();
-            menu.add(new Act("world." + name, name, () -> operator.load(neighbour)));
+            menu.add(new UserAction("world." + name, name, () -> operator.load(neighbour)));
         }
         menu.addSeparator();
-        menu.add(new Act("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+        menu.add(new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
                 .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK)));
-        menu.add(new Act("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
+        menu.add(new UserAction("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
         menu.addSeparator();
-        menu.add(new Act("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
-        menu.add(new Act("world.open", texts.of("tool.world.open"), this::choose));
+        menu.add(new UserAction("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
+        menu.add(new UserAction("world.open", texts.of("tool.world.open"), this::choose));
         return menu;
     }
 

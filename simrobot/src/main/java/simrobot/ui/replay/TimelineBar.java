@@ -15,13 +15,14 @@ import java.util.function.LongConsumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
 import simgsm.ui.Drawing;
-import simgsm.ui.Mark;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.SpokenComponent;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.replay.TimelineMarker;
 import simrobot.ui.Timeline;
 import simrobot.ui.floor.WorldView;
@@ -35,12 +36,12 @@ final class TimelineBar extends SpokenComponent {
     private static final double SIDE_UNITS = 12;
     private static final double REACH_UNITS = 5;
 
-    private final Texts texts;
+    private final TextBundle texts;
     private final LongConsumer seek;
     private Timeline timeline = new Timeline(0, 0, java.util.List.of());
     private long position;
 
-    TimelineBar(Texts texts, LongConsumer seek) {
+    TimelineBar(TextBundle texts, LongConsumer seek) {
         super(AccessibleRole.SLIDER);
         this.texts = texts;
         this.seek = seek;
@@ -62,7 +63,7 @@ final class TimelineBar extends SpokenComponent {
     }
 
     private void key(String id, int key, int modifiers, java.util.function.LongSupplier to) {
-        new Act("timeline." + id, "", () -> seek.accept(timeline.clamp(to.getAsLong())))
+        new UserAction("timeline." + id, "", () -> seek.accept(timeline.clamp(to.getAsLong())))
                 .bind(this, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, modifiers));
     }
 
@@ -97,12 +98,12 @@ final class TimelineBar extends SpokenComponent {
                 .min((a, b) -> Double.compare(Math.abs(x(a.timeNanos()) - x), Math.abs(x(b.timeNanos()) - x)));
     }
 
-    static Mark mark(TimelineMarker.Kind kind) {
+    static StatusMark mark(TimelineMarker.Kind kind) {
         return switch (kind) {
-            case ORDER -> Mark.ARROW;
-            case COLLISION -> Mark.BURST;
-            case REPLY -> Mark.DISC;
-            case CALL -> Mark.DIAMOND;
+            case ORDER -> StatusMark.ARROW;
+            case COLLISION -> StatusMark.BURST;
+            case REPLY -> StatusMark.DISC;
+            case CALL -> StatusMark.DIAMOND;
         };
     }
 
@@ -134,21 +135,26 @@ final class TimelineBar extends SpokenComponent {
             double side = Theme.exact(SIDE_UNITS);
             double track = getHeight() - Theme.exact(14);
             for (TimelineMarker.Kind kind : TimelineMarker.Kind.values()) {
-                g.setColor(Ink.LINE.color(0.6));
+                g.setColor(Theme.color(Ink.LINE, 0.6));
                 Drawing.horizontal(g, side, getWidth() - side, row(kind));
             }
-            g.setColor(Ink.LINE.color());
+            g.setColor(Theme.color(Ink.LINE));
             g.fill(Drawing.round(side, track - Theme.exact(3), getWidth() - 2 * side, Theme.exact(6), Theme.exact(3)));
             double here = x(position);
-            g.setColor(Ink.ACCENT.color());
+            g.setColor(Theme.color(Ink.ACCENT));
             g.fill(Drawing.round(side, track - Theme.exact(3), here - side, Theme.exact(6), Theme.exact(3)));
             for (TimelineMarker marker : timeline.markers()) {
                 mark(marker.kind())
-                        .paint(g, x(marker.timeNanos()), row(marker.kind()), Theme.exact(4.5), ink(marker.kind()));
+                        .draw(
+                                new GraphicsCanvas(g),
+                                x(marker.timeNanos()),
+                                row(marker.kind()),
+                                Theme.exact(4.5),
+                                ink(marker.kind()));
             }
-            g.setColor(Ink.ACCENT.color());
+            g.setColor(Theme.color(Ink.ACCENT));
             Drawing.vertical(g, here, Theme.exact(4), track);
-            Mark.DISC.paint(g, here, track, Theme.exact(8), Ink.ACCENT);
+            StatusMark.DISC.draw(new GraphicsCanvas(g), here, track, Theme.exact(8), Ink.ACCENT);
             if (isFocusOwner()) {
                 g.setStroke(Theme.stroke(1.6));
                 g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));

@@ -6,18 +6,18 @@ import java.awt.event.KeyEvent;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import simgsm.ui.Act;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
-import simgsm.ui.Named;
 import simgsm.ui.Symbol;
-import simgsm.ui.Texts;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.UserAction;
 import simrobot.replay.TimelineMarker;
 import simrobot.ui.CompactButtons;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
 import simrobot.ui.TextLine;
 import simrobot.ui.Timeline;
 import simrobot.ui.floor.WorldView;
@@ -25,13 +25,13 @@ import simrobot.ui.floor.WorldView;
 /** A recording that is played: its timeline, and buttons from marker to marker. It takes the telephone's place. */
 public final class TimelinePanel extends JPanel {
     private final TimelineBar bar;
-    private final SimRobotActions operator;
+    private final OperatorActions operator;
     private final TextLine time = new TextLine("timeline.time", Theme::monoStrong, Ink.TEXT);
     private final JPanel row;
     private Timeline timeline;
     private long position;
 
-    public TimelinePanel(Texts texts, SimRobotActions operator) {
+    public TimelinePanel(TextBundle texts, OperatorActions operator) {
         super(new BorderLayout());
         this.operator = operator;
         setOpaque(false);
@@ -54,7 +54,7 @@ public final class TimelinePanel extends JPanel {
         setVisible(false);
     }
 
-    private static String word(Texts texts, TimelineMarker.Kind kind) {
+    private static String word(TextBundle texts, TimelineMarker.Kind kind) {
         return switch (kind) {
             case ORDER -> texts.of("timeline.order");
             case COLLISION -> texts.of("timeline.collision");
@@ -63,13 +63,14 @@ public final class TimelinePanel extends JPanel {
         };
     }
 
-    private JButton button(String id, Symbol symbol, int key, Texts texts, java.util.function.LongSupplier where) {
+    private JButton button(String id, Symbol symbol, int key, TextBundle texts, java.util.function.LongSupplier where) {
         String name = texts.of(id.equals("next") ? "timeline.next" : "timeline.previous");
-        Act act = new Act("timeline.to." + id, name, () -> operator.seek(where.getAsLong())).with(symbol.icon());
+        UserAction act =
+                new UserAction("timeline.to." + id, name, () -> operator.seek(where.getAsLong())).with(symbol.icon());
         act.bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK | InputEvent.CTRL_DOWN_MASK));
         JButton button = new JButton(act.described(name + "  (Ctrl+Alt+" + KeyEvent.getKeyText(key) + ")"));
         button.setHideActionText(true);
-        return Named.name(button, act.id(), name);
+        return ComponentNames.name(button, act.id(), name);
     }
 
     @Override

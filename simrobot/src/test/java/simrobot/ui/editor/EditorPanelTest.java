@@ -19,9 +19,9 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.editor.Item;
 import simrobot.ui.floor.Viewport;
 import simrobot.ui.panel.WindowBench;
@@ -36,14 +36,14 @@ class EditorPanelTest {
     Path folder;
 
     private WindowBench bench;
-    private EditorFloor floor;
+    private EditorView floor;
 
     @BeforeEach
     void theEditorOverAnEmptyRoom() throws Exception {
         Theme.install(Appearance.LIGHT);
         bench = new WindowBench("empty.map", Locale.ENGLISH, "robot");
         menu("world.edit");
-        floor = (EditorFloor) bench.component("editor.floor");
+        floor = (EditorView) bench.component("editor.floor");
         layOut();
     }
 

@@ -9,9 +9,9 @@ import java.awt.event.MouseEvent;
 import java.util.Locale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.ui.panel.WindowBench;
 import simrobot.world.Position;
 

@@ -15,9 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.ui.Theme;
-import simgsm.ui.Theme.Ink;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.panel.WindowBench;
@@ -70,10 +70,10 @@ class WorldPainterTest {
         // the body's middle lies 4 cm behind the centre of rotation: 26 cm back, 18 cm ahead
         int behind = (int) (WIDTH / 2 - 0.24 * 400);
         assertEquals(
-                Ink.ROBOT.color().getRGB(),
+                Theme.color(Ink.ROBOT).getRGB(),
                 painted(simulation, closeUp(), Layers.ALL, 1).getRGB(behind, 196));
         robot.place(0, 0, Math.PI);
-        assertTrue(Ink.ROBOT.color().getRGB()
+        assertTrue(Theme.color(Ink.ROBOT).getRGB()
                 != painted(simulation, closeUp(), Layers.ALL, 1).getRGB(behind, 196));
     }
 

@@ -13,7 +13,7 @@ import java.util.Locale;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
 import simrobot.robot.SimulatedRobot;
 import simrobot.ui.panel.WindowBench;

@@ -15,7 +15,7 @@ import javax.swing.JList;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import simgsm.ui.Appearance;
+import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
 import simrobot.control.LoggedEvent;
 import simrobot.ui.OpenPort;

@@ -18,15 +18,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.air.RejectCause;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileCallState;
 import simgsm.station.StationSnapshot;
-import simgsm.ui.Appearance;
-import simgsm.ui.Chip;
 import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;
+import simgsm.ui.NumberedLabel;
 import simgsm.ui.Theme;
-import simrobot.ui.LineSnapshot;
+import simrobot.ui.TelephoneSnapshot;
 import vericommand.Instruction;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSnapshot;
@@ -48,7 +49,7 @@ class SimRobotPanelTest {
         return new WindowBench("empty.map", ENGLISH, "robot");
     }
 
-    private static WindowBench bench(LineSnapshot line) throws Exception {
+    private static WindowBench bench(TelephoneSnapshot line) throws Exception {
         WindowBench bench = bench();
         bench.lines = List.of(line);
         return bench.show().resize(1100, 800);
@@ -267,7 +268,7 @@ class SimRobotPanelTest {
         "22, false, congestion"
     })
     void aModemThatTheNetworkRefusesSaysWhy(int cause, boolean cardRefused, String words) throws Exception {
-        LineSnapshot line = WindowBench.line("robot", false, false, WindowBench.noOrders(), "");
+        TelephoneSnapshot line = WindowBench.line("robot", false, false, WindowBench.noOrders(), "");
         StationSnapshot refused = new StationSnapshot(
                 true,
                 true,
@@ -279,7 +280,7 @@ class SimRobotPanelTest {
                 Optional.empty(),
                 SpeechCodec.Kind.A_LAW,
                 Optional.empty());
-        WindowBench bench = bench(new LineSnapshot(
+        WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
         assertEquals(words, bench.spoken("modem.network"));
         assertTrue(bench.spoken("lamp.link").endsWith("refused"), bench.spoken("lamp.link"));
@@ -296,9 +297,9 @@ class SimRobotPanelTest {
 
     @Test
     void theModemSaysQuietlyThatThereIsNoSound() throws Exception {
-        LineSnapshot mute = WindowBench.line("robot", true, false, WindowBench.noOrders(), "");
+        TelephoneSnapshot mute = WindowBench.line("robot", true, false, WindowBench.noOrders(), "");
         assertEquals("no sound", ((JLabel) bench(mute).component("modem.sound")).getText());
-        LineSnapshot audible = new LineSnapshot(
+        TelephoneSnapshot audible = new TelephoneSnapshot(
                 mute.robot(), mute.number(), mute.modem(), mute.heard(), mute.orders(), mute.tones(), true);
         JLabel sound = (JLabel) bench(audible).component("modem.sound");
         assertEquals("", sound.getText());
@@ -324,7 +325,7 @@ class SimRobotPanelTest {
         assertEquals("Verdict: accepted", bench.spoken("order.verdict"));
         assertEquals("Call from 5550100", bench.spoken("order.from"));
         assertEquals("6 executing", bench.spoken("reply.6"));
-        assertEquals(Chip.class, bench.component("reply.3").getClass());
+        assertEquals(NumberedLabel.class, bench.component("reply.3").getClass());
     }
 
     @Test
@@ -383,9 +384,9 @@ class SimRobotPanelTest {
             bench.resize(width, width * 3 / 4);
             for (double scale : new double[] {1, 1.25, 2}) {
                 var image = WindowBench.painted(bench.panel, scale);
-                assertTrue(WindowBench.count(image, Theme.Ink.ROBOT) > 3, width + " at " + scale);
-                assertTrue(WindowBench.count(image, Theme.Ink.WALL) > 30, width + " at " + scale);
-                assertTrue(WindowBench.count(image, Theme.Ink.CARD) > 10_000, width + " at " + scale);
+                assertTrue(WindowBench.count(image, Ink.ROBOT) > 3, width + " at " + scale);
+                assertTrue(WindowBench.count(image, Ink.WALL) > 30, width + " at " + scale);
+                assertTrue(WindowBench.count(image, Ink.CARD) > 10_000, width + " at " + scale);
             }
         }
     }

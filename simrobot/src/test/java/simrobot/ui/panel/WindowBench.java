@@ -16,20 +16,21 @@ import javax.swing.AbstractButton;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
+import simgsm.draw.Ink;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileCallState;
 import simgsm.station.StationSnapshot;
-import simgsm.ui.Named;
-import simgsm.ui.Theme.Ink;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
 import simrobot.robot.Placement;
 import simrobot.simulation.Simulation;
-import simrobot.ui.LineSnapshot;
 import simrobot.ui.OpenPort;
-import simrobot.ui.SimRobotActions;
+import simrobot.ui.OperatorActions;
+import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
@@ -40,11 +41,11 @@ import vericommand.Pose;
 import vericommand.VeriCommandSnapshot;
 
 /** A window without a frame over a simulation that is moved by hand; it notes what its operator did. */
-public final class WindowBench implements SimRobotActions {
+public final class WindowBench implements OperatorActions {
     public final Simulation simulation;
     public final SimRobotPanel panel;
     public final List<String> acts = new ArrayList<>();
-    List<LineSnapshot> lines = List.of();
+    List<TelephoneSnapshot> lines = List.of();
     public boolean paused;
     String notice = "";
     List<OpenPort> ports = List.of();
@@ -108,7 +109,7 @@ public final class WindowBench implements SimRobotActions {
     }
 
     public Component component(String name) {
-        return Named.find(panel, name).orElseThrow(() -> new AssertionError("no component " + name));
+        return ComponentNames.find(panel, name).orElseThrow(() -> new AssertionError("no component " + name));
     }
 
     public String spoken(String name) {
@@ -147,7 +148,7 @@ public final class WindowBench implements SimRobotActions {
 
     /** How many pixels are nearly of that colour. */
     public static int count(BufferedImage image, Ink ink) {
-        int wanted = ink.color().getRGB();
+        int wanted = Theme.color(ink).getRGB();
         int found = 0;
         for (int y = 0; y < image.getHeight(); y++) {
             for (int x = 0; x < image.getWidth(); x++) {
@@ -165,12 +166,12 @@ public final class WindowBench implements SimRobotActions {
     // ---- a telephone
     // -------------------------------------------------------------------------------------------------
 
-    static LineSnapshot line(
+    static TelephoneSnapshot line(
             String robot, boolean registered, boolean inCall, VeriCommandSnapshot orders, String tones) {
         return line(robot, registered, inCall, orders, tones, Optional.empty());
     }
 
-    static LineSnapshot line(
+    static TelephoneSnapshot line(
             String robot,
             boolean registered,
             boolean inCall,
@@ -188,7 +189,7 @@ public final class WindowBench implements SimRobotActions {
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
                 SpeechCodec.Kind.A_LAW,
                 heardCodec);
-        return new LineSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
+        return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
     }
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {

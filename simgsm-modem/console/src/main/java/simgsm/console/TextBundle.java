@@ -1,0 +1,44 @@
+package simgsm.console;
+
+import java.text.MessageFormat;
+import java.util.Locale;
+import java.util.MissingResourceException;
+import java.util.ResourceBundle;
+
+/**
+ * The texts of one bundle. Each module loads its own bundle (in a named module nobody else can) and wraps it here; a key
+ * that is missing shows as itself.
+ */
+public final class TextBundle {
+    private final ResourceBundle bundle;
+    private final Locale locale;
+
+    /** @param locale for numbers in the texts */
+    public TextBundle(ResourceBundle bundle, Locale locale) {
+        this.bundle = bundle;
+        this.locale = locale;
+    }
+
+    /**
+     * The locale to load a bundle with: Spanish for Spanish, else the root, so that English never falls back to the
+     * system's language.
+     */
+    public static Locale bundleLocale(Locale language) {
+        return language.getLanguage().equals("es") ? Locale.forLanguageTag("es") : Locale.ROOT;
+    }
+
+    /** The text of a key, its places filled in by MessageFormat if there are arguments. */
+    public String of(String key, Object... arguments) {
+        String pattern;
+        try {
+            pattern = bundle.getString(key);
+        } catch (MissingResourceException missing) {
+            return key;
+        }
+        return arguments.length == 0 ? pattern : new MessageFormat(pattern, locale).format(arguments);
+    }
+
+    public Locale locale() {
+        return locale;
+    }
+}

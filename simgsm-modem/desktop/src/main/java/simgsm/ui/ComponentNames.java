@@ -1,0 +1,38 @@
+package simgsm.ui;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.Optional;
+import javax.swing.JComponent;
+
+/** Names: one for tests and one for assistive technology. */
+public final class ComponentNames {
+    private ComponentNames() {}
+
+    /**
+     * @param componentName for tests, as {@code key.5}
+     * @param accessibleName what a screen reader says
+     * @return the component
+     */
+    public static <T extends JComponent> T name(T component, String componentName, String accessibleName) {
+        component.setName(componentName);
+        component.getAccessibleContext().setAccessibleName(accessibleName);
+        return component;
+    }
+
+    /** Finds a component in a tree by its name. */
+    public static Optional<Component> find(Component root, String componentName) {
+        if (componentName.equals(root.getName())) {
+            return Optional.of(root);
+        }
+        if (root instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                Optional<Component> found = find(child, componentName);
+                if (found.isPresent()) {
+                    return found;
+                }
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,41 @@
+package simgsm.ui;
+
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.Timer;
+
+/**
+ * Shows the newest snapshot some 40 times a second, only when it changed: slow painting drops frames, never events. The
+ * snapshots come from another thread through a volatile or atomic reference.
+ */
+public final class SnapshotPoller<T> {
+    private static final int PERIOD_MILLIS = 25;
+
+    private final Supplier<T> source;
+    private final Consumer<T> view;
+    private final Timer timer = new Timer(PERIOD_MILLIS, event -> show());
+    private T shown;
+
+    public SnapshotPoller(Supplier<T> source, Consumer<T> view) {
+        this.source = source;
+        this.view = view;
+        timer.setCoalesce(true);
+    }
+
+    public void start() {
+        timer.start();
+    }
+
+    public void stop() {
+        timer.stop();
+    }
+
+    /** Shows now, if there is something new. */
+    public void show() {
+        T newest = source.get();
+        if (newest != shown) {
+            shown = newest;
+            view.accept(newest);
+        }
+    }
+}

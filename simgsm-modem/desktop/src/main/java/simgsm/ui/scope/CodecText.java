@@ -1,0 +1,29 @@
+package simgsm.ui.scope;
+
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.console.TextBundle;
+import simgsm.speech.SpeechCodec;
+import simgsm.ui.DesktopTexts;
+
+/** How a call's speech is coded, in a word or two. */
+public final class CodecText {
+    private CodecText() {}
+
+    /**
+     * As "A-law", or "GSM 06.10 out, A-law in" where the two ends have chosen differently.
+     *
+     * @param heard empty while nothing has come
+     */
+    public static String of(SpeechCodec.Kind sent, Optional<SpeechCodec.Kind> heard, Locale language) {
+        TextBundle texts = DesktopTexts.in(language);
+        String own = name(texts, sent);
+        return heard.isEmpty() || heard.get() == sent
+                ? own
+                : texts.of("codec.different", own, name(texts, heard.get()));
+    }
+
+    private static String name(TextBundle texts, SpeechCodec.Kind kind) {
+        return texts.of("codec." + kind.name().toLowerCase(Locale.ROOT));
+    }
+}

@@ -1,0 +1,208 @@
+package simgsm.ui.scope;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Ellipse2D;
+import javax.accessibility.Accessible;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.accessibility.AccessibleState;
+import javax.accessibility.AccessibleStateSet;
+import javax.accessibility.AccessibleValue;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import simgsm.draw.Ink;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/**
+ * A slider: a track, lit from its point of rest to where it stands, and a knob. Dragged with the mouse, moved by the arrows,
+ * Page Up and Page Down, the wheel; Home and a double click bring it back to rest. Swing's own cannot be made without a
+ * display under this look and feel.
+ */
+final class Slider extends JComponent implements Accessible {
+    private static final double KNOB = 6;
+    private static final int PAGE = 5;
+
+    private final int least;
+    private final int most;
+    private final int rest;
+    private final transient Runnable moved;
+    private int value;
+
+    /**
+     * A fader at rest.
+     *
+     * @param rest where it does nothing, from least to most
+     * @param moved told of every change, on the event thread
+     */
+    Slider(int least, int most, int rest, Runnable moved) {
+        this.least = least;
+        this.most = most;
+        this.rest = rest;
+        this.value = rest;
+        this.moved = moved;
+        setFocusable(true);
+        bind(KeyEvent.VK_LEFT, "less", () -> setValue(value - 1));
+        bind(KeyEvent.VK_DOWN, "less", () -> setValue(value - 1));
+        bind(KeyEvent.VK_RIGHT, "more", () -> setValue(value + 1));
+        bind(KeyEvent.VK_UP, "more", () -> setValue(value + 1));
+        bind(KeyEvent.VK_PAGE_DOWN, "much.less", () -> setValue(value - PAGE));
+        bind(KeyEvent.VK_PAGE_UP, "much.more", () -> setValue(value + PAGE));
+        bind(KeyEvent.VK_HOME, "rest", () -> setValue(rest));
+        bind(KeyEvent.VK_END, "most", () -> setValue(most));
+        Mouse mouse = new Mouse();
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(event -> setValue(value - event.getWheelRotation()));
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                repaint();
+            }
+        });
+    }
+
+    private void bind(int key, String id, Runnable deed) {
+        new UserAction(id, id, deed).bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
+    }
+
+    int value() {
+        return value;
+    }
+
+    /** Moves it; kept within its bounds. */
+    void setValue(int wanted) {
+        int next = Math.max(least, Math.min(most, wanted));
+        if (next != value) {
+            int before = value;
+            value = next;
+            if (accessibleContext != null) {
+                accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_VALUE_PROPERTY, before, next);
+            }
+            repaint();
+            moved.run();
+        }
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(56), Theme.px(22));
+    }
+
+    /** Where the knob's middle lies for a value, in pixels from the left. */
+    private double at(int place) {
+        double edge = Theme.exact(KNOB + 2);
+        return edge + (getWidth() - 2 * edge) * (place - least) / (most - least);
+    }
+
+    private void pointTo(double x) {
+        double edge = Theme.exact(KNOB + 2);
+        double share = (x - edge) / Math.max(1, getWidth() - 2 * edge);
+        setValue((int) Math.round(least + share * (most - least)));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            double middle = getHeight() / 2.0;
+            double thick = Theme.exact(4);
+            bar(g, at(least), at(most), middle, thick, Ink.LINE);
+            bar(g, Math.min(at(rest), at(value)), Math.max(at(rest), at(value)), middle, thick, Ink.ACCENT);
+            g.setColor(Theme.color(Ink.CONTROL_LINE));
+            Drawing.vertical(g, at(rest) - Theme.exact(0.5), middle - Theme.exact(6), middle + Theme.exact(6));
+            double radius = Theme.exact(KNOB);
+            var knob = new Ellipse2D.Double(at(value) - radius, middle - radius, 2 * radius, 2 * radius);
+            g.setColor(Theme.color(Ink.CARD));
+            g.fill(knob);
+            g.setStroke(hasFocus() ? Theme.stroke(2.4) : Theme.line());
+            g.setColor(Theme.color(hasFocus() || value != rest ? Ink.ACCENT : Ink.CONTROL_LINE));
+            g.draw(knob);
+        } finally {
+            g.dispose();
+        }
+    }
+
+    private static void bar(Graphics2D g, double from, double to, double middle, double thick, Ink ink) {
+        g.setColor(Theme.color(ink));
+        g.fill(Drawing.round(from, middle - thick / 2, Math.max(0, to - from), thick, thick / 2));
+    }
+
+    private final class Mouse extends MouseAdapter {
+        @Override
+        public void mousePressed(MouseEvent event) {
+            requestFocusInWindow();
+            if (event.getClickCount() == 2) {
+                setValue(rest);
+            } else {
+                pointTo(event.getX());
+            }
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent event) {
+            pointTo(event.getX());
+        }
+    }
+
+    @Override
+    public AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new Spoken();
+        }
+        return accessibleContext;
+    }
+
+    private final class Spoken extends AccessibleJComponent implements AccessibleValue {
+        @Override
+        public AccessibleRole getAccessibleRole() {
+            return AccessibleRole.SLIDER;
+        }
+
+        @Override
+        public AccessibleStateSet getAccessibleStateSet() {
+            AccessibleStateSet states = super.getAccessibleStateSet();
+            states.add(AccessibleState.HORIZONTAL);
+            return states;
+        }
+
+        @Override
+        public AccessibleValue getAccessibleValue() {
+            return this;
+        }
+
+        @Override
+        public Number getCurrentAccessibleValue() {
+            return value;
+        }
+
+        @Override
+        public boolean setCurrentAccessibleValue(Number wanted) {
+            setValue(wanted.intValue());
+            return true;
+        }
+
+        @Override
+        public Number getMinimumAccessibleValue() {
+            return least;
+        }
+
+        @Override
+        public Number getMaximumAccessibleValue() {
+            return most;
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package simgsm.ui.scope;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.Locale;
+import javax.accessibility.AccessibleRole;
+import simgsm.dtmf.ToneTrace;
+import simgsm.ui.Drawing;
+import simgsm.ui.SpokenComponent;
+import simgsm.ui.Theme;
+
+/** The tone scope of phone and modem: shows the newest {@link ToneTrace} that it was given. */
+public final class ToneScope extends SpokenComponent {
+    /** In units. */
+    private static final int WIDTH = 288;
+
+    private static final int HEIGHT = 168;
+    private static final int COMPACT_HEIGHT = 132;
+
+    private final ToneScopePainter painter;
+    private boolean compact;
+    private ToneTrace trace = ToneTrace.EMPTY;
+
+    public ToneScope(Locale language) {
+        super(AccessibleRole.CANVAS);
+        painter = new ToneScopePainter(language);
+        setName("scope.picture");
+    }
+
+    public void show(ToneTrace newTrace) {
+        if (newTrace != trace) {
+            String before = spoken();
+            trace = newTrace;
+            tellSpoken(before, spoken());
+            repaint();
+        }
+    }
+
+    /** Makes do with less height, where something else needs it more. */
+    void beCompact(boolean wanted) {
+        if (compact != wanted) {
+            compact = wanted;
+            revalidate();
+        }
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return isPreferredSizeSet()
+                ? super.getPreferredSize()
+                : new Dimension(Theme.px(WIDTH), Theme.px(compact ? COMPACT_HEIGHT : HEIGHT));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            painter.paint(g, trace, getWidth(), getHeight());
+        } finally {
+            g.dispose();
+        }
+    }
+
+    @Override
+    protected String spoken() {
+        return painter.spoken(trace);
+    }
+}

@@ -1,0 +1,243 @@
+package simgsm.ui.scope;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Path2D;
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTrace;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Drawing;
+import simgsm.ui.Theme;
+
+/**
+ * Paints a {@link ToneTrace}: the wave above, below it the eight levels with what they have to reach, the key matrix, and
+ * one line of numbers. What an experiment makes of the sound is marked as such in the wave.
+ *
+ * <pre>
+ *   +---------------------------+
+ *   |  wave, 24 ms              |
+ *   +------------------+--------+
+ *   | 4 rows | 4 cols  | matrix |
+ *   +------------------+--------+
+ *   | # -10.2/-10.4 dBm0 ...    |
+ * </pre>
+ */
+public final class ToneScopePainter {
+    private static final int SHOWN_SAMPLES = 192;
+    private static final double TOP_DBM0 = 0;
+    private static final double BOTTOM_DBM0 = ToneTrace.FLOOR_DBM0;
+    private static final double FULL_SCALE = 32768;
+    /** Tones of -10 dBm0 fill most of the height. */
+    private static final double WAVE_GAIN = 1.6;
+
+    /** The bars' frequencies; where there is no room side by side every other one stands a line lower. */
+    private static final double LABEL_POINTS = 10;
+
+    private final TextBundle texts;
+
+    public ToneScopePainter(Locale language) {
+        texts = DesktopTexts.in(language);
+    }
+
+    /** @param width of the box that starts at the origin, in pixels */
+    public void paint(Graphics2D g, ToneTrace trace, double width, double height) {
+        double gap = Theme.exact(Theme.GRID);
+        double lineHeight = Theme.exact(18);
+        double waveHeight = Math.max(Theme.exact(32), (height - lineHeight - gap) * 0.4);
+        double bottom = height - lineHeight;
+        double barsTop = waveHeight + gap;
+        double matrix = Math.min(bottom - barsTop, width * 0.3);
+        double scale = Theme.exact(23);
+        paintWave(g, trace, width, waveHeight);
+        paintBars(g, trace, scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
+        paintMatrix(g, trace, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
+        paintReading(g, trace, width, height);
+    }
+
+    private void paintWave(Graphics2D g, ToneTrace trace, double width, double height) {
+        g.setColor(Theme.color(Ink.LINE));
+        for (int i = 0; i <= 8; i++) {
+            Drawing.vertical(g, (width - Theme.exact(1)) * i / 8, 0, height);
+        }
+        for (int i = 0; i <= 4; i++) {
+            Drawing.horizontal(g, 0, width, (height - Theme.exact(1)) * i / 4);
+        }
+        boolean tries = !trace.experiment().equals(ToneExperiment.NONE);
+        g.setColor(Theme.color(tries ? Ink.WARNING : Ink.ACCENT));
+        g.setStroke(Theme.stroke(1.4));
+        g.draw(wave(trace, width, height));
+        if (tries) {
+            paintTrial(g, trace.experiment(), width);
+        }
+    }
+
+    private static Path2D wave(ToneTrace trace, double width, double height) {
+        var wave = new Path2D.Double();
+        int start = trigger(trace);
+        for (int i = 0; i < SHOWN_SAMPLES; i++) {
+            double x = width * i / (SHOWN_SAMPLES - 1);
+            double y = height / 2 * (1 - trace.sample(start + i) / FULL_SCALE * WAVE_GAIN);
+            y = Math.max(1, Math.min(height - 1, y));
+            if (i == 0) {
+                wave.moveTo(x, y);
+            } else {
+                wave.lineTo(x, y);
+            }
+        }
+        return wave;
+    }
+
+    /** Starts the picture where the wave rises through zero, so that it stands still. */
+    private static int trigger(ToneTrace trace) {
+        for (int i = 1; i <= ToneTrace.SAMPLES - SHOWN_SAMPLES; i++) {
+            if (trace.sample(i - 1) < 0 && trace.sample(i) >= 0) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    /** A flag in the corner: this is not the call, but an experiment with it. */
+    private void paintTrial(Graphics2D g, ToneExperiment experiment, double width) {
+        String text = trial(experiment);
+        var font = Theme.monoSmall();
+        double textWidth = Drawing.width(font, text);
+        double height = Theme.exact(16);
+        double left = width - textWidth - Theme.exact(13);
+        g.setColor(Theme.color(Ink.WARNING_WASH));
+        var flag = Drawing.round(left, Theme.exact(3), textWidth + Theme.exact(10), height, Theme.exact(3));
+        g.fill(flag);
+        g.setColor(Theme.color(Ink.WARNING));
+        g.setStroke(Theme.hairline());
+        g.draw(flag);
+        Drawing.centred(g, text, font, left + Theme.exact(5) + textWidth / 2, Theme.exact(3) + height / 2);
+    }
+
+    private String trial(ToneExperiment experiment) {
+        String snr = experiment.hasNoise() ? decimal("%.0f dB", experiment.snrDecibels()) : "\u221e";
+        return texts.of("scope.trial", snr, decimal("%+.1f", experiment.shiftPercent()) + " %");
+    }
+
+    private static void paintBars(Graphics2D g, ToneTrace trace, double x, double y, double width, double height) {
+        double groupGap = Theme.exact(10);
+        double step = (width - groupGap) / 8;
+        double line = Theme.exact(LABEL_POINTS + 3);
+        boolean inTurn = Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
+        double points = Math.min(LABEL_POINTS, step / Theme.zoom() * 0.75);
+        double tall = height - (inTurn ? 2 : 1) * line;
+        paintScale(g, x, y, width, tall);
+        for (int i = 0; i < 8; i++) {
+            double left = x + i * step + (i >= 4 ? groupGap : 0);
+            boolean counts = i < 4 ? trace.rowCounts(i) : trace.columnCounts(i - 4);
+            double share = share(level(trace, i));
+            g.setColor(Theme.color(Ink.LINE, 0.45));
+            Drawing.fillCrisp(g, left + step * 0.16, y, step * 0.68, tall);
+            g.setColor(Theme.color(counts ? Ink.ACCENT : Ink.QUIET));
+            Drawing.fillCrisp(g, left + step * 0.16, y + tall * (1 - share), step * 0.68, tall * share);
+            g.setColor(Theme.color(counts ? Ink.TEXT : Ink.QUIET));
+            double below = inTurn && i % 2 == 1 ? 1.55 : 0.58;
+            Drawing.centred(g, hertz(i), Theme.mono(points, counts), left + step / 2, y + tall + line * below);
+        }
+        paintThreshold(g, trace.leastRowDbm0(), x, y, 4 * step, tall);
+        paintThreshold(g, trace.leastColumnDbm0(), x + 4 * step + groupGap, y, 4 * step, tall);
+    }
+
+    /** The levels of the scale in dBm0, as lines behind the bars. */
+    private static void paintScale(Graphics2D g, double x, double y, double width, double tall) {
+        var font = Theme.mono(9.5, false);
+        for (int dbm0 = (int) TOP_DBM0; dbm0 >= BOTTOM_DBM0; dbm0 -= 20) {
+            double at = y + tall * (1 - share(dbm0));
+            g.setColor(Theme.color(Ink.LINE));
+            Drawing.horizontal(g, x - Theme.exact(3), x + width, at);
+            g.setColor(Theme.color(Ink.QUIET));
+            g.setFont(font);
+            Drawing.rightAligned(
+                    g, String.valueOf(dbm0).replace('-', '\u2212'), x - Theme.exact(4), at + Theme.exact(3));
+        }
+    }
+
+    /** What a tone of this group has to reach to count: dashed across its four bars. */
+    private static void paintThreshold(Graphics2D g, double dbm0, double x, double y, double width, double tall) {
+        double at = y + tall * (1 - share(dbm0));
+        g.setColor(Theme.color(Ink.DANGER));
+        g.setStroke(Theme.dashed(1.3, 4));
+        Drawing.line(g, x, at, x + width, at);
+    }
+
+    private static double share(double dbm0) {
+        return Math.max(0, Math.min(1, (dbm0 - BOTTOM_DBM0) / (TOP_DBM0 - BOTTOM_DBM0)));
+    }
+
+    private static double level(ToneTrace trace, int index) {
+        return index < 4 ? trace.rowDbm0(index) : trace.columnDbm0(index - 4);
+    }
+
+    private static String hertz(int index) {
+        double hertz = index < 4
+                ? DtmfKey.at(index, 0).rowHertz()
+                : DtmfKey.at(0, index - 4).columnHertz();
+        return String.valueOf((int) hertz);
+    }
+
+    private static void paintMatrix(Graphics2D g, ToneTrace trace, double x, double y, double size) {
+        double step = size / 4;
+        Optional<DtmfKey> key = trace.digit().map(DtmfDigit::key);
+        for (DtmfKey each : DtmfKey.values()) {
+            double left = x + each.column() * step;
+            double top = y + each.row() * step;
+            boolean last = key.isPresent() && key.get() == each;
+            var cell = Drawing.round(left + 1, top + 1, step - 2, step - 2, Theme.exact(3));
+            if (last) {
+                g.setColor(Theme.color(trace.isSounding() ? Ink.ACCENT : Ink.ACCENT_WASH));
+                g.fill(cell);
+            }
+            g.setColor(Theme.color(last ? Ink.ACCENT : Ink.LINE));
+            g.setStroke(Theme.hairline());
+            g.draw(cell);
+            Ink ink = last ? trace.isSounding() ? Ink.ON_ACCENT : Ink.TEXT : Ink.QUIET;
+            g.setColor(Theme.color(ink));
+            var font = Theme.mono(step / Theme.zoom() * 0.55, last);
+            Drawing.centred(g, String.valueOf(each.symbol()), font, left + step / 2, top + step / 2);
+        }
+    }
+
+    private void paintReading(Graphics2D g, ToneTrace trace, double width, double height) {
+        String text =
+                trace.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
+        g.setColor(Theme.color(trace.digit().isPresent() ? Ink.TEXT : Ink.QUIET));
+        var font = Theme.monoSmall();
+        g.setFont(font);
+        double natural = g.getFontMetrics().stringWidth(text);
+        if (natural > width) {
+            font = font.deriveFont((float) (font.getSize2D() * width / natural));
+            g.setFont(font);
+        }
+        g.drawString(text, 0, (float) (height - Theme.exact(3)));
+    }
+
+    /** The numbers in words, for assistive technology. */
+    String spoken(ToneTrace trace) {
+        return trace.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));
+    }
+
+    private String reading(String key, DtmfDigit digit) {
+        return texts.of(
+                key,
+                String.valueOf(digit.key().symbol()),
+                decimal("%.1f", digit.rowDbm0()),
+                decimal("%.1f", digit.columnDbm0()),
+                decimal("%+.1f", digit.twistDecibels()),
+                decimal("%+.1f", digit.frequencyErrorPercent()),
+                decimal("%.0f", digit.durationMillis()));
+    }
+
+    private static String decimal(String format, double value) {
+        String text = String.format(Locale.ROOT, format, value);
+        return text.matches("-0(\\.0*)?") ? "+" + text.substring(1) : text;
+    }
+}

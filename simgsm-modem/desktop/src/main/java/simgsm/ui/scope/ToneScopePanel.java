@@ -1,0 +1,50 @@
+package simgsm.ui.scope;
+
+import java.awt.BorderLayout;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTrace;
+import simgsm.ui.Theme;
+
+/** The tone scope of phone and modem with the experiment below it: what it shows, and what may be done to what it hears. */
+public final class ToneScopePanel extends JPanel {
+    /** In units: where two faders have no room side by side. */
+    private static final int NARROW = 440;
+
+    private final ToneScope scope;
+    private final ToneExperimentBar experiment;
+
+    /**
+     * A scope that shows nothing yet.
+     *
+     * @param chosen told each experiment that is set, on the event thread: the scope's owner lets its tracer try it out
+     */
+    public ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen) {
+        super(new BorderLayout());
+        setOpaque(false);
+        setName("scope");
+        scope = new ToneScope(language);
+        experiment = new ToneExperimentBar(language, chosen);
+        add(scope, BorderLayout.CENTER);
+        add(experiment, BorderLayout.SOUTH);
+    }
+
+    /** A place with little room has a lower picture and no faders; what they are set to holds all the same. */
+    public void beCompact(boolean compact) {
+        scope.beCompact(compact);
+        experiment.setVisible(!compact);
+    }
+
+    @Override
+    public void doLayout() {
+        experiment.arrange(getWidth() < Theme.px(NARROW));
+        super.doLayout();
+    }
+
+    public void show(ToneTrace trace) {
+        scope.show(trace);
+        experiment.show(trace);
+    }
+}

@@ -1,0 +1,78 @@
+package simgsm.ui.window;
+
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import simgsm.console.TextBundle;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/** What every window can do by keys: zoom with Ctrl +, - and 0, light and dark with Ctrl L. */
+public final class WindowKeys {
+    private WindowKeys() {}
+
+    /**
+     * Binds the keys. The window, if the anchor stands in one by then, grows and shrinks with the zoom.
+     *
+     * @param anchor a component that stays in the window, such as its root pane
+     * @return the acts, for menus: larger, smaller, normal size, light or dark
+     */
+    public static List<UserAction> install(JComponent anchor, Locale language) {
+        TextBundle texts = DesktopTexts.in(language);
+        UserAction in = new UserAction("window.zoom.in", texts.of("window.zoom.in"), () -> zoom(anchor, 1));
+        UserAction out = new UserAction("window.zoom.out", texts.of("window.zoom.out"), () -> zoom(anchor, -1));
+        UserAction reset = new UserAction("window.zoom.reset", texts.of("window.zoom.reset"), () -> zoom(anchor, 0));
+        UserAction appearance =
+                new UserAction("window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor));
+        in.bindInWindow(anchor, ctrl(KeyEvent.VK_PLUS), ctrl(KeyEvent.VK_ADD), ctrl(KeyEvent.VK_EQUALS), ctrlShift());
+        out.bindInWindow(anchor, ctrl(KeyEvent.VK_MINUS), ctrl(KeyEvent.VK_SUBTRACT));
+        reset.bindInWindow(anchor, ctrl(KeyEvent.VK_0), ctrl(KeyEvent.VK_NUMPAD0));
+        appearance.bindInWindow(anchor, ctrl(KeyEvent.VK_L));
+        return List.of(in, out, reset, appearance);
+    }
+
+    /** Light becomes dark and the other way round, in the whole window. */
+    public static void switchAppearance(JComponent anchor) {
+        Theme.install(Theme.appearance().other());
+        Theme.refresh(rootOf(anchor));
+    }
+
+    private static void zoom(JComponent anchor, int steps) {
+        double before = Theme.zoom();
+        if (steps == 0) {
+            Theme.zoomTo(1);
+        } else {
+            Theme.zoomBy(steps);
+        }
+        Window window = SwingUtilities.getWindowAncestor(anchor);
+        Theme.refresh(rootOf(anchor));
+        if (window != null) {
+            double factor = Theme.zoom() / before;
+            Dimension size = window.getSize();
+            window.setMinimumSize(null);
+            ScreenArea.resize(window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
+            window.validate();
+        }
+    }
+
+    private static java.awt.Component rootOf(JComponent anchor) {
+        Window window = SwingUtilities.getWindowAncestor(anchor);
+        return window == null ? anchor : window;
+    }
+
+    private static KeyStroke ctrl(int key) {
+        return KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK);
+    }
+
+    /** On many keyboards the plus sign is a shifted equals sign. */
+    private static KeyStroke ctrlShift() {
+        return KeyStroke.getKeyStroke(KeyEvent.VK_EQUALS, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+    }
+}

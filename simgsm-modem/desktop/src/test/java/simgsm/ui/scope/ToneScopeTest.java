@@ -1,0 +1,181 @@
+package simgsm.ui.scope;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTracer;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Painted;
+import simgsm.ui.Theme;
+
+/** The tone scope, painted without a display. */
+class ToneScopeTest {
+    @BeforeEach
+    void light() {
+        Theme.zoomTo(1);
+        Theme.install(Appearance.LIGHT);
+    }
+
+    private static ToneScope scopeAfter(DtmfKey key, int millis) {
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(key);
+        ToneTracer tracer = new ToneTracer();
+        for (int i = 0; i < millis / 20; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        ToneScope scope = new ToneScope(Locale.ENGLISH);
+        scope.show(tracer.newest());
+        return scope;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.25, 2})
+    void aToneShowsTwoBarsAWaveAndItsKey(double scale) {
+        int quiet = Painted.count(Painted.at(new ToneScope(Locale.ENGLISH), scale), Ink.ACCENT);
+        int sounding = Painted.count(Painted.at(scopeAfter(DtmfKey.HASH, 80), scale), Ink.ACCENT);
+        assertTrue(sounding > quiet + 800 * scale * scale, quiet + " and " + sounding);
+    }
+
+    @Test
+    void theNumbersAreSpoken() {
+        String spoken = scopeAfter(DtmfKey.FIVE, 160).getAccessibleContext().getAccessibleName();
+        assertTrue(spoken.startsWith("Tone scope: key 5, -"), spoken);
+    }
+
+    @Test
+    void beforeAnyToneTheScopeSaysItsNameOnly() {
+        assertEquals(
+                "Tone scope",
+                new ToneScope(Locale.ENGLISH).getAccessibleContext().getAccessibleName());
+    }
+
+    private static void move(ToneScopePanel panel, String fader, int value) {
+        ComponentNames.find(panel, fader)
+                .orElseThrow()
+                .getAccessibleContext()
+                .getAccessibleValue()
+                .setCurrentAccessibleValue(value);
+    }
+
+    private static String verdict(ToneScopePanel panel) {
+        return ((JLabel) ComponentNames.find(panel, "scope.verdict").orElseThrow()).getText();
+    }
+
+    @Test
+    void theFadersSetAnExperimentAndResetEndsIt() {
+        List<ToneExperiment> chosen = new ArrayList<>();
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, chosen::add);
+        move(panel, "scope.noise", 21);
+        move(panel, "scope.shift", -15);
+        assertEquals(List.of(new ToneExperiment(10, 0), new ToneExperiment(10, -1.5)), chosen);
+        ((JButton) ComponentNames.find(panel, "scope.reset").orElseThrow()).doClick();
+        assertEquals(ToneExperiment.NONE, chosen.get(chosen.size() - 1));
+        move(panel, "scope.shift", 1000);
+        assertEquals(5, chosen.get(chosen.size() - 1).shiftPercent());
+    }
+
+    @Test
+    void theBarSaysThatOnlyTheScopeHearsItAndThenHowManyKeysItHeard() {
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        assertTrue(verdict(panel).contains("Only this scope"), verdict(panel));
+        move(panel, "scope.noise", 16);
+        ToneTracer tracer = new ToneTracer();
+        tracer.tryOut(new ToneExperiment(15, 0));
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.ONE);
+        generator.enqueue(DtmfKey.TWO);
+        for (int i = 0; i < 30; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        panel.show(tracer.newest());
+        assertEquals("Heard 2 of 2 keys", verdict(panel));
+    }
+
+    @Test
+    void faderKeysGoByStepsByPagesAndBackToRest() {
+        Slider fader = new Slider(0, 40, 10, () -> {});
+        for (String key : new String[] {"RIGHT", "UP", "PAGE_UP", "LEFT"}) {
+            press(fader, key);
+        }
+        assertEquals(16, fader.value());
+        press(fader, "HOME");
+        assertEquals(10, fader.value());
+        press(fader, "END");
+        assertEquals(40, fader.value());
+    }
+
+    private static void press(Slider fader, String key) {
+        Object id = fader.getInputMap().get(KeyStroke.getKeyStroke(key));
+        fader.getActionMap().get(id).actionPerformed(new ActionEvent(fader, ActionEvent.ACTION_PERFORMED, key));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyTextOfTheExperimentFits(String language) {
+        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
+        move(panel, "scope.noise", 40);
+        move(panel, "scope.shift", -50);
+        for (int width : new int[] {220, 319, 320, 500}) {
+            panel.setSize(width, 242);
+            layOut(panel);
+            layOut(panel);
+            for (Component label : labels(panel, new ArrayList<>())) {
+                assertTrue(
+                        label.getWidth() >= ((JLabel) label).getUI().getPreferredSize((JLabel) label).width,
+                        ((JLabel) label).getText() + " in " + width);
+            }
+            assertTrue(ComponentNames.find(panel, "scope.noise").orElseThrow().getWidth() > 30, "fader in " + width);
+        }
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    private static List<Component> labels(Container container, List<Component> found) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof JLabel) {
+                found.add(child);
+            } else if (child instanceof Container inner) {
+                labels(inner, found);
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void eachKeyLooksDifferent() {
+        var pictures = new java.util.HashSet<Integer>();
+        for (DtmfKey key : DtmfKey.values()) {
+            pictures.add(Painted.hash(Painted.at(scopeAfter(key, 80), 1)));
+        }
+        assertEquals(DtmfKey.values().length, pictures.size());
+    }
+}

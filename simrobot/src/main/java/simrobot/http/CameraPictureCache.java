@@ -1,0 +1,33 @@
+package simrobot.http;
+
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import simrobot.camera.Camera;
+import simrobot.camera.PictureFile;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+
+/** Pictures for all who look: each robot's is drawn once for a scene, however many look at it. */
+final class CameraPictureCache {
+    private static final int MOST_KEPT = 64;
+
+    /** A robot's picture as JPEG; the same object as long as nobody asks for a newer scene. */
+    record Shot(SimulationSnapshot scene, byte[] jpeg) {}
+
+    private final Camera camera = new Camera();
+    private final Map<String, Shot> shots = new HashMap<>();
+
+    synchronized Shot shot(SimulationSnapshot scene, RobotSnapshot robot) throws IOException {
+        Shot last = shots.get(robot.name());
+        if (last != null && last.scene() == scene) {
+            return last;
+        }
+        if (shots.size() >= MOST_KEPT) {
+            shots.clear();
+        }
+        Shot shot = new Shot(scene, PictureFile.jpeg(camera.picture(scene, robot)));
+        shots.put(robot.name(), shot);
+        return shot;
+    }
+}

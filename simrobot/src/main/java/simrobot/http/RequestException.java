@@ -1,0 +1,15 @@
+package simrobot.http;
+
+/** A request that cannot be met. */
+final class RequestException extends Exception {
+    private final int status;
+
+    RequestException(int status, String text) {
+        super(text);
+        this.status = status;
+    }
+
+    WebResponse answer() {
+        return WebResponse.error(status, getMessage());
+    }
+}

@@ -1,0 +1,26 @@
+package simrobot.http;
+
+import simrobot.simulation.SimulationSnapshot;
+
+/** The newest scene, asked of the simulation no more often than it is worth. */
+final class SceneCache {
+    private static final long FRESH_NANOS = 50_000_000;
+
+    private final WebSource source;
+    private SimulationSnapshot newest;
+    private long takenNanos;
+
+    SceneCache(WebSource source) {
+        this.source = source;
+    }
+
+    /** At most 50 ms old. */
+    synchronized SimulationSnapshot now() throws InterruptedException {
+        long now = System.nanoTime();
+        if (newest == null || now - takenNanos > FRESH_NANOS) {
+            newest = source.scene();
+            takenNanos = now;
+        }
+        return newest;
+    }
+}

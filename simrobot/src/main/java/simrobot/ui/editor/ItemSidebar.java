@@ -1,0 +1,196 @@
+package simrobot.ui.editor;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.AbstractListModel;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.ListSelectionModel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simrobot.editor.Draft;
+import simrobot.editor.Item;
+import simrobot.editor.ItemFields;
+import simrobot.ui.TextLine;
+import simrobot.world.World;
+
+/** Beside the editor's floor: all items as a list, and the selected one as words and numbers that can be typed. */
+final class ItemSidebar extends JPanel {
+    private final TextBundle texts;
+    private final EditorView floor;
+    private final Items model = new Items();
+    private final JList<Item> list = new JList<>(model);
+    private final Map<String, JTextField> fields = new LinkedHashMap<>();
+    private final JPanel form = Arrange.column(6);
+    private final TextLine problem = new TextLine("editor.problem", Theme::small, Ink.DANGER);
+    private Item shown;
+    private World listed;
+    private boolean showing;
+
+    ItemSidebar(TextBundle texts, EditorView floor) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.floor = floor;
+        setOpaque(false);
+        ComponentNames.name(list, "editor.items", texts.of("editor.items"));
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new Renderer());
+        list.addListSelectionListener(event -> {
+            if (!showing && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
+                floor.draft().select(list.getSelectedValue());
+                floor.tell();
+            }
+        });
+        JScrollPane pane = new JScrollPane(list);
+        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        JPanel properties = Arrange.column(6, form, problem);
+        add(Arrange.column(
+                Theme.GRID,
+                new Card(texts.of("editor.properties"), properties),
+                Arrange.growing(new Card(texts.of("editor.items"), pane))));
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(Theme.px(270), super.getPreferredSize().height);
+    }
+
+    void show(Draft draft) {
+        showing = true;
+        if (draft.world() != listed) {
+            listed = draft.world();
+            model.show(EditorItems.all(listed));
+        }
+        Item item = draft.selected().orElse(null);
+        if (item == null) {
+            list.clearSelection();
+        } else if (!item.equals(list.getSelectedValue())) {
+            list.setSelectedValue(item, true);
+        }
+        showing = false;
+        showFields(draft, item);
+    }
+
+    private void showFields(Draft draft, Item item) {
+        Map<String, String> values = item == null ? Map.of() : ItemFields.of(draft.world(), item);
+        if (!List.copyOf(values.keySet()).equals(List.copyOf(fields.keySet())) || fields.isEmpty()) {
+            build(values);
+        }
+        boolean other = item == null || !item.equals(shown);
+        shown = item;
+        values.forEach((key, value) -> {
+            JTextField field = fields.get(key);
+            if (!field.getText().equals(value) && (other || !field.isFocusOwner())) {
+                field.setText(value);
+            }
+        });
+        if (other) {
+            problem.show("");
+        }
+    }
+
+    private void build(Map<String, String> values) {
+        fields.clear();
+        form.removeAll();
+        if (values.isEmpty()) {
+            TextLine none = new TextLine("editor.nothing", Theme::small, Ink.QUIET);
+            none.show(texts.of("editor.nothing"));
+            form.add(none);
+        }
+        JPanel row = null;
+        for (String key : values.keySet()) {
+            JTextField field = field(key);
+            JLabel label = new JLabel(texts.of("editor.field." + key));
+            label.setLabelFor(field);
+            JPanel labelled = Arrange.growing(Arrange.column(2, label, field));
+            boolean alone = key.equals("name") || key.equals("heading");
+            if (row == null || alone || row.getComponentCount() == 2) {
+                row = Arrange.row(Theme.GRID, labelled);
+                form.add(row);
+            } else {
+                row.add(labelled);
+            }
+            row = alone ? null : row;
+        }
+        form.revalidate();
+        form.repaint();
+    }
+
+    private JTextField field(String key) {
+        JTextField field =
+                ComponentNames.name(new JTextField(6), "editor.field." + key, texts.of("editor.field." + key));
+        field.addActionListener(event -> take());
+        field.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                take();
+            }
+        });
+        fields.put(key, field);
+        return field;
+    }
+
+    /** What was typed becomes a step of the draft. */
+    private void take() {
+        Draft draft = floor.draft();
+        if (shown == null || !draft.selected().filter(shown::equals).isPresent()) {
+            return;
+        }
+        Map<String, String> typed = new LinkedHashMap<>();
+        fields.forEach((key, field) -> typed.put(key, field.getText()));
+        try {
+            World next = ItemFields.changed(draft.settled(), shown, typed);
+            problem.show("");
+            if (next != draft.settled()) {
+                draft.change(next);
+                shown = null;
+                floor.tell();
+            }
+        } catch (ItemFields.Refusal refusal) {
+            problem.show(texts.of(
+                    "editor.field.refused", texts.of("editor.field." + refusal.field()), refusal.getMessage()));
+        }
+    }
+
+    private static final class Items extends AbstractListModel<Item> {
+        private List<Item> items = List.of();
+
+        void show(List<Item> newItems) {
+            int before = items.size();
+            items = newItems;
+            fireContentsChanged(this, 0, Math.max(before, items.size()));
+        }
+
+        @Override
+        public int getSize() {
+            return items.size();
+        }
+
+        @Override
+        public Item getElementAt(int index) {
+            return items.get(index);
+        }
+    }
+
+    private final class Renderer extends DefaultListCellRenderer {
+        @Override
+        public java.awt.Component getListCellRendererComponent(
+                JList<?> owner, Object value, int index, boolean selected, boolean focus) {
+            String text = EditorItems.text(texts, listed, (Item) value);
+            return super.getListCellRendererComponent(owner, text, index, selected, focus);
+        }
+    }
+}
