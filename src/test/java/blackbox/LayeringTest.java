@@ -49,8 +49,8 @@ class LayeringTest {
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station
             simgsm.tools             : simgsm.sms simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz simgsm.air
             simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.state simgsm.timer
-            simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.ui simgsm.phone.handset
-            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui simgsm.phone.handset simgsm.phone.ui
+            simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.handset
+            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
@@ -58,10 +58,10 @@ class LayeringTest {
             simgsm.center.msc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.smsc simgsm.center.smpp
             simgsm.center.capture    : simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.air simgsm.abis simgsm.center.smpp simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ui simgsm.center.smsc simgsm.center.msc
-            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.ui simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
-            simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui simgsm.center.msc simgsm.center.app
-            simgsm.center            : simgsm.console simgsm.ui simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
+            simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc
+            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
+            simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
+            simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.editor          : simrobot.world
@@ -71,15 +71,15 @@ class LayeringTest {
             simrobot.p2os            : simgsm.octets simgsm.state vericommand simrobot.robot simrobot.simulation
             simrobot.pioneer         : vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
-            simrobot.http            : vericommand simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera
+            simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera
             simrobot.control         : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
-            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.replay simrobot.control
-            simrobot.ui.floor        : vericommand simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.control simrobot.ui
-            simrobot.ui.editor       : simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor
-            simrobot.ui.replay       : simgsm.ui simrobot.replay simrobot.ui simrobot.ui.floor
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
+            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.console simgsm.draw simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.replay simrobot.control
+            simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.control simrobot.ui
+            simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor
+            simrobot.ui.replay       : simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui simrobot.ui.floor
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
             simrobot.app             : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
-            simrobot                 : vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
+            simrobot                 : vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui.window simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
 
     /** Arrows that break their row's rule and are to go, as {@code "from -> to"}. */
