@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import vericommand.RobotStatus;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** How calls end when nobody ends them, and what becomes of the robot; with a clock moved by hand. */
 class CallEdgesTest {
@@ -64,7 +64,7 @@ class CallEdgesTest {
 
     @Test
     void onHangupFinishLetsTheInstructionEndButBeginsNoOther() {
-        suite = new VirtualSuite(Settings.OnHangup.FINISH);
+        suite = new VirtualSuite(VeriCommandSettings.OnHangup.FINISH);
         VirtualPhone phone = suite.inCall();
         phone.press("** #**100 #*#90 **");
         suite.seconds(0.5);

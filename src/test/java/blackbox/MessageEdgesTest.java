@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import vericommand.RobotStatus;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** SMS orders beside calls and beside one another; with a clock moved by hand. */
 class MessageEdgesTest {
@@ -16,7 +16,7 @@ class MessageEdgesTest {
 
     @Test
     void whoIsNoOperatorGetsNoReplyAndMovesNothing() {
-        suite = new VirtualSuite(Settings.OnHangup.STOP, VirtualSuite.PHONE);
+        suite = new VirtualSuite(VeriCommandSettings.OnHangup.STOP, VirtualSuite.PHONE);
         VirtualPhone operator = suite.phone(VirtualSuite.PHONE);
         VirtualPhone stranger = suite.phone(SECOND);
         stranger.message(VirtualSuite.ROBOT, "** #**20 **");

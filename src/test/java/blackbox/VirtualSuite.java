@@ -23,7 +23,7 @@ import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /**
  * The whole suite in one thread with a clock moved by hand: the real exchange, phones, modem, verifier and robot. Frames
@@ -50,17 +50,17 @@ final class VirtualSuite {
     private long nowNanos;
 
     VirtualSuite() {
-        this(Settings.OnHangup.STOP);
+        this(VeriCommandSettings.OnHangup.STOP);
     }
 
-    VirtualSuite(Settings.OnHangup onHangup, String... operators) {
+    VirtualSuite(VeriCommandSettings.OnHangup onHangup, String... operators) {
         robot = simulation.addRobot("robot");
         TelephoneRobot telephone = new TelephoneRobot(
                 robot,
                 identity(ROBOT, "SimGSM robot"),
                 Sim.WITHOUT_KEY,
                 StationOptions.STANDARD,
-                new Settings(Locale.ENGLISH, Set.of(operators), onHangup),
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
         telephone.listen(new RobotEventPrinter("robot", event -> robotLines.add(event.toString())));
         connect(telephone.station());

@@ -56,7 +56,7 @@ import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.panel.RefusalTexts;
 import simrobot.ui.panel.SimRobotWindow;
 import simrobot.world.World;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** Starts SimRobot, with its window or on a console. */
 public final class SimRobotMain {
@@ -134,7 +134,7 @@ public final class SimRobotMain {
         if (arguments.has("replay")) {
             return replay(arguments);
         }
-        Settings settings = settings(arguments);
+        VeriCommandSettings settings = settings(arguments);
         World world = WorldFile.read(arguments.path("world"));
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
@@ -210,7 +210,8 @@ public final class SimRobotMain {
         return ExitStatus.OK;
     }
 
-    private static Built build(Arguments arguments, Settings settings, World world) throws UsageException, IOException {
+    private static Built build(Arguments arguments, VeriCommandSettings settings, World world)
+            throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         SimSlot slot = SimSlot.of(arguments.path("sim"));
@@ -313,14 +314,14 @@ public final class SimRobotMain {
         return simRobot.robots().stream().map(TelephoneRobot::name).collect(Collectors.joining(","));
     }
 
-    public static Settings settings(Arguments arguments) throws UsageException {
+    public static VeriCommandSettings settings(Arguments arguments) throws UsageException {
         Set<String> operators =
                 arguments.value("operators", SimRobotMain::operators).orElse(Set.of());
-        Settings.OnHangup onHangup =
+        VeriCommandSettings.OnHangup onHangup =
                 arguments.choice("on-hangup", "stop", "finish").equals("stop")
-                        ? Settings.OnHangup.STOP
-                        : Settings.OnHangup.FINISH;
-        return new Settings(arguments.language(), operators, onHangup);
+                        ? VeriCommandSettings.OnHangup.STOP
+                        : VeriCommandSettings.OnHangup.FINISH;
+        return new VeriCommandSettings(arguments.language(), operators, onHangup);
     }
 
     private static Set<String> operators(String list) {

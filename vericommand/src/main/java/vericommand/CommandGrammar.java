@@ -1,6 +1,6 @@
 package vericommand;
 
-import static vericommand.CommandGrammar.Action.*;
+import static vericommand.CommandGrammar.GrammarAction.*;
 import static vericommand.CommandGrammar.KeyClass.*;
 import static vericommand.CommandGrammar.Place.*;
 
@@ -23,42 +23,42 @@ import simgsm.state.StateTable;
 public final class CommandGrammar {
     /** A place in the grammar, named for what has been read last. */
     public enum Place {
-        IDLE(Expected.OPENING),
-        FIRST_STAR(Expected.STAR),
-        OPENED(Expected.HASH),
-        HASH_READ(Expected.STAR_OR_HASH),
-        HASH_STAR(Expected.STAR_HASH_OR_ZERO),
-        HASH_HASH(Expected.HASH),
-        FORWARD(Expected.NUMBER, Fault.Limit.CENTIMETERS),
-        TURN(Expected.NUMBER, Fault.Limit.DEGREES),
-        CENTIMETERS(Expected.DIGIT_HASH_OR_STAR, Fault.Limit.CENTIMETERS),
-        DEGREES(Expected.DIGIT_HASH_OR_STAR, Fault.Limit.DEGREES),
-        INSTRUCTION_READ(Expected.HASH_OR_STAR),
-        FIRST_CLOSING_STAR(Expected.STAR),
+        IDLE(ExpectedKeys.OPENING),
+        FIRST_STAR(ExpectedKeys.STAR),
+        OPENED(ExpectedKeys.HASH),
+        HASH_READ(ExpectedKeys.STAR_OR_HASH),
+        HASH_STAR(ExpectedKeys.STAR_HASH_OR_ZERO),
+        HASH_HASH(ExpectedKeys.HASH),
+        FORWARD(ExpectedKeys.NUMBER, OrderFault.Limit.CENTIMETERS),
+        TURN(ExpectedKeys.NUMBER, OrderFault.Limit.DEGREES),
+        CENTIMETERS(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.CENTIMETERS),
+        DEGREES(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.DEGREES),
+        INSTRUCTION_READ(ExpectedKeys.HASH_OR_STAR),
+        FIRST_CLOSING_STAR(ExpectedKeys.STAR),
         /** After a fault: looks for the next opening. */
-        SKIPPING(Expected.OPENING),
+        SKIPPING(ExpectedKeys.OPENING),
         /** A {@code *} that directly follows this {@code #} opens nothing. */
-        SKIPPING_HASH(Expected.OPENING),
-        SKIPPING_STAR(Expected.STAR);
+        SKIPPING_HASH(ExpectedKeys.OPENING),
+        SKIPPING_STAR(ExpectedKeys.STAR);
 
-        private final Expected expected;
-        private final Fault.Limit range;
+        private final ExpectedKeys expected;
+        private final OrderFault.Limit range;
 
-        Place(Expected expected) {
-            this(expected, Fault.Limit.NONE);
+        Place(ExpectedKeys expected) {
+            this(expected, OrderFault.Limit.NONE);
         }
 
-        Place(Expected expected, Fault.Limit range) {
+        Place(ExpectedKeys expected, OrderFault.Limit range) {
             this.expected = expected;
             this.range = range;
         }
 
-        Expected expected() {
+        ExpectedKeys expected() {
             return expected;
         }
 
         /** The range of the number that belongs here; NONE where no number does. */
-        Fault.Limit range() {
+        OrderFault.Limit range() {
             return range;
         }
     }
@@ -96,7 +96,7 @@ public final class CommandGrammar {
     }
 
     /** What a key contributes to the order. */
-    public enum Action {
+    public enum GrammarAction {
         OPEN_ORDER,
         ADD_DIGIT,
         ADD_FORWARD,
@@ -118,8 +118,8 @@ public final class CommandGrammar {
      * {@code **} of an instruction opens nothing, and the closing of the broken order opens an empty order, which accepts
      * further stars. The offending key itself is skipped by the same rule, so it may be the first star.
      */
-    public static final StateTable<Place, KeyClass, Action> TABLE = new StateTable<Place, KeyClass, Action>(
-                    "command grammar", IDLE)
+    public static final StateTable<Place, KeyClass, GrammarAction> TABLE = new StateTable<
+                    Place, KeyClass, GrammarAction>("command grammar", IDLE)
             .on(IDLE, STAR, FIRST_STAR)
             .on(FIRST_STAR, STAR, OPENED, OPEN_ORDER)
             .on(EnumSet.of(FIRST_STAR), NO_STAR, IDLE)

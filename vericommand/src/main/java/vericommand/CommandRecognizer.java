@@ -3,7 +3,7 @@ package vericommand;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.state.StateMachine;
-import vericommand.CommandGrammar.Action;
+import vericommand.CommandGrammar.GrammarAction;
 import vericommand.CommandGrammar.KeyClass;
 import vericommand.CommandGrammar.Place;
 
@@ -17,7 +17,7 @@ public final class CommandRecognizer {
 
     private static final int MAX_DIGITS = 4;
 
-    private StateMachine<Place, KeyClass, Action> machine;
+    private StateMachine<Place, KeyClass, GrammarAction> machine;
     private final StringBuilder keys = new StringBuilder();
     private final List<Instruction> instructions = new ArrayList<>();
     private int digits;
@@ -78,24 +78,25 @@ public final class CommandRecognizer {
     }
 
     /** The fault of an order that ends here: which key is missing. */
-    Fault missing() {
+    OrderFault missing() {
         return fault(KeyClass.TIMEOUT, keys.length() + 1, false);
     }
 
-    private Fault fault(KeyClass key, int position, boolean timedOut) {
+    private OrderFault fault(KeyClass key, int position, boolean timedOut) {
         Place place = machine.state();
-        Expected expected = digits == MAX_DIGITS && key != KeyClass.TIMEOUT ? Expected.HASH_OR_STAR : place.expected();
-        Fault.Limit limit = Fault.Limit.NONE;
+        ExpectedKeys expected =
+                digits == MAX_DIGITS && key != KeyClass.TIMEOUT ? ExpectedKeys.HASH_OR_STAR : place.expected();
+        OrderFault.Limit limit = OrderFault.Limit.NONE;
         if (isFifthDigit(key)) {
             limit = place.range();
-        } else if (place.range() != Fault.Limit.NONE && !numberIsInRange()) {
-            expected = Expected.NUMBER;
+        } else if (place.range() != OrderFault.Limit.NONE && !numberIsInRange()) {
+            expected = ExpectedKeys.NUMBER;
             limit = place.range();
         } else if (exceedsInstructions(key)) {
-            expected = Expected.CLOSING;
-            limit = Fault.Limit.INSTRUCTIONS;
+            expected = ExpectedKeys.CLOSING;
+            limit = OrderFault.Limit.INSTRUCTIONS;
         }
-        return new Fault(keys.toString(), position, expected, limit, timedOut);
+        return new OrderFault(keys.toString(), position, expected, limit, timedOut);
     }
 
     private boolean exceedsLimit(KeyClass key) {
@@ -117,7 +118,7 @@ public final class CommandRecognizer {
         return key == KeyClass.HASH && machine.accepts(key) && begun == Order.MAX_INSTRUCTIONS;
     }
 
-    private void perform(Action action) {
+    private void perform(GrammarAction action) {
         switch (action) {
             case OPEN_ORDER -> {
                 keys.replace(0, keys.length(), "**");
@@ -130,8 +131,8 @@ public final class CommandRecognizer {
             }
             case ADD_FORWARD -> addNumbered(new Instruction.Forward(number));
             case ADD_TURN -> addNumbered(new Instruction.Turn(number));
-            case ADD_STOP -> instructions.add(new Instruction.Stop());
-            case ADD_REPORT -> instructions.add(new Instruction.Report());
+            case ADD_STOP -> instructions.add(new Instruction.StopNow());
+            case ADD_REPORT -> instructions.add(new Instruction.ReportStatus());
             case COMPLETE_ORDER ->
                 recognition =
                         new Recognition.Complete(new Order("**" + keys.substring(keys.indexOf("#")), instructions));

@@ -5,10 +5,10 @@ import java.util.Optional;
 /** An order that has ended the robot's own process and waits for the robot to stand before it is verified. */
 final class HeldOrder {
     private final Recognition.Complete recognition;
-    private final Source source;
+    private final OrderOrigin source;
     private boolean stopOrdered;
 
-    HeldOrder(Recognition.Complete recognition, Source source) {
+    HeldOrder(Recognition.Complete recognition, OrderOrigin source) {
         this.recognition = recognition;
         this.source = source;
     }
@@ -17,7 +17,7 @@ final class HeldOrder {
         return recognition;
     }
 
-    Source source() {
+    OrderOrigin source() {
         return source;
     }
 
@@ -30,12 +30,12 @@ final class HeldOrder {
     }
 
     /** Of its first motion nothing is done; empty for an order that moves nothing. */
-    Optional<Progress> firstProgress() {
+    Optional<OrderProgress> firstProgress() {
         var instructions = recognition.order().instructions();
         return instructions.stream()
                 .filter(Instruction.Motion.class::isInstance)
                 .map(Instruction.Motion.class::cast)
                 .findFirst()
-                .map(motion -> new Progress(motion, 0, instructions.indexOf(motion) + 1, instructions.size()));
+                .map(motion -> new OrderProgress(motion, 0, instructions.indexOf(motion) + 1, instructions.size()));
     }
 }

@@ -50,7 +50,7 @@ public sealed interface Instruction {
     }
 
     /** Brake now; as an order by itself it is taken while the robot moves. */
-    record Stop() implements Instruction {
+    record StopNow() implements Instruction {
         @Override
         public String keys() {
             return "###";
@@ -58,7 +58,7 @@ public sealed interface Instruction {
     }
 
     /** Tell the status. */
-    record Report() implements Instruction {
+    record ReportStatus() implements Instruction {
         @Override
         public String keys() {
             return "#*0";

@@ -8,9 +8,9 @@ import java.util.Objects;
  * @param amountDone how far the robot came in the motion's own unit: centimetres of a forward, degrees of a turn; 0 or
  *     more
  */
-public record MotionOutcome(Kind kind, double amountDone) {
+public record MotionOutcome(Ending ending, double amountDone) {
     /** The ways in which a motion ends. */
-    public enum Kind {
+    public enum Ending {
         /** The goal is reached. */
         DONE,
         /** The robot touched something, or a turn made in Collision left the way ahead blocked. */
@@ -24,7 +24,7 @@ public record MotionOutcome(Kind kind, double amountDone) {
     }
 
     public MotionOutcome {
-        Objects.requireNonNull(kind);
+        Objects.requireNonNull(ending);
         if (!(amountDone >= 0 && amountDone < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("a motion's amount done is 0 or more, not " + amountDone);
         }

@@ -27,7 +27,7 @@ public record Order(String keys, List<Instruction> instructions) {
 
     /** Whether any of it stops the robot. */
     public boolean stops() {
-        return instructions.stream().anyMatch(Instruction.Stop.class::isInstance);
+        return instructions.stream().anyMatch(Instruction.StopNow.class::isInstance);
     }
 
     /** The order as people write it: {@code ** #**20 **}. */
@@ -54,6 +54,7 @@ public record Order(String keys, List<Instruction> instructions) {
         if (instruction instanceof Instruction.Turn turn) {
             return VeriCommandTexts.text(locale, "order.turn", "" + turn.clockwiseDegrees());
         }
-        return VeriCommandTexts.text(locale, instruction instanceof Instruction.Stop ? "order.stop" : "order.report");
+        return VeriCommandTexts.text(
+                locale, instruction instanceof Instruction.StopNow ? "order.stop" : "order.report");
     }
 }

@@ -22,24 +22,24 @@ public final class OrderText {
         for (int i = 0; i < keys.length(); i++) {
             char key = keys.charAt(i);
             if (i < 2 && key != '*') {
-                return broken(keys, i + 1, i == 0 ? Expected.OPENING : Expected.STAR);
+                return broken(keys, i + 1, i == 0 ? ExpectedKeys.OPENING : ExpectedKeys.STAR);
             }
             Recognition recognition = recognizer.key(key);
             if (recognition instanceof Recognition.Broken broken) {
                 return broken(keys, broken.fault());
             }
             if (recognition instanceof Recognition.Complete) {
-                return i + 1 == keys.length() ? recognition : broken(keys, i + 2, Expected.END);
+                return i + 1 == keys.length() ? recognition : broken(keys, i + 2, ExpectedKeys.END);
             }
         }
         return broken(keys, recognizer.missing());
     }
 
-    private static Recognition broken(String keys, int position, Expected expected) {
-        return new Recognition.Broken(new Fault(keys, position, expected, Fault.Limit.NONE, false));
+    private static Recognition broken(String keys, int position, ExpectedKeys expected) {
+        return new Recognition.Broken(new OrderFault(keys, position, expected, OrderFault.Limit.NONE, false));
     }
 
-    private static Recognition broken(String keys, Fault fault) {
-        return new Recognition.Broken(new Fault(keys, fault.position(), fault.expected(), fault.limit(), false));
+    private static Recognition broken(String keys, OrderFault fault) {
+        return new Recognition.Broken(new OrderFault(keys, fault.position(), fault.expected(), fault.limit(), false));
     }
 }

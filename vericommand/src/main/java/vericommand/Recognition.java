@@ -9,7 +9,7 @@ public sealed interface Recognition {
     record Complete(Order order) implements Recognition {}
 
     /** The order is broken; told exactly once per broken order. */
-    record Broken(Fault fault) implements Recognition {}
+    record Broken(OrderFault fault) implements Recognition {}
 
     Recognition PENDING = new Pending();
 }

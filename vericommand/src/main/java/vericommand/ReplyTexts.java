@@ -33,13 +33,13 @@ final class ReplyTexts {
     }
 
     /** A motion touched something, or went on for ever. */
-    Reply failed(ReplyTone tone, Progress progress) {
+    Reply failed(ReplyTone tone, OrderProgress progress) {
         String key = tone == ReplyTone.COLLISION ? "reply.collision" : "reply.loop";
         return new Reply(tone, text(key, progress.amounts(this), progress.place(this)));
     }
 
     /** A motion was cut short: by the power or the motors, or by a world that changed under a robot still fit to move. */
-    Reply aborted(Progress progress, RobotStatus status) {
+    Reply aborted(OrderProgress progress, RobotStatus status) {
         Reply why = switch (status) {
             case DISCONNECTED -> denied();
             case NO_MOTORS -> new Reply(ReplyTone.NOT_POSSIBLE, notPossible(status));
@@ -57,7 +57,7 @@ final class ReplyTexts {
                 : new Reply(tone, refusal.text() + " " + text("reply.partly", "" + done, "" + of));
     }
 
-    Reply stopped(Progress progress) {
+    Reply stopped(OrderProgress progress) {
         String text = progress.of() == 1
                 ? text("reply.stopped", progress.amounts(this))
                 : text("reply.stopped.trip", progress.amounts(this), progress.place(this));
@@ -73,10 +73,10 @@ final class ReplyTexts {
         };
     }
 
-    Reply invalid(Fault fault) {
+    Reply invalid(OrderFault fault) {
         StringBuilder text =
                 new StringBuilder(text("reply.invalid", expected(fault.expected()), "" + fault.position()));
-        if (fault.limit() != Fault.Limit.NONE) {
+        if (fault.limit() != OrderFault.Limit.NONE) {
             text.append(' ').append(text("limit." + fault.limit()));
         }
         if (fault.timedOut()) {
@@ -89,7 +89,7 @@ final class ReplyTexts {
         return new Reply(ReplyTone.CONNECTION_DENIED, text("reply.denied"));
     }
 
-    private String expected(Expected expected) {
+    private String expected(ExpectedKeys expected) {
         return expected.keys() == null
                 ? text("expected." + expected)
                 : expected.keys().replace(" / ", text("expected.or"));

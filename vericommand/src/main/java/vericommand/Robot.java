@@ -10,7 +10,7 @@ public interface Robot {
      * Starts a motion; the status is Moving from here on. A motion may end before this returns.
      *
      * @param ended told exactly once how the motion ended, on the owner thread, after the status has changed
-     * @throws IllegalStateException unless {@link StatusTable} says that the motion is executed in the present status
+     * @throws IllegalStateException unless {@link StatusRules} says that the motion is executed in the present status
      */
     void start(Instruction.Motion motion, Consumer<MotionOutcome> ended);
 

@@ -38,7 +38,7 @@ public sealed interface Verdict {
         }
     }
 
-    record Invalid(Fault fault) implements Verdict {
+    record Invalid(OrderFault fault) implements Verdict {
         @Override
         public String word() {
             return "invalid";
@@ -62,8 +62,8 @@ public sealed interface Verdict {
                     .findFirst()
                     .orElse(decisive);
         }
-        StatusTable.Treatment treatment = StatusTable.treatment(status, decisive);
-        return treatment == StatusTable.Treatment.EXECUTED
+        StatusRules.Treatment treatment = StatusRules.treatment(status, decisive);
+        return treatment == StatusRules.Treatment.EXECUTED
                 ? new Accepted(order)
                 : new Refused(order, status, treatment.tone());
     }

@@ -12,22 +12,22 @@ import java.util.List;
  */
 public final class VeriCommand {
     private final Robot robot;
-    private final Settings settings;
+    private final VeriCommandSettings settings;
     private final VeriCommandListener listener;
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
     private final OrderDisplay display;
     /** Stop orders that wait for the robot to stand. */
-    private final List<Execution> stops = new ArrayList<>();
+    private final List<OrderExecution> stops = new ArrayList<>();
 
-    private Source call;
+    private OrderOrigin call;
     /** Waits for the robot to stand, whose own process it has ended; null when none does. */
     private HeldOrder held;
 
-    private Execution running;
+    private OrderExecution running;
     private boolean toldUnderWay;
 
-    public VeriCommand(Robot robot, Settings settings, VeriCommandListener listener) {
+    public VeriCommand(Robot robot, VeriCommandSettings settings, VeriCommandListener listener) {
         this.robot = robot;
         this.settings = settings;
         this.listener = listener;
@@ -38,7 +38,7 @@ public final class VeriCommand {
     /** An accepted call is up. @param caller empty when the network does not say */
     public void callBegan(String caller) {
         callEnded();
-        call = Source.call(caller);
+        call = OrderOrigin.call(caller);
         display.begin(caller, false);
         listener.changed();
     }
@@ -50,7 +50,7 @@ public final class VeriCommand {
         }
         call.leave();
         boolean stopRobot =
-                running != null && running.source() == call && settings.onHangup() == Settings.OnHangup.STOP;
+                running != null && running.source() == call && settings.onHangup() == VeriCommandSettings.OnHangup.STOP;
         call = null;
         recognizer.reset();
         listener.changed();
@@ -87,7 +87,7 @@ public final class VeriCommand {
             return;
         }
         display.begin(from, true);
-        conclude(OrderText.read(text), Source.message(from));
+        conclude(OrderText.read(text), OrderOrigin.message(from));
         listener.changed();
     }
 
@@ -109,7 +109,7 @@ public final class VeriCommand {
         return display.snapshot(call != null, isUnderWay());
     }
 
-    private boolean conclude(Recognition recognition, Source source) {
+    private boolean conclude(Recognition recognition, OrderOrigin source) {
         if (recognition instanceof Recognition.Pending) {
             return false;
         }
@@ -126,7 +126,7 @@ public final class VeriCommand {
         return robot.isAutonomous() && (order.moves() || order.stops());
     }
 
-    private void hold(Recognition.Complete complete, Source source) {
+    private void hold(Recognition.Complete complete, OrderOrigin source) {
         held = new HeldOrder(complete, source);
         tellUnderWay();
         robot.endAutonomy(this::judgeHeld);
@@ -153,7 +153,7 @@ public final class VeriCommand {
         over.firstProgress().ifPresent(progress -> answer(over.source(), texts.stopped(progress), false));
     }
 
-    private void judge(Recognition recognition, Source source) {
+    private void judge(Recognition recognition, OrderOrigin source) {
         Verdict verdict = Verdict.of(recognition, robot.status());
         display.verdict(verdict);
         listener.order(verdict.keys(), verdict);
@@ -162,11 +162,11 @@ public final class VeriCommand {
         } else if (verdict instanceof Verdict.Refused refused) {
             answer(source, texts.refused(refused.tone(), refused.status()));
         } else {
-            begin(new Execution(((Verdict.Accepted) verdict).order(), source));
+            begin(new OrderExecution(((Verdict.Accepted) verdict).order(), source));
         }
     }
 
-    private void begin(Execution execution) {
+    private void begin(OrderExecution execution) {
         if (execution.order().moves()) {
             running = execution;
             tellUnderWay();
@@ -199,8 +199,8 @@ public final class VeriCommand {
     private void proceed() {
         while (!running.isComplete()) {
             Instruction present = running.present();
-            StatusTable.Treatment treatment = StatusTable.treatment(robot.status(), present);
-            if (treatment != StatusTable.Treatment.EXECUTED) {
+            StatusRules.Treatment treatment = StatusRules.treatment(robot.status(), present);
+            if (treatment != StatusRules.Treatment.EXECUTED) {
                 int of = running.order().instructions().size();
                 end(texts.refusedAfter(treatment.tone(), robot.status(), running.done(), of));
                 return;
@@ -224,8 +224,8 @@ public final class VeriCommand {
 
     private void motionEnded(MotionOutcome outcome) {
         listener.instructionEnded(running.present());
-        Progress progress = running.progress(outcome.amountDone());
-        switch (outcome.kind()) {
+        OrderProgress progress = running.progress(outcome.amountDone());
+        switch (outcome.ending()) {
             case DONE -> motionDone(progress);
             case BRAKED -> end(texts.stopped(progress));
             case COLLISION -> end(texts.failed(ReplyTone.COLLISION, progress));
@@ -234,7 +234,7 @@ public final class VeriCommand {
         }
     }
 
-    private void motionDone(Progress progress) {
+    private void motionDone(OrderProgress progress) {
         running.presentIsDone();
         if (running.endsHere() && !running.isComplete()) {
             end(texts.stopped(progress));
@@ -244,7 +244,7 @@ public final class VeriCommand {
     }
 
     private void end(Reply reply) {
-        Execution ended = running;
+        OrderExecution ended = running;
         running = null;
         answer(ended.source(), reply, !ended.isStopOrdered() || ended.isComplete());
         answerStops();
@@ -253,9 +253,9 @@ public final class VeriCommand {
     }
 
     private void answerStops() {
-        List<Execution> standing = List.copyOf(stops);
+        List<OrderExecution> standing = List.copyOf(stops);
         stops.clear();
-        for (Execution stop : standing) {
+        for (OrderExecution stop : standing) {
             endInstructions(stop);
             RobotStatus status = robot.status();
             answer(
@@ -267,16 +267,16 @@ public final class VeriCommand {
         tellUnderWay();
     }
 
-    private void endInstructions(Execution execution) {
+    private void endInstructions(OrderExecution execution) {
         execution.order().instructions().forEach(listener::instructionEnded);
     }
 
-    private void answer(Source source, Reply reply) {
+    private void answer(OrderOrigin source, Reply reply) {
         answer(source, reply, true);
     }
 
     /** @param byTone whether a call hears the answer; an order that {@code ###} kept from its goal has no tone */
-    private void answer(Source source, Reply reply, boolean byTone) {
+    private void answer(OrderOrigin source, Reply reply, boolean byTone) {
         if (source.isGone()) {
             return;
         }

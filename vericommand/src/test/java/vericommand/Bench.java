@@ -13,21 +13,21 @@ final class Bench implements VeriCommandListener {
     final VeriCommand veri;
     private final List<String> told = new ArrayList<>();
 
-    private Bench(RobotStatus status, Settings settings) {
+    private Bench(RobotStatus status, VeriCommandSettings settings) {
         robot = new HandDrivenRobot(status);
         veri = new VeriCommand(robot, settings, this);
     }
 
     static Bench in(RobotStatus status) {
-        return new Bench(status, Settings.DEFAULT);
+        return new Bench(status, VeriCommandSettings.DEFAULT);
     }
 
-    static Bench with(Settings settings) {
+    static Bench with(VeriCommandSettings settings) {
         return new Bench(RobotStatus.STOPPED, settings);
     }
 
-    static Settings settings(Settings.OnHangup onHangup, String... operators) {
-        return new Settings(Locale.ENGLISH, Set.of(operators), onHangup);
+    static VeriCommandSettings settings(VeriCommandSettings.OnHangup onHangup, String... operators) {
+        return new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup);
     }
 
     Bench call() {

@@ -119,7 +119,7 @@ class CommandRecognizerTest {
                 "*** 2|4|HASH",
                 "***** #** #|9|NUMBER"
             })
-    void aBrokenOrderIsToldAtTheOffendingKey(String keys, int position, Expected expected) {
+    void aBrokenOrderIsToldAtTheOffendingKey(String keys, int position, ExpectedKeys expected) {
         String all = OrderText.keysOf(keys);
         assertEquals(List.of(), press(all.substring(0, all.length() - 1)));
         assertEquals(List.of(position + ":" + expected), press(all.substring(all.length() - 1)));
@@ -138,7 +138,7 @@ class CommandRecognizerTest {
                 "** #|NONE",
                 "** #**5|NONE"
             })
-    void theLimitIsToldWhereARangeMatters(String keys, Fault.Limit limit) {
+    void theLimitIsToldWhereARangeMatters(String keys, OrderFault.Limit limit) {
         press(keys);
         assertEquals(limit, recognizer.missing().limit());
         assertEquals(limit, ((Recognition.Broken) recognizer.key('A')).fault().limit());
@@ -148,17 +148,17 @@ class CommandRecognizerTest {
     void aFifthDigitTellsTheRangeToo() {
         press("** #*#1234");
         assertEquals(
-                Fault.Limit.DEGREES,
+                OrderFault.Limit.DEGREES,
                 ((Recognition.Broken) recognizer.key('5')).fault().limit());
     }
 
     @Test
     void theThirtyThirdInstructionBreaksAtItsHash() {
         press("**" + "###".repeat(32));
-        Fault fault = ((Recognition.Broken) recognizer.key('#')).fault();
+        OrderFault fault = ((Recognition.Broken) recognizer.key('#')).fault();
         assertEquals(2 + 96 + 1, fault.position());
-        assertEquals(Expected.CLOSING, fault.expected());
-        assertEquals(Fault.Limit.INSTRUCTIONS, fault.limit());
+        assertEquals(ExpectedKeys.CLOSING, fault.expected());
+        assertEquals(OrderFault.Limit.INSTRUCTIONS, fault.limit());
     }
 
     @Test
@@ -236,9 +236,9 @@ class CommandRecognizerTest {
     @Test
     void aTimeOutSaysSoAndWhatWasMissing() {
         press("** #**");
-        Fault fault = ((Recognition.Broken) recognizer.elapsed(CommandRecognizer.TIMEOUT_SAMPLES)).fault();
+        OrderFault fault = ((Recognition.Broken) recognizer.elapsed(CommandRecognizer.TIMEOUT_SAMPLES)).fault();
         assertTrue(fault.timedOut());
-        assertEquals(new Fault("**#**", 6, Expected.NUMBER, Fault.Limit.CENTIMETERS, true), fault);
+        assertEquals(new OrderFault("**#**", 6, ExpectedKeys.NUMBER, OrderFault.Limit.CENTIMETERS, true), fault);
     }
 
     @Test

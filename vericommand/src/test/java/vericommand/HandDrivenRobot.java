@@ -23,7 +23,7 @@ final class HandDrivenRobot implements Robot {
 
     @Override
     public void start(Instruction.Motion motion, Consumer<MotionOutcome> whenEnded) {
-        if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
+        if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion + " in " + status());
         }
         machine.apply(StatusEvent.MOTION_STARTED);
@@ -42,7 +42,7 @@ final class HandDrivenRobot implements Robot {
     }
 
     /** The motion under way ends by this event. */
-    void end(StatusEvent event, MotionOutcome.Kind kind, double amountDone) {
+    void end(StatusEvent event, MotionOutcome.Ending kind, double amountDone) {
         machine.apply(event);
         Consumer<MotionOutcome> told = ended;
         ended = null;
@@ -52,16 +52,16 @@ final class HandDrivenRobot implements Robot {
     void reachGoal() {
         end(
                 StatusEvent.MOTION_ENDED,
-                MotionOutcome.Kind.DONE,
+                MotionOutcome.Ending.DONE,
                 started.get(started.size() - 1).amount());
     }
 
     void collide(double amountDone) {
-        end(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION, amountDone);
+        end(StatusEvent.TOUCHED, MotionOutcome.Ending.COLLISION, amountDone);
     }
 
     /** Braked, it stands. */
     void stand(double amountDone) {
-        end(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.BRAKED, amountDone);
+        end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.BRAKED, amountDone);
     }
 }

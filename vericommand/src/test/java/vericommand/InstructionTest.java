@@ -40,18 +40,18 @@ class InstructionTest {
     @Test
     void anOrderHasOneToThirtyTwoInstructions() {
         assertThrows(IllegalArgumentException.class, () -> new Order("****", List.of()));
-        List<Instruction> most = Collections.nCopies(32, new Instruction.Stop());
+        List<Instruction> most = Collections.nCopies(32, new Instruction.StopNow());
         assertEquals(32, new Order("**", most).instructions().size());
-        List<Instruction> tooMany = Collections.nCopies(33, new Instruction.Stop());
+        List<Instruction> tooMany = Collections.nCopies(33, new Instruction.StopNow());
         assertThrows(IllegalArgumentException.class, () -> new Order("**", tooMany));
     }
 
     @Test
     void anOrderKnowsWhetherItMovesOrStops() {
-        Order order = new Order("**", List.of(new Instruction.Report(), new Instruction.Turn(5)));
+        Order order = new Order("**", List.of(new Instruction.ReportStatus(), new Instruction.Turn(5)));
         assertTrue(order.moves());
         assertFalse(order.stops());
-        Order stop = new Order("**", List.of(new Instruction.Stop()));
+        Order stop = new Order("**", List.of(new Instruction.StopNow()));
         assertFalse(stop.moves());
         assertTrue(stop.stops());
     }
@@ -63,8 +63,8 @@ class InstructionTest {
                 List.of(
                         new Instruction.Forward(20),
                         new Instruction.Turn(90),
-                        new Instruction.Stop(),
-                        new Instruction.Report()));
+                        new Instruction.StopNow(),
+                        new Instruction.ReportStatus()));
         assertEquals("** #**20 #*#90 ### #*0 **", order.text());
         assertEquals("forward 20 cm, turn right 90 degrees, stop, report the status", order.words(Locale.ENGLISH));
         assertEquals(
@@ -76,7 +76,7 @@ class InstructionTest {
     void aPoseOrAnOutcomeWithoutANumberCannotBeBuilt() {
         assertThrows(IllegalArgumentException.class, () -> new Pose(Double.NaN, 0, 0));
         assertThrows(IllegalArgumentException.class, () -> new Pose(0, 0, Double.POSITIVE_INFINITY));
-        assertThrows(IllegalArgumentException.class, () -> new MotionOutcome(MotionOutcome.Kind.DONE, -0.1));
-        assertThrows(IllegalArgumentException.class, () -> new MotionOutcome(MotionOutcome.Kind.DONE, Double.NaN));
+        assertThrows(IllegalArgumentException.class, () -> new MotionOutcome(MotionOutcome.Ending.DONE, -0.1));
+        assertThrows(IllegalArgumentException.class, () -> new MotionOutcome(MotionOutcome.Ending.DONE, Double.NaN));
     }
 }

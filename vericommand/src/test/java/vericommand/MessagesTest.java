@@ -56,11 +56,11 @@ class MessagesTest {
     @Test
     void everyKeyThatTheCodeAsksForIsThere() throws IOException {
         Properties english = bundle("messages.properties");
-        for (Expected expected : Expected.values()) {
+        for (ExpectedKeys expected : ExpectedKeys.values()) {
             assertTrue(expected.keys() != null || english.containsKey("expected." + expected), expected::name);
         }
-        for (Fault.Limit limit : Fault.Limit.values()) {
-            assertTrue(limit == Fault.Limit.NONE || english.containsKey("limit." + limit), limit::name);
+        for (OrderFault.Limit limit : OrderFault.Limit.values()) {
+            assertTrue(limit == OrderFault.Limit.NONE || english.containsKey("limit." + limit), limit::name);
         }
         for (RobotStatus status : RobotStatus.values()) {
             assertEquals(status.text(), english.getProperty("status." + status));

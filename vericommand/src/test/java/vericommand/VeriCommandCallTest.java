@@ -31,12 +31,13 @@ class VeriCommandCallTest {
     @ParameterizedTest
     @CsvSource({"STOPPED,1", "COLLISION,1", "MOVING,1", "NO_MOTORS,1", "DISCONNECTED,2"})
     void aCallerIsAcceptedUnlessTheRobotIsOff(RobotStatus status, char tone) {
-        assertEquals(tone, Settings.DEFAULT.admission("5550100", status).key());
+        assertEquals(
+                tone, VeriCommandSettings.DEFAULT.admission("5550100", status).key());
     }
 
     @Test
     void aCallerWhoIsNoOperatorIsDeniedInEveryStatus() {
-        Settings settings = Bench.settings(Settings.OnHangup.STOP, "5550101", "5550102");
+        VeriCommandSettings settings = Bench.settings(VeriCommandSettings.OnHangup.STOP, "5550101", "5550102");
         for (RobotStatus status : RobotStatus.values()) {
             assertEquals(ReplyTone.CONNECTION_DENIED, settings.admission("5550100", status));
         }
@@ -130,7 +131,7 @@ class VeriCommandCallTest {
     void aTurnThatLeavesTheWayBlockedEndsTheOrderWithFour() {
         Bench bench = Bench.in(RobotStatus.COLLISION).call();
         bench.press("** #*#10 #**20 **");
-        bench.robot.end(StatusEvent.TURN_ENDED_BLOCKED, MotionOutcome.Kind.COLLISION, 10);
+        bench.robot.end(StatusEvent.TURN_ENDED_BLOCKED, MotionOutcome.Ending.COLLISION, 10);
         assertEquals(
                 List.of("outcome 4 Collision after 10 of 10 degrees, instruction 1 of 2.", "tone 4"),
                 bench.told("outcome", "tone").subList(1, 3));
@@ -141,7 +142,7 @@ class VeriCommandCallTest {
     void theWatchdogEndsTheOrderWithFive() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**600 #**5 **");
-        bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP, 13);
+        bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, 13);
         assertEquals(
                 List.of("tone 6", "outcome 5 Infinite loop after 13 of 600 cm, instruction 1 of 2.", "tone 5"),
                 bench.told("outcome", "tone"));
@@ -153,7 +154,7 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**30 #**600 **");
         bench.robot.reachGoal();
-        bench.robot.end(StatusEvent.MOTORS_OFF, MotionOutcome.Kind.ABORTED, 250);
+        bench.robot.end(StatusEvent.MOTORS_OFF, MotionOutcome.Ending.ABORTED, 250);
         assertEquals(
                 List.of(
                         "tone 6",
@@ -167,7 +168,7 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**600 **");
         bench.told();
-        bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Kind.ABORTED, 250);
+        bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Ending.ABORTED, 250);
         assertEquals(
                 List.of(
                         "outcome 2 Connection denied: the robot is off. Ended after 250 of 600 cm, instruction 1 of 1.",
@@ -258,7 +259,7 @@ class VeriCommandCallTest {
     @ParameterizedTest
     @CsvSource({"COLLISION, TOUCHED", "INFINITE_LOOP, MOTION_ENDED", "ABORTED, MOTORS_OFF"})
     void whateverHappensWhileBrakingTheStoppedOrderHasNoToneAndStopIsAnsweredByThree(
-            MotionOutcome.Kind kind, StatusEvent event) {
+            MotionOutcome.Ending kind, StatusEvent event) {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**500 **");
         bench.press("** ### **");
@@ -282,7 +283,7 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**500 **");
         bench.press("** ### **");
-        bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Kind.ABORTED, 40);
+        bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Ending.ABORTED, 40);
         assertEquals(List.of("tone 6", "tone 2", "clear"), bench.told("tone", "clear"));
     }
 
@@ -335,7 +336,8 @@ class VeriCommandCallTest {
 
     @Test
     void onHangupFinishLetsTheInstructionEndButNoFurtherOneBegin() {
-        Bench bench = Bench.with(Bench.settings(Settings.OnHangup.FINISH)).call();
+        Bench bench =
+                Bench.with(Bench.settings(VeriCommandSettings.OnHangup.FINISH)).call();
         bench.press("** #**500 #*#90 **");
         bench.veri.callEnded();
         assertEquals(0, bench.robot.brakes);
@@ -411,14 +413,14 @@ class VeriCommandCallTest {
     @Test
     void everyToneFromOneToEightCanBeHeard() {
         Set<ReplyTone> admissions = Set.of(
-                Settings.DEFAULT.admission("", RobotStatus.STOPPED),
-                Settings.DEFAULT.admission("", RobotStatus.DISCONNECTED));
+                VeriCommandSettings.DEFAULT.admission("", RobotStatus.STOPPED),
+                VeriCommandSettings.DEFAULT.admission("", RobotStatus.DISCONNECTED));
         assertEquals(Set.of(ReplyTone.CONNECTION_ACCEPTED, ReplyTone.CONNECTION_DENIED), admissions);
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("**#**1**");
         bench.robot.reachGoal();
         bench.press("**#**9**");
-        bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP, 0);
+        bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, 0);
         bench.press("**#**9**");
         bench.robot.collide(0);
         bench.press("**#**9**");

@@ -106,10 +106,11 @@ class VeriCommandMessageTest {
                 "es|MOTION_ENDED|8 No es posible: el mundo ha cambiado. Termina tras 12 de 20 cm, paso 2 de 2."
             })
     void anOrderCutShortSaysWhyAndHowFarItGot(String language, StatusEvent event, String reply) {
-        Bench bench = Bench.with(new Settings(new Locale(language), Set.of(), Settings.OnHangup.STOP));
+        Bench bench =
+                Bench.with(new VeriCommandSettings(new Locale(language), Set.of(), VeriCommandSettings.OnHangup.STOP));
         bench.sms("** #*#90 #**20 **");
         bench.robot.reachGoal();
-        bench.robot.end(event, MotionOutcome.Kind.ABORTED, 12.2);
+        bench.robot.end(event, MotionOutcome.Ending.ABORTED, 12.2);
         assertEquals(List.of(TO + reply), bench.told("sms"));
     }
 
@@ -137,7 +138,7 @@ class VeriCommandMessageTest {
 
     @Test
     void aSenderWhoMayNotCommandIsNotAnsweredNorObeyed() {
-        Bench bench = Bench.with(Bench.settings(Settings.OnHangup.STOP, "5550100"));
+        Bench bench = Bench.with(Bench.settings(VeriCommandSettings.OnHangup.STOP, "5550100"));
         bench.sms("** #**20 **");
         bench.sms("nonsense");
         assertEquals(List.of("ignored 5550101", "ignored 5550101"), bench.told());
@@ -146,7 +147,8 @@ class VeriCommandMessageTest {
 
     @Test
     void repliesCanBeSpanish() {
-        Bench bench = Bench.with(new Settings(Locale.forLanguageTag("es"), Set.of(), Settings.OnHangup.STOP));
+        Bench bench = Bench.with(
+                new VeriCommandSettings(Locale.forLanguageTag("es"), Set.of(), VeriCommandSettings.OnHangup.STOP));
         bench.sms("** #** **");
         bench.sms("** #**20 **");
         bench.robot.collide(12);
@@ -175,7 +177,7 @@ class VeriCommandMessageTest {
     void theLongestRepliesStillFitOneMessage() {
         Pose far = new Pose(-12345.678, -12345.678, 359.9);
         Instruction.Motion motion = new Instruction.Forward(9999);
-        Progress progress = new Progress(motion, 9998.6, 32, 32);
+        OrderProgress progress = new OrderProgress(motion, 9998.6, 32, 32);
         for (Locale locale : List.of(Locale.ENGLISH, Locale.forLanguageTag("es"))) {
             ReplyTexts texts = new ReplyTexts(locale);
             for (RobotStatus status : RobotStatus.values()) {
@@ -184,9 +186,9 @@ class VeriCommandMessageTest {
                 assertTrue(texts.report(longest, status, far).message().length() <= 160);
                 assertTrue(texts.aborted(progress, status).message().length() <= 160);
             }
-            for (Expected expected : Expected.values()) {
-                for (Fault.Limit limit : Fault.Limit.values()) {
-                    Fault fault = new Fault("", 99999, expected, limit, true);
+            for (ExpectedKeys expected : ExpectedKeys.values()) {
+                for (OrderFault.Limit limit : OrderFault.Limit.values()) {
+                    OrderFault fault = new OrderFault("", 99999, expected, limit, true);
                     assertTrue(
                             texts.invalid(fault).message().length() <= 160,
                             texts.invalid(fault).message());

@@ -9,10 +9,10 @@ import vericommand.Instruction;
 import vericommand.Reply;
 import vericommand.ReplyTone;
 import vericommand.RobotStatus;
-import vericommand.Settings;
 import vericommand.Verdict;
 import vericommand.VeriCommand;
 import vericommand.VeriCommandListener;
+import vericommand.VeriCommandSettings;
 import vericommand.VeriCommandSnapshot;
 
 /**
@@ -23,7 +23,7 @@ final class RobotControl {
     private static final Logger LOG = System.getLogger(RobotControl.class.getName());
 
     private final Pioneer robot;
-    private final Settings settings;
+    private final VeriCommandSettings settings;
     private final ModemPort modem;
     private final ControlListeners listener = new ControlListeners();
     private final OrderLatencyLog stopwatch;
@@ -32,7 +32,7 @@ final class RobotControl {
     private volatile RobotStatus status;
     private volatile VeriCommandSnapshot snapshot;
 
-    RobotControl(Pioneer robot, Settings settings, ModemPort modem, LongSupplier clockNanos) {
+    RobotControl(Pioneer robot, VeriCommandSettings settings, ModemPort modem, LongSupplier clockNanos) {
         this.robot = robot;
         this.settings = settings;
         this.modem = modem;

@@ -27,7 +27,7 @@ import simrobot.robot.Pioneer;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.simulation.SimulationThread;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /**
  * The whole program below its console or window: a simulation with its thread, robots with their verifiers, modems with
@@ -43,7 +43,7 @@ public final class SimRobot implements AutoCloseable {
     private final SimulationThread simulationThread;
     private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
     private final InetSocketAddress center;
-    private final Settings settings;
+    private final VeriCommandSettings settings;
     private final ControlThreads drivers;
     private final Duration patience;
     private final List<TelephoneRobot> robots = new CopyOnWriteArrayList<>();
@@ -60,12 +60,16 @@ public final class SimRobot implements AutoCloseable {
      *
      * @param output where calls are heard; closed with the rest
      */
-    public SimRobot(Simulation simulation, InetSocketAddress center, Settings settings, AudioOutput output) {
+    public SimRobot(Simulation simulation, InetSocketAddress center, VeriCommandSettings settings, AudioOutput output) {
         this(simulation, center, settings, output, PATIENCE);
     }
 
     SimRobot(
-            Simulation simulation, InetSocketAddress center, Settings settings, AudioOutput output, Duration patience) {
+            Simulation simulation,
+            InetSocketAddress center,
+            VeriCommandSettings settings,
+            AudioOutput output,
+            Duration patience) {
         loudspeaker = new Loudspeaker(output);
         this.center = center;
         this.settings = settings;

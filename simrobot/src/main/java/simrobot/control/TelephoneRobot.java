@@ -11,7 +11,7 @@ import simgsm.station.StationOptions;
 import simgsm.station.StationSnapshot;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 import vericommand.VeriCommandSnapshot;
 
 /** A robot that can be called: what windows and consoles hold of it. */
@@ -26,7 +26,7 @@ public final class TelephoneRobot {
             StationIdentity identity,
             Sim sim,
             StationOptions options,
-            Settings settings,
+            VeriCommandSettings settings,
             ControlThreads drivers) {
         number = identity.number();
         link = new ModemLink(identity, sim, options, drivers);

@@ -153,7 +153,7 @@ final class InstructionLegs {
         return !information.moves() && !braking && over;
     }
 
-    void end(MotionOutcome.Kind kind, boolean atGoal) {
+    void end(MotionOutcome.Ending kind, boolean atGoal) {
         double amount = Math.max(0, atGoal ? goal : Math.min(goal, done()));
         ended.accept(new MotionOutcome(kind, forward ? amount / 10 : amount));
     }

@@ -24,7 +24,7 @@ import vericommand.Pose;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 import vericommand.StatusMachine;
-import vericommand.StatusTable;
+import vericommand.StatusRules;
 
 /**
  * A Pioneer at the other end of a line, driven and watched by P2OS. Its status follows what it says of itself ten times a
@@ -190,13 +190,13 @@ public final class RealPioneer implements Pioneer {
         switch (progress) {
             case TOUCHED -> {
                 stop();
-                finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION, false);
+                finish(StatusEvent.TOUCHED, MotionOutcome.Ending.COLLISION, false);
             }
             case AT_GOAL -> rest(under, information, true);
             case BRAKED -> rest(under, information, false);
             case OVERDUE -> {
                 stop();
-                finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP, false);
+                finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, false);
             }
             case UNDER_WAY -> {
                 if (under.wantsNextLeg(information, nanos)) {
@@ -208,14 +208,14 @@ public final class RealPioneer implements Pioneer {
 
     private void rest(InstructionLegs under, Information information, boolean atGoal) {
         boolean blocked = under.begunInCollision() && information.stalled();
-        MotionOutcome.Kind well = atGoal ? MotionOutcome.Kind.DONE : MotionOutcome.Kind.BRAKED;
+        MotionOutcome.Ending well = atGoal ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
                 blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
-                blocked && atGoal ? MotionOutcome.Kind.COLLISION : well,
+                blocked && atGoal ? MotionOutcome.Ending.COLLISION : well,
                 atGoal);
     }
 
-    private void finish(StatusEvent event, MotionOutcome.Kind kind, boolean atGoal) {
+    private void finish(StatusEvent event, MotionOutcome.Ending kind, boolean atGoal) {
         InstructionLegs over = travel;
         travel = null;
         settled = false;
@@ -240,7 +240,7 @@ public final class RealPioneer implements Pioneer {
     @Override
     public void start(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
         Objects.requireNonNull(ended);
-        if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
+        if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
         travel = new InstructionLegs(motion, ended, status() == RobotStatus.COLLISION, place, nanos);
@@ -287,7 +287,7 @@ public final class RealPioneer implements Pioneer {
         travel = null;
         change(event);
         if (cutShort != null) {
-            cutShort.end(MotionOutcome.Kind.ABORTED, false);
+            cutShort.end(MotionOutcome.Ending.ABORTED, false);
         }
     }
 

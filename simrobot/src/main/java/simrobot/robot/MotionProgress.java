@@ -102,7 +102,7 @@ final class MotionProgress {
         return elapsedNanos >= limitNanos;
     }
 
-    void end(MotionOutcome.Kind kind) {
+    void end(MotionOutcome.Ending kind) {
         double amount = forward ? done * CENTIMETERS : Math.toDegrees(done);
         ended.accept(new MotionOutcome(kind, Math.max(0, isAtGoal() ? wholeAmount() : amount)));
     }

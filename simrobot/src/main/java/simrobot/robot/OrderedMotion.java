@@ -115,20 +115,20 @@ final class OrderedMotion {
         if (stands() && (errand.isAtGoal() || errand.isBraking())) {
             rest();
         } else if (errand.isOverdueAfter(nanos)) {
-            finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.INFINITE_LOOP);
+            finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP);
         }
     }
 
     private void rest() {
         boolean blocked = errand.begunInCollision() && robot.isWayBlocked();
-        MotionOutcome.Kind well = errand.isAtGoal() ? MotionOutcome.Kind.DONE : MotionOutcome.Kind.BRAKED;
+        MotionOutcome.Ending well = errand.isAtGoal() ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
                 blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
-                blocked && well == MotionOutcome.Kind.DONE ? MotionOutcome.Kind.COLLISION : well);
+                blocked && well == MotionOutcome.Ending.DONE ? MotionOutcome.Ending.COLLISION : well);
     }
 
     /** The robot stands; the status changes, then the order hears of it. */
-    void finish(StatusEvent event, MotionOutcome.Kind kind) {
+    void finish(StatusEvent event, MotionOutcome.Ending kind) {
         MotionProgress over = errand;
         errand = null;
         robot.stand();

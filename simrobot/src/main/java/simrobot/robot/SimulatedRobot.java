@@ -11,7 +11,7 @@ import vericommand.Pose;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 import vericommand.StatusMachine;
-import vericommand.StatusTable;
+import vericommand.StatusRules;
 
 /**
  * A Pioneer 2-DX on a floor. It moves only in {@link #step}; everything happens on the simulation's owner thread.
@@ -113,7 +113,7 @@ public final class SimulatedRobot implements Pioneer {
 
     private void cut(StatusEvent event) {
         autonomy.end();
-        ordered.finish(event, MotionOutcome.Kind.ABORTED);
+        ordered.finish(event, MotionOutcome.Ending.ABORTED);
     }
 
     // ---- motion --------------------------------------------------------------------------------------------------
@@ -121,7 +121,7 @@ public final class SimulatedRobot implements Pioneer {
     @Override
     public void start(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
         Objects.requireNonNull(ended);
-        if (StatusTable.treatment(status(), motion) != StatusTable.Treatment.EXECUTED) {
+        if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
         autonomy.end();
@@ -213,7 +213,7 @@ public final class SimulatedRobot implements Pioneer {
     private void touch(ContactDirection here) {
         touch = here;
         if (ordered.isUnderWay()) {
-            ordered.finish(StatusEvent.TOUCHED, MotionOutcome.Kind.COLLISION);
+            ordered.finish(StatusEvent.TOUCHED, MotionOutcome.Ending.COLLISION);
         } else if (status() == RobotStatus.MOVING) {
             stand();
             change(StatusEvent.TOUCHED);
@@ -263,7 +263,7 @@ public final class SimulatedRobot implements Pioneer {
     /** Stands still at once, the motion under way aborted; for a world that changes under the wheels. */
     public void halt() {
         if (ordered.isUnderWay()) {
-            ordered.finish(StatusEvent.MOTION_ENDED, MotionOutcome.Kind.ABORTED);
+            ordered.finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.ABORTED);
         } else if (status() == RobotStatus.MOVING) {
             stand();
             change(StatusEvent.MOTION_ENDED);

@@ -35,7 +35,7 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Instruction;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** What the record button wrote is shown by the window that replays it. */
 @Timeout(60)
@@ -56,7 +56,8 @@ class ReplayModelTest {
         Path file = folder.resolve("wall.session");
         Simulation simulation = new Simulation(World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2))), 1);
         SimulatedRobot robot = simulation.addRobot("anna", new Position(0, 0), 0);
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        VeriCommandSettings settings =
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
             SessionButton button = new SessionButton(simRobot.simulation(), (to, problem) -> {
@@ -144,7 +145,8 @@ class ReplayModelTest {
     @Test
     void whyNothingIsRecordedIsSaid() throws Exception {
         Simulation simulation = new Simulation(World.bare(), 1);
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        VeriCommandSettings settings =
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         List<String> problems = new java.util.concurrent.CopyOnWriteArrayList<>();
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {

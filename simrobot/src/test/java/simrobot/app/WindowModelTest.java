@@ -43,7 +43,7 @@ import simrobot.world.WorldReader;
 import vericommand.Pose;
 import vericommand.ReplyTone;
 import vericommand.RobotStatus;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** The window's acts reach the simulation, and its pictures tell of them. */
 @Timeout(30)
@@ -64,7 +64,8 @@ class WindowModelTest {
         World world = WorldReader.read(WORLDS.resolve("empty.map"));
         Simulation simulation = new Simulation(world, 1);
         robot = simulation.addRobot("robot");
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        VeriCommandSettings settings =
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         // nobody listens on port 1: the modem goes on looking
         simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
         simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);

@@ -10,7 +10,7 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.ReplyTone;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** A robot in a simulation whose steps the test makes, a modem that only writes down, and the console's lines. */
 final class ControlBench implements ModemPort {
@@ -23,11 +23,11 @@ final class ControlBench implements ModemPort {
     final List<String> log = new ArrayList<>();
 
     ControlBench() {
-        this(Settings.OnHangup.STOP);
+        this(VeriCommandSettings.OnHangup.STOP);
     }
 
-    ControlBench(Settings.OnHangup onHangup) {
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(), onHangup);
+    ControlBench(VeriCommandSettings.OnHangup onHangup) {
+        VeriCommandSettings settings = new VeriCommandSettings(Locale.ENGLISH, Set.of(), onHangup);
         control = new RobotControl(robot, settings, this, simulation::timeNanos);
         control.listen(new RobotEventPrinter("robot", event -> log.add(event.toString())));
     }

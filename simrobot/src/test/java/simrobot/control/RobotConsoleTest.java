@@ -39,7 +39,7 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** The console's commands on two robots whose modems have no centre and whose simulation stands. */
 class RobotConsoleTest {
@@ -51,7 +51,7 @@ class RobotConsoleTest {
     void twoRobots() {
         World world = World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2)));
         Simulation simulation = new Simulation(world, 1);
-        simRobot = new SimRobot(simulation, new InetSocketAddress(0), Settings.DEFAULT, AudioOutput.SILENT);
+        simRobot = new SimRobot(simulation, new InetSocketAddress(0), VeriCommandSettings.DEFAULT, AudioOutput.SILENT);
         for (int i = 0; i < 2; i++) {
             simRobot.add(
                     simulation.addRobot("r" + i, new Position(0, i), 0),
@@ -208,7 +208,11 @@ class RobotConsoleTest {
         simRobot.close();
         Simulation simulation = new Simulation(World.bare(), 1);
         simRobot = new SimRobot(
-                simulation, new InetSocketAddress(0), Settings.DEFAULT, AudioOutput.SILENT, Duration.ofMillis(1));
+                simulation,
+                new InetSocketAddress(0),
+                VeriCommandSettings.DEFAULT,
+                AudioOutput.SILENT,
+                Duration.ofMillis(1));
         simRobot.add(
                 simulation.addRobot("r0"), new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
         assertEquals(

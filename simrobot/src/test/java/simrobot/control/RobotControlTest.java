@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simrobot.world.World;
 import vericommand.ReplyTone;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** Verifier, simulated robot and console lines together, simulated time moved by hand. */
 class RobotControlTest {
@@ -125,7 +125,7 @@ class RobotControlTest {
 
     @Test
     void onHangupFinishLetsTheMotionEnd() {
-        ControlBench finishing = new ControlBench(Settings.OnHangup.FINISH);
+        ControlBench finishing = new ControlBench(VeriCommandSettings.OnHangup.FINISH);
         finishing.control.callBegan(1, "5550100");
         finishing.press("**#**70#**5**");
         finishing.seconds(1);

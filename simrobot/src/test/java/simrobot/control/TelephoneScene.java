@@ -42,7 +42,7 @@ import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /**
  * An operator's telephone and the network played by hand before a real modem, verifier and simulated robot: keys go in as
@@ -78,7 +78,8 @@ final class TelephoneScene implements Uplink {
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
         ControlThreads drivers = new ControlThreads(Runnable::run, this::simulate, () -> nowNanos);
         link = new ModemLink(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, drivers);
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(operators), Settings.OnHangup.STOP);
+        VeriCommandSettings settings =
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), VeriCommandSettings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);
         control.listen(new RobotEventPrinter("robot", event -> lines.add(event.toString())));
         link.serve(control);

@@ -279,7 +279,7 @@ class P2osMotionTest {
                 .say(P2osCommandNumber.DHEAD, 90)
                 .say(P2osCommandNumber.SETV, 100)
                 .seconds(5);
-        assertEquals(MotionOutcome.Kind.DONE, outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.DONE, outcomes.get(0).ending());
         assertEquals(0.5, bench.robot.xMeters(), 1e-9);
         assertEquals(0, bench.robot.headingRadians());
     }
@@ -290,7 +290,7 @@ class P2osMotionTest {
         List<MotionOutcome> outcomes = new ArrayList<>();
         bench.robot.start(new Instruction.Forward(70), outcomes::add);
         bench.seconds(1).say(P2osCommandNumber.STOP).seconds(3);
-        assertEquals(MotionOutcome.Kind.BRAKED, outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.BRAKED, outcomes.get(0).ending());
     }
 
     @Test
@@ -301,6 +301,6 @@ class P2osMotionTest {
         bench.fallSilent().seconds(3);
         bench.session.lost();
         bench.seconds(10);
-        assertEquals(MotionOutcome.Kind.DONE, outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.DONE, outcomes.get(0).ending());
     }
 }

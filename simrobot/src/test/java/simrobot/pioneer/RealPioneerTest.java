@@ -44,7 +44,7 @@ class RealPioneerTest {
         bench.robot.start(new Instruction.Forward(200), bench.outcomes::add);
         bench.seconds(2).cutLine();
         assertEquals(RobotStatus.DISCONNECTED, bench.robot.status());
-        assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.ABORTED, bench.outcomes.get(0).ending());
         double there = bench.robot.pose().xMeters();
         assertTrue(there > 0.3, "at " + there);
         bench.seconds(5);
@@ -54,8 +54,8 @@ class RealPioneerTest {
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(there, bench.robot.pose().xMeters(), 1e-9);
         assertEquals(
-                MotionOutcome.Kind.DONE,
-                bench.order(new Instruction.Forward(10)).kind());
+                MotionOutcome.Ending.DONE,
+                bench.order(new Instruction.Forward(10)).ending());
         assertEquals(rolledOut + 0.1, bench.body.xMeters(), 0.002);
     }
 
@@ -105,7 +105,7 @@ class RealPioneerTest {
         bench.seconds(1);
         bench.robot.setPower(false);
         assertEquals(RobotStatus.DISCONNECTED, bench.robot.status());
-        assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.ABORTED, bench.outcomes.get(0).ending());
         byte[] last = bench.sent.get(bench.sent.size() - 1);
         assertArrayEquals(P2osCommandCodec.packet(P2osCommandNumber.CLOSE), last);
         assertFalse(bench.wanted);
@@ -120,7 +120,7 @@ class RealPioneerTest {
     void aForwardOrderEndsWhereItShould(int centimeters) {
         LineBench bench = LineBench.connected(World.bare());
         MotionOutcome outcome = bench.order(new Instruction.Forward(centimeters));
-        assertEquals(new MotionOutcome(MotionOutcome.Kind.DONE, centimeters), outcome);
+        assertEquals(new MotionOutcome(MotionOutcome.Ending.DONE, centimeters), outcome);
         assertEquals(centimeters / 100.0, bench.body.xMeters(), 0.0011);
         assertEquals(centimeters / 100.0, bench.robot.pose().xMeters(), 0.0011);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
@@ -131,7 +131,7 @@ class RealPioneerTest {
     void aTurnEndsWhereItShould(int degrees) {
         LineBench bench = LineBench.connected(World.bare());
         MotionOutcome outcome = bench.order(new Instruction.Turn(degrees));
-        assertEquals(new MotionOutcome(MotionOutcome.Kind.DONE, degrees), outcome);
+        assertEquals(new MotionOutcome(MotionOutcome.Ending.DONE, degrees), outcome);
         assertEquals(-degrees, Math.toDegrees(bench.body.headingRadians()), 0.1);
         assertEquals((360 - degrees) % 360, bench.robot.pose().headingDegrees() % 360, 0.1);
     }
@@ -153,7 +153,7 @@ class RealPioneerTest {
         LineBench bench = LineBench.connected(WALL_AHEAD);
         bench.statuses.clear();
         MotionOutcome outcome = bench.order(new Instruction.Forward(200));
-        assertEquals(MotionOutcome.Kind.COLLISION, outcome.kind());
+        assertEquals(MotionOutcome.Ending.COLLISION, outcome.ending());
         assertEquals(75, outcome.amountDone(), 0.2);
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.COLLISION), bench.statuses);
         assertEquals(new Bumpers(0b00100, 0), bench.robot.snapshot().condition().bumpers());
@@ -167,15 +167,16 @@ class RealPioneerTest {
         bench.order(new Instruction.Forward(200));
         bench.statuses.clear();
         assertEquals(
-                MotionOutcome.Kind.COLLISION,
-                bench.order(new Instruction.Turn(10)).kind());
+                MotionOutcome.Ending.COLLISION,
+                bench.order(new Instruction.Turn(10)).ending());
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.COLLISION), bench.statuses);
         assertEquals(
-                MotionOutcome.Kind.DONE, bench.order(new Instruction.Turn(170)).kind());
+                MotionOutcome.Ending.DONE,
+                bench.order(new Instruction.Turn(170)).ending());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(
-                MotionOutcome.Kind.DONE,
-                bench.order(new Instruction.Forward(20)).kind());
+                MotionOutcome.Ending.DONE,
+                bench.order(new Instruction.Forward(20)).ending());
         assertEquals(0.55, bench.body.xMeters(), 0.002);
     }
 
@@ -187,7 +188,7 @@ class RealPioneerTest {
         bench.robot.brake();
         assertEquals(RobotStatus.MOVING, bench.robot.status());
         bench.seconds(3);
-        assertEquals(MotionOutcome.Kind.BRAKED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.BRAKED, bench.outcomes.get(0).ending());
         assertEquals(bench.body.xMeters() * 100, bench.outcomes.get(0).amountDone(), 0.1);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
     }
@@ -200,7 +201,7 @@ class RealPioneerTest {
         for (int i = 0; i < 100 && peer.outcomes.isEmpty(); i++) {
             peer.say(Peer.standing()).seconds(0.1);
         }
-        assertEquals(MotionOutcome.Kind.INFINITE_LOOP, peer.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.INFINITE_LOOP, peer.outcomes.get(0).ending());
         assertEquals(1, peer.sent(P2osCommandNumber.STOP));
         assertEquals(RobotStatus.STOPPED, peer.robot.status());
     }
@@ -227,7 +228,7 @@ class RealPioneerTest {
         bench.body.setMotors(false);
         bench.seconds(0.3);
         assertEquals(RobotStatus.NO_MOTORS, bench.robot.status());
-        assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.ABORTED, bench.outcomes.get(0).ending());
     }
 
     @Test

@@ -15,7 +15,7 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
-import vericommand.MotionOutcome.Kind;
+import vericommand.MotionOutcome.Ending;
 import vericommand.RobotStatus;
 
 class CollisionTest {
@@ -39,7 +39,7 @@ class CollisionTest {
     void aWallAheadEndsTheMotionAtContact() {
         Bench bench = Bench.withWalls(WALL_AHEAD).forward(300);
         MotionOutcome outcome = bench.untilEnded();
-        assertEquals(Kind.COLLISION, outcome.kind());
+        assertEquals(Ending.COLLISION, outcome.ending());
         assertEquals(75, outcome.amountDone(), 1e-4);
         assertTouching(1 - RADIUS - bench.robot.xMeters());
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.COLLISION), bench.statuses);
@@ -52,14 +52,14 @@ class CollisionTest {
     @Test
     void aGoalThatLiesJustBeforeContactIsReached() {
         Bench bench = Bench.withWalls(new Segment(0.4501, -1, 0.4501, 1)).forward(20);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(0.2, bench.robot.xMeters(), 1e-9);
     }
 
     @Test
     void aGoalThatLiesBeyondContactByATenthOfAMillimetreIsACollision() {
         Bench bench = Bench.withWalls(new Segment(0.4499, -1, 0.4499, 1)).forward(20);
-        assertEquals(Kind.COLLISION, bench.untilEnded().kind());
+        assertEquals(Ending.COLLISION, bench.untilEnded().ending());
     }
 
     @Test
@@ -81,7 +81,7 @@ class CollisionTest {
             Bench bench = new Bench(world, 0, 0, Math.toDegrees(angle) + random.nextGaussian() * 3);
             bench.forward(500);
             MotionOutcome outcome = bench.untilEnded();
-            if (outcome.kind() == Kind.COLLISION) {
+            if (outcome.ending() == Ending.COLLISION) {
                 assertTouching(grid.clearance(bench.robot.xMeters(), bench.robot.yMeters(), 1) - RADIUS);
             }
         }
@@ -107,7 +107,7 @@ class CollisionTest {
                         new Segment(0.2501, 0.2501, -0.2501, 0.2501),
                         new Segment(-0.2501, 0.2501, -0.2501, -0.2501)));
         Bench bench = new Bench(cell, 0, 0, 0).turn(360);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
     }
 
     // ---- the ways out of Collision
@@ -116,17 +116,17 @@ class CollisionTest {
     @Test
     void aTurnAwayEndsInStopped() {
         Bench bench = inCollision().turn(90);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.STOPPED), bench.statuses);
         bench.forward(50);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(-0.5, bench.robot.yMeters(), 1e-9);
     }
 
     @Test
     void aTurnThatStillLooksAtTheWallEndsInCollisionAgain() {
         Bench bench = inCollision().turn(89);
-        assertEquals(Kind.COLLISION, bench.untilEnded().kind());
+        assertEquals(Ending.COLLISION, bench.untilEnded().ending());
         assertEquals(89, bench.outcomes.get(0).amountDone());
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.COLLISION), bench.statuses);
     }
@@ -134,9 +134,9 @@ class CollisionTest {
     @Test
     void aTurnExactlyAlongTheWallIsFreeAndTheWayAlongItToo() {
         Bench bench = inCollision().turn(270);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         bench.forward(200);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(2, bench.robot.yMeters(), 1e-9);
     }
 
@@ -155,7 +155,7 @@ class CollisionTest {
     void aTurnInCollisionThatIsBrakedIsJudgedByTheSameRule() {
         Bench bench = inCollision().turn(360).seconds(0.3);
         bench.robot.brake();
-        assertEquals(Kind.BRAKED, bench.untilEnded().kind());
+        assertEquals(Ending.BRAKED, bench.untilEnded().ending());
         assertEquals(RobotStatus.COLLISION, bench.robot.status());
         bench.turn(180).untilEnded();
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
@@ -168,7 +168,7 @@ class CollisionTest {
         bench.robot.setMotors(true);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         MotionOutcome outcome = bench.forward(50).untilEnded();
-        assertEquals(Kind.COLLISION, outcome.kind());
+        assertEquals(Ending.COLLISION, outcome.ending());
         assertEquals(0, outcome.amountDone(), 1e-3);
         assertEquals(RobotStatus.COLLISION, bench.robot.status());
     }
@@ -201,7 +201,7 @@ class CollisionTest {
     void robotsTouchAtTwoRadii() {
         Bench bench = Bench.onBareFloor();
         SimulatedRobot other = bench.simulation.addRobot("other", new Position(2, 0.1), 0);
-        assertEquals(Kind.COLLISION, bench.forward(500).untilEnded().kind());
+        assertEquals(Ending.COLLISION, bench.forward(500).untilEnded().ending());
         assertTouching(Math.hypot(2 - bench.robot.xMeters(), 0.1) - 2 * RADIUS);
         assertEquals(RobotStatus.STOPPED, other.status());
     }
@@ -212,8 +212,8 @@ class CollisionTest {
         SimulatedRobot other = bench.simulation.addRobot("other", new Position(2, 0), Math.PI);
         List<MotionOutcome> others = new java.util.ArrayList<>();
         other.start(new Instruction.Forward(500), others::add);
-        assertEquals(Kind.COLLISION, bench.forward(500).untilEnded().kind());
-        assertEquals(Kind.COLLISION, others.get(0).kind());
+        assertEquals(Ending.COLLISION, bench.forward(500).untilEnded().ending());
+        assertEquals(Ending.COLLISION, others.get(0).ending());
         assertTouching(other.xMeters() - bench.robot.xMeters() - 2 * RADIUS);
     }
 
@@ -222,7 +222,7 @@ class CollisionTest {
         Bench bench = Bench.onBareFloor();
         SimulatedRobot other = bench.simulation.addRobot("other", new Position(2, 0), 0);
         bench.simulation.removeRobot(other);
-        assertEquals(Kind.DONE, bench.forward(500).untilEnded().kind());
+        assertEquals(Ending.DONE, bench.forward(500).untilEnded().ending());
     }
 
     @Test

@@ -259,7 +259,7 @@ class DriveTest {
         Bench bench = Bench.onBareFloor().forward(300);
         bench.seconds(2);
         bench.robot.brakeAtOnce();
-        assertEquals(MotionOutcome.Kind.BRAKED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.BRAKED, bench.outcomes.get(0).ending());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
     }
 

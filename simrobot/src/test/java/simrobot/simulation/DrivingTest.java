@@ -9,14 +9,14 @@ import org.junit.jupiter.api.Test;
 import simrobot.robot.Trapezoid;
 import simrobot.world.World;
 import vericommand.Instruction;
-import vericommand.MotionOutcome.Kind;
+import vericommand.MotionOutcome.Ending;
 import vericommand.RobotStatus;
 
 class DrivingTest {
     @Test
     void thePapersTwentyCentimetresAreTwentyCentimetres() {
         Bench bench = Bench.onBareFloor().forward(20);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(0.2, bench.robot.xMeters(), 1e-9);
         assertEquals(20, bench.outcomes.get(0).amountDone());
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.STOPPED), bench.statuses);
@@ -34,7 +34,7 @@ class DrivingTest {
 
     private static void assertForward(int n, double heading) {
         Bench bench = new Bench(World.bare(), 3, -2, heading).forward(n);
-        assertEquals(Kind.DONE, bench.untilEnded().kind());
+        assertEquals(Ending.DONE, bench.untilEnded().ending());
         assertEquals(3 + n / 100.0 * Math.cos(Math.toRadians(heading)), bench.robot.xMeters(), 1e-8, n + " cm");
         assertEquals(-2 + n / 100.0 * Math.sin(Math.toRadians(heading)), bench.robot.yMeters(), 1e-8, n + " cm");
         assertEquals(n, bench.outcomes.get(0).amountDone(), 1e-9);
@@ -46,7 +46,7 @@ class DrivingTest {
     void everyTurnInRangeEndsOnItsGoalClockwiseInItsNominalTime() {
         for (int n = 1; n <= 360; n++) {
             Bench bench = Bench.onBareFloor().turn(n);
-            assertEquals(Kind.DONE, bench.untilEnded().kind());
+            assertEquals(Ending.DONE, bench.untilEnded().ending());
             assertEquals((360 - n) % 360, bench.robot.pose().headingDegrees(), 1e-9);
             assertEquals(n, bench.outcomes.get(0).amountDone(), 1e-9);
             assertEquals(Trapezoid.TURN.seconds(Math.toRadians(n)), bench.simulation.timeNanos() * 1e-9, 0.0101);
@@ -102,7 +102,7 @@ class DrivingTest {
         assertEquals(RobotStatus.MOVING, bench.robot.status());
         bench.seconds(1.6);
         assertEquals(RobotStatus.MOVING, bench.robot.status());
-        assertEquals(Kind.BRAKED, bench.untilEnded().kind());
+        assertEquals(Ending.BRAKED, bench.untilEnded().ending());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(before + 0.5 * 0.5 / 0.6, bench.robot.xMeters(), 1e-9);
         assertEquals(bench.robot.xMeters() * 100, bench.outcomes.get(0).amountDone(), 1e-9);
@@ -112,7 +112,7 @@ class DrivingTest {
     void aBrakeStopsATurnToo() {
         Bench bench = Bench.onBareFloor().turn(360).seconds(2);
         bench.robot.brake();
-        assertEquals(Kind.BRAKED, bench.untilEnded().kind());
+        assertEquals(Ending.BRAKED, bench.untilEnded().ending());
         assertTrue(bench.outcomes.get(0).amountDone() < 200);
         assertEquals(0, bench.robot.turnRadiansPerSecond());
     }
@@ -121,7 +121,7 @@ class DrivingTest {
     void aBrakeBeforeTheFirstStepEndsTheMotionWhereItBegan() {
         Bench bench = Bench.onBareFloor().forward(100);
         bench.robot.brake();
-        assertEquals(Kind.BRAKED, bench.untilEnded().kind());
+        assertEquals(Ending.BRAKED, bench.untilEnded().ending());
         assertEquals(0, bench.robot.xMeters());
     }
 
@@ -141,7 +141,7 @@ class DrivingTest {
         Bench bench = Bench.onBareFloor().forward(1000).seconds(3);
         double x = bench.robot.xMeters();
         bench.robot.setMotors(false);
-        assertEquals(Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(Ending.ABORTED, bench.outcomes.get(0).ending());
         assertEquals(x * 100, bench.outcomes.get(0).amountDone(), 1e-9);
         bench.seconds(1);
         assertEquals(x, bench.robot.xMeters());
@@ -152,7 +152,7 @@ class DrivingTest {
     void powerOffAbortsAndPowerOnLeavesTheMotorsOff() {
         Bench bench = Bench.onBareFloor().turn(90).seconds(0.5);
         bench.robot.setPower(false);
-        assertEquals(Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(Ending.ABORTED, bench.outcomes.get(0).ending());
         bench.robot.setMotors(true);
         assertEquals(RobotStatus.DISCONNECTED, bench.robot.status());
         bench.robot.setPower(true);

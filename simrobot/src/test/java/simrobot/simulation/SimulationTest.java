@@ -70,10 +70,10 @@ class SimulationTest {
     void aNewWorldAbortsMotionsAndTakesRobotsHome() throws Exception {
         Bench bench = Bench.onBareFloor().forward(500).seconds(2);
         bench.simulation.load(office());
-        assertEquals(MotionOutcome.Kind.ABORTED, bench.outcomes.get(0).kind());
+        assertEquals(MotionOutcome.Ending.ABORTED, bench.outcomes.get(0).ending());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(9, bench.robot.xMeters());
-        assertEquals(MotionOutcome.Kind.DONE, bench.forward(100).untilEnded().kind());
+        assertEquals(MotionOutcome.Ending.DONE, bench.forward(100).untilEnded().ending());
     }
 
     // ---- chance and repetition -----------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ class SimulationThreadTest {
         thread.setSpeed(SimulationThread.AS_FAST_AS_IT_CAN);
         CompletableFuture<MotionOutcome> ended = new CompletableFuture<>();
         thread.post(() -> robot.start(new Instruction.Forward(1000), ended::complete));
-        assertEquals(MotionOutcome.Kind.DONE, ended.get(20, TimeUnit.SECONDS).kind());
+        assertEquals(MotionOutcome.Ending.DONE, ended.get(20, TimeUnit.SECONDS).ending());
     }
 
     @Test

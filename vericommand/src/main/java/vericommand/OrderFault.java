@@ -10,7 +10,7 @@ import java.util.Objects;
  *     message from the first key of the text; blanks not counted
  * @param limit the limit that the reply should tell, if one matters
  */
-public record Fault(String keys, int position, Expected expected, Limit limit, boolean timedOut) {
+public record OrderFault(String keys, int position, ExpectedKeys expected, Limit limit, boolean timedOut) {
     /** The limit that an order exceeds. */
     public enum Limit {
         NONE(0),
@@ -29,7 +29,7 @@ public record Fault(String keys, int position, Expected expected, Limit limit, b
         }
     }
 
-    public Fault {
+    public OrderFault {
         Objects.requireNonNull(keys);
         Objects.requireNonNull(expected);
         Objects.requireNonNull(limit);

@@ -1,22 +1,22 @@
 package vericommand;
 
 /** Who gave an order and how the answer goes back: one call, or one short message. */
-final class Source {
+final class OrderOrigin {
     private final String number;
     private final boolean message;
     private boolean gone;
 
-    private Source(String number, boolean message) {
+    private OrderOrigin(String number, boolean message) {
         this.number = number;
         this.message = message;
     }
 
-    static Source call(String number) {
-        return new Source(number, false);
+    static OrderOrigin call(String number) {
+        return new OrderOrigin(number, false);
     }
 
-    static Source message(String number) {
-        return new Source(number, true);
+    static OrderOrigin message(String number) {
+        return new OrderOrigin(number, true);
     }
 
     String number() {

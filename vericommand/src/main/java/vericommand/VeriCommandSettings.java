@@ -10,7 +10,7 @@ import java.util.Set;
  * @param language of the reply texts; English unless Spanish
  * @param operators the numbers that may command; empty: every subscriber
  */
-public record Settings(Locale language, Set<String> operators, OnHangup onHangup) {
+public record VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup) {
     /** What becomes of the motion under way when the call that ordered it is lost. */
     public enum OnHangup {
         /** The robot brakes: nobody holds it any more. */
@@ -20,9 +20,9 @@ public record Settings(Locale language, Set<String> operators, OnHangup onHangup
     }
 
     /** English, every subscriber, stop. */
-    public static final Settings DEFAULT = new Settings(Locale.ENGLISH, Set.of(), OnHangup.STOP);
+    public static final VeriCommandSettings DEFAULT = new VeriCommandSettings(Locale.ENGLISH, Set.of(), OnHangup.STOP);
 
-    public Settings {
+    public VeriCommandSettings {
         Objects.requireNonNull(language);
         Objects.requireNonNull(onHangup);
         operators = Set.copyOf(operators);

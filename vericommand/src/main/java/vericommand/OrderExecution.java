@@ -1,14 +1,14 @@
 package vericommand;
 
 /** An order that moves, on its way through its instructions. */
-final class Execution {
+final class OrderExecution {
     private final Order order;
-    private final Source source;
+    private final OrderOrigin source;
     private int done;
     private boolean announced;
     private boolean stopOrdered;
 
-    Execution(Order order, Source source) {
+    OrderExecution(Order order, OrderOrigin source) {
         this.order = order;
         this.source = source;
     }
@@ -17,7 +17,7 @@ final class Execution {
         return order;
     }
 
-    Source source() {
+    OrderOrigin source() {
         return source;
     }
 
@@ -57,8 +57,8 @@ final class Execution {
         return stopOrdered || source.isGone();
     }
 
-    Progress progress(double amountDone) {
-        return new Progress(
+    OrderProgress progress(double amountDone) {
+        return new OrderProgress(
                 (Instruction.Motion) present(),
                 amountDone,
                 done + 1,

@@ -1,7 +1,7 @@
 package vericommand;
 
 /** What a recogniser expected at the place where an order breaks off. */
-public enum Expected {
+public enum ExpectedKeys {
     OPENING("**"),
     STAR("*"),
     HASH("#"),
@@ -17,7 +17,7 @@ public enum Expected {
 
     private final String keys;
 
-    Expected(String keys) {
+    ExpectedKeys(String keys) {
         this.keys = keys;
     }
 

@@ -4,7 +4,7 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /** Which instruction is executed in which status: the paper's rule that a command is always checked first, as data. */
-public final class StatusTable {
+public final class StatusRules {
     /** What becomes of an instruction, and the tone that says so. */
     public enum Treatment {
         EXECUTED(ReplyTone.EXECUTED),
@@ -40,7 +40,7 @@ public final class StatusTable {
             RobotStatus.DISCONNECTED,
             new Row(Treatment.DENIED, Treatment.DENIED, Treatment.DENIED, Treatment.DENIED)));
 
-    private StatusTable() {}
+    private StatusRules() {}
 
     public static Treatment treatment(RobotStatus status, Instruction instruction) {
         Row row = ROWS.get(status);
@@ -50,6 +50,6 @@ public final class StatusTable {
         if (instruction instanceof Instruction.Turn) {
             return row.turn();
         }
-        return instruction instanceof Instruction.Stop ? row.stop() : row.report();
+        return instruction instanceof Instruction.StopNow ? row.stop() : row.report();
     }
 }

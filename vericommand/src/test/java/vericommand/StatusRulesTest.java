@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class StatusTableTest {
+class StatusRulesTest {
     @ParameterizedTest
     @CsvSource({
         "COLLISION,    REFUSED,  EXECUTED, EXECUTED, EXECUTED",
@@ -18,22 +18,22 @@ class StatusTableTest {
     })
     void everyRowIsTheSpecifications(
             RobotStatus status,
-            StatusTable.Treatment forward,
-            StatusTable.Treatment turn,
-            StatusTable.Treatment stop,
-            StatusTable.Treatment report) {
-        assertEquals(forward, StatusTable.treatment(status, new Instruction.Forward(1)));
-        assertEquals(turn, StatusTable.treatment(status, new Instruction.Turn(1)));
-        assertEquals(stop, StatusTable.treatment(status, new Instruction.Stop()));
-        assertEquals(report, StatusTable.treatment(status, new Instruction.Report()));
+            StatusRules.Treatment forward,
+            StatusRules.Treatment turn,
+            StatusRules.Treatment stop,
+            StatusRules.Treatment report) {
+        assertEquals(forward, StatusRules.treatment(status, new Instruction.Forward(1)));
+        assertEquals(turn, StatusRules.treatment(status, new Instruction.Turn(1)));
+        assertEquals(stop, StatusRules.treatment(status, new Instruction.StopNow()));
+        assertEquals(report, StatusRules.treatment(status, new Instruction.ReportStatus()));
     }
 
     @Test
     void aTreatmentHasItsTone() {
-        assertEquals(ReplyTone.EXECUTED, StatusTable.Treatment.EXECUTED.tone());
-        assertEquals(ReplyTone.NOT_POSSIBLE, StatusTable.Treatment.REFUSED.tone());
-        assertEquals(ReplyTone.EXECUTING, StatusTable.Treatment.BUSY.tone());
-        assertEquals(ReplyTone.CONNECTION_DENIED, StatusTable.Treatment.DENIED.tone());
+        assertEquals(ReplyTone.EXECUTED, StatusRules.Treatment.EXECUTED.tone());
+        assertEquals(ReplyTone.NOT_POSSIBLE, StatusRules.Treatment.REFUSED.tone());
+        assertEquals(ReplyTone.EXECUTING, StatusRules.Treatment.BUSY.tone());
+        assertEquals(ReplyTone.CONNECTION_DENIED, StatusRules.Treatment.DENIED.tone());
     }
 
     @Test
@@ -44,15 +44,15 @@ class StatusTableTest {
         assertEquals("refused", Verdict.of(ahead, RobotStatus.COLLISION).word());
         assertEquals(
                 "accepted",
-                Verdict.of(order(new Instruction.Report(), new Instruction.Forward(1)), RobotStatus.NO_MOTORS)
+                Verdict.of(order(new Instruction.ReportStatus(), new Instruction.Forward(1)), RobotStatus.NO_MOTORS)
                         .word());
     }
 
     @Test
     void whileMovingOnlyAnOrderWithoutAnyMotionIsTaken() {
-        Order stopAndReport = order(new Instruction.Stop(), new Instruction.Report());
+        Order stopAndReport = order(new Instruction.StopNow(), new Instruction.ReportStatus());
         assertEquals("accepted", Verdict.of(stopAndReport, RobotStatus.MOVING).word());
-        Order stopThenMove = order(new Instruction.Stop(), new Instruction.Turn(5));
+        Order stopThenMove = order(new Instruction.StopNow(), new Instruction.Turn(5));
         assertEquals(
                 new Verdict.Refused(stopThenMove, RobotStatus.MOVING, ReplyTone.EXECUTING),
                 Verdict.of(stopThenMove, RobotStatus.MOVING));

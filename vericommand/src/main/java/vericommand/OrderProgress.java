@@ -6,7 +6,7 @@ package vericommand;
  * @param number of the instruction, from 1
  * @param of how many instructions
  */
-record Progress(Instruction.Motion motion, double amountDone, int number, int of) {
+record OrderProgress(Instruction.Motion motion, double amountDone, int number, int of) {
     /** {@code 12 of 20 cm}; rounded to whole units as the operator keyed them. */
     String amounts(ReplyTexts texts) {
         String unit = motion instanceof Instruction.Forward ? "amounts.centimeters" : "amounts.degrees";
