@@ -20,16 +20,16 @@ import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
-import simrobot.simulation.WanderRun;
 import simrobot.world.World;
 
 /**
- * {@code --run SECONDS}: simulates so long, as fast as the machine can, on the main thread alone: no centre, no modem, no
- * console. Robots that wander do so by the very rule with which simulators are compared ({@link WanderRun}).
+ * {@code --run SECONDS}: simulates that long, as fast as the machine can, on the main thread alone: no centre, no modem, no
+ * console. The simulation is the one that windows and consoles use.
  */
 public final class BatchRun {
-    private static final double MOST_SECONDS = 1e9;
-    /** What needs real time or somebody at the other end. */
+    private static final double MAX_SECONDS = 1e9;
+
+    /** Options that need real time or a peer. */
     private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os");
 
     private BatchRun() {}
@@ -37,70 +37,45 @@ public final class BatchRun {
     public static int run(Arguments arguments, World world) throws UsageException, IOException {
         for (String live : LIVE_OPTIONS) {
             if (arguments.has(live)) {
-                throw new UsageException(
-                        "--" + live + ": there is nobody to serve with --run, expected one of the two");
+                throw new UsageException("--" + live + ": a run (--run) has no clients, expected one of the two");
             }
         }
-        List<RobotName> robots = RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world);
+        List<String> names = RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world).stream()
+                .map(RobotName::name)
+                .toList();
+        long seed = SimRobotMain.seed(arguments);
+        double noise = arguments.number("noise", 0, 0, Noise.MOST);
         BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
-        double seconds = arguments.number("run", 0, 0.001, MOST_SECONDS);
+        boolean motors = arguments.choice("motors", "on", "off").equals("on");
+        boolean power = arguments.choice("power", "on", "off").equals("on");
+        double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
+        Optional<Path> file = arguments.path("record");
         long began = System.nanoTime();
-        if (behaviour == BehaviourKind.WANDER) {
-            wander(arguments, world, robots, seconds);
-        } else {
-            simulate(arguments, world, robots, behaviour, seconds);
-        }
-        double wall = (System.nanoTime() - began) * 1e-9;
-        Program.standardOutput()
-                .println(Event.of("ran")
-                        .with("robots", robots.size())
-                        .with("simulated", three(seconds))
-                        .with("cpu", three(cpuSeconds()))
-                        .with("wall", three(wall)));
-        return ExitStatus.OK;
-    }
-
-    private static void wander(Arguments arguments, World world, List<RobotName> robots, double seconds)
-            throws UsageException, IOException {
-        WanderRun run = new WanderRun(world, robots.size());
-        long steps = Math.round(seconds * 1e9 / WanderRun.STEP_NANOS);
-        Optional<Path> file = arguments.path("record");
-        if (file.isEmpty()) {
-            for (long left = steps; left > 0; left--) {
-                run.step();
-            }
-            return;
-        }
-        List<String> names = robots.stream().map(RobotName::name).toList();
-        try (WanderRecording recording = WanderRecording.open(file.get(), world, run, names)) {
-            for (long left = steps; left > 0; left--) {
-                run.step();
-                recording.step();
-            }
-        }
-    }
-
-    private static void simulate(
-            Arguments arguments, World world, List<RobotName> robots, BehaviourKind behaviour, double seconds)
-            throws UsageException, IOException {
-        Simulation simulation = new Simulation(world, SimRobotMain.seed(arguments));
-        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
-        simulation.addRobots(robots.stream().map(RobotName::name).toList());
-        Optional<Path> file = arguments.path("record");
-        // nobody runs acts here, so what is recorded is written as there is enough of it
+        Simulation simulation = new Simulation(world, seed);
+        simulation.setNoise(noise);
+        simulation.addRobots(names);
+        // without a thread that performs acts, records are written when they are full
         Optional<SessionRecorder> recorder = file.isPresent()
                 ? Optional.of(SessionRecorder.open(file.get(), simulation, act -> {}))
                 : Optional.empty();
         for (SimulatedRobot robot : simulation.robots()) {
             recorder.ifPresent(events -> listen(robot, new RobotEventPrinter(robot.name(), events::event)));
-            robot.setMotors(arguments.choice("motors", "on", "off").equals("on"));
-            robot.setPower(arguments.choice("power", "on", "off").equals("on"));
+            robot.setMotors(motors);
+            robot.setPower(power);
             robot.autonomy().begin(behaviour);
         }
         for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
             simulation.step();
         }
         recorder.ifPresent(SessionRecorder::close);
+        double wall = (System.nanoTime() - began) * 1e-9;
+        Program.standardOutput()
+                .println(Event.of("ran")
+                        .with("robots", names.size())
+                        .with("simulated", threeDecimals(seconds))
+                        .with("cpu", threeDecimals(cpuSeconds()))
+                        .with("wall", threeDecimals(wall)));
+        return ExitStatus.OK;
     }
 
     private static void listen(SimulatedRobot robot, RobotEventPrinter events) {
@@ -108,7 +83,7 @@ public final class BatchRun {
         robot.autonomy().addListener(events::behaviour);
     }
 
-    /** Of the whole process from its start, user and system. */
+    /** CPU time of the whole process since its start, user and system. */
     private static double cpuSeconds() {
         return ProcessHandle.current()
                         .info()
@@ -118,7 +93,7 @@ public final class BatchRun {
                 * 1e-9;
     }
 
-    private static String three(double value) {
+    private static String threeDecimals(double value) {
         return String.format(Locale.ROOT, "%.3f", value);
     }
 }

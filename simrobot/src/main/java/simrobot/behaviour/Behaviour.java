@@ -8,9 +8,9 @@ public interface Behaviour {
     /**
      * One decision, every {@link #TICK_NANOS}.
      *
-     * @param sonarMeters sixteen ranges, sonar 0 first; only read, and only now
+     * @param sonars valid during the call only
      * @param blocked whether the robot has run against something and is held by it
      * @return what to do until the next decision
      */
-    Steering decide(double[] sonarMeters, boolean blocked);
+    Steering decide(SonarRanges sonars, boolean blocked);
 }

@@ -30,9 +30,9 @@ public final class WallFollow implements Behaviour {
     public WallFollow() {}
 
     @Override
-    public Steering decide(double[] sonarMeters, boolean blocked) {
-        double ahead = least(sonarMeters, 2, 5);
-        double right = least(sonarMeters, 6, 8);
+    public Steering decide(SonarRanges sonars, boolean blocked) {
+        double ahead = least(sonars, 2, 5);
+        double right = least(sonars, 6, 8);
         double change = Double.isNaN(last) ? 0 : right - last;
         last = right;
         spins = blocked || ahead < (spins ? CLEAR_METERS : BLOCKED_METERS);
@@ -50,10 +50,10 @@ public final class WallFollow implements Behaviour {
         return new Steering(METERS_PER_SECOND, within);
     }
 
-    private static double least(double[] sonarMeters, int first, int last) {
+    private static double least(SonarRanges sonars, int first, int last) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = first; i <= last; i++) {
-            least = Math.min(least, sonarMeters[i]);
+            least = Math.min(least, sonars.meters(i));
         }
         return least;
     }

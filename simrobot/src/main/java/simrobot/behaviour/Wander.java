@@ -28,8 +28,8 @@ public final class Wander implements Behaviour {
     }
 
     @Override
-    public Steering decide(double[] sonarMeters, boolean blocked) {
-        if (ticksToAvoid == 0 && (blocked || isNear(sonarMeters))) {
+    public Steering decide(SonarRanges sonars, boolean blocked) {
+        if (ticksToAvoid == 0 && (blocked || isNear(sonars))) {
             ticksToAvoid = AVOIDING_TICKS;
         }
         if (ticksToAvoid == 0) {
@@ -39,9 +39,9 @@ public final class Wander implements Behaviour {
         return avoiding;
     }
 
-    private static boolean isNear(double[] sonarMeters) {
+    private static boolean isNear(SonarRanges sonars) {
         for (int i = FIRST_SONAR; i <= LAST_SONAR; i++) {
-            if (sonarMeters[i] < NEAR_METERS) {
+            if (sonars.meters(i) < NEAR_METERS) {
                 return true;
             }
         }

@@ -106,7 +106,7 @@ public final class Autonomy {
             if (sinceDecisionNanos >= Behaviour.TICK_NANOS) {
                 sinceDecisionNanos -= Behaviour.TICK_NANOS;
                 Steering steering =
-                        behaviour.get().decide(robot.sonarRangesMeters(), robot.status() == RobotStatus.COLLISION);
+                        behaviour.get().decide(robot::sonarRangeMeters, robot.status() == RobotStatus.COLLISION);
                 robot.drive().setSpeed(steering.metersPerSecond());
                 robot.drive().setTurnSpeed(steering.radiansPerSecond());
             }

@@ -15,6 +15,7 @@ final class DrivenMotion {
     private final SimulatedRobot robot;
     private final Floor floor;
     private final Drive drive = new Drive();
+    private final Direction direction = new Direction();
     private boolean begunInCollision;
 
     DrivenMotion(SimulatedRobot robot, Floor floor) {
@@ -77,9 +78,9 @@ final class DrivenMotion {
         double way = wheelWay * robot.noise().way();
         double chord = way * Arc.chordShare(turn);
         for (int i = 0; i < chords; i++) {
-            double direction = robot.headingRadians() + turn / 2;
-            double wheelX = chord * StrictMath.cos(direction);
-            double wheelY = chord * StrictMath.sin(direction);
+            direction.to(robot.headingRadians() + turn / 2);
+            double wheelX = chord * direction.cos();
+            double wheelY = chord * direction.sin();
             double dx = wheelX + beltX / chords;
             double dy = wheelY + beltY / chords;
             Floor.Encounter encounter = dx == 0 && dy == 0 ? Floor.Encounter.NONE : floor.sweep(robot, dx, dy);

@@ -8,6 +8,7 @@ public final class Odometry {
     private double x;
     private double y;
     private double heading;
+    private final Direction direction = new Direction();
     private double left;
     private double right;
 
@@ -16,9 +17,9 @@ public final class Odometry {
     /** The wheels roll along an arc: so far ahead while they turn the robot by so much. */
     void roll(double meters, double radians) {
         double chord = meters * Arc.chordShare(radians);
-        double direction = heading + radians / 2;
-        x += chord * StrictMath.cos(direction);
-        y += chord * StrictMath.sin(direction);
+        direction.to(heading + radians / 2);
+        x += chord * direction.cos();
+        y += chord * direction.sin();
         heading += radians;
         double half = radians * Pioneer2Dx.EFFECTIVE_TRACK_METERS / 2;
         left += meters - half;

@@ -32,6 +32,7 @@ public final class SimulatedRobot implements Pioneer {
     private double x;
     private double y;
     private double heading;
+    private final Direction direction = new Direction();
 
     /** Of the wheels: metres per second ahead. */
     private double speed;
@@ -232,7 +233,8 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     boolean isWayFree(double way) {
-        return !floor.sweep(this, way * StrictMath.cos(heading), way * StrictMath.sin(heading))
+        direction.to(heading);
+        return !floor.sweep(this, way * direction.cos(), way * direction.sin())
                 .contact()
                 .touches();
     }
@@ -391,11 +393,16 @@ public final class SimulatedRobot implements Pioneer {
 
     /** What the sixteen sonars hear now, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {
-        double[] ranges = Sonars.rangesMeters(this, floor);
+        double[] ranges = new double[SonarRing.COUNT];
         for (int i = 0; i < ranges.length; i++) {
-            ranges[i] = noise.sonar(ranges[i], i, steps);
+            ranges[i] = sonarRangeMeters(i);
         }
         return ranges;
+    }
+
+    /** What one sonar measures now, noise included. */
+    double sonarRangeMeters(int sonar) {
+        return noise.sonar(Sonars.rangeMeters(this, direction.to(heading), floor, sonar), sonar, steps);
     }
 
     /** The same in whole millimetres, 100 to 5000. */

@@ -39,9 +39,13 @@ public final class Trail {
 
     /** Drops a point when the robot has come a point's spacing from the last one. */
     public void pass(double x, double y, long timeNanos) {
-        if (count == 0 || !(Math.hypot(x - xs[last()], y - ys[last()]) < SPACING_METERS)) {
+        if (count == 0 || !isNear(x - xs[last()], y - ys[last()])) {
             add(x, y, timeNanos);
         }
+    }
+
+    private static boolean isNear(double dx, double dy) {
+        return dx * dx + dy * dy < SPACING_METERS * SPACING_METERS;
     }
 
     /** The robot leaves the floor: no line leads from here to the next point. */

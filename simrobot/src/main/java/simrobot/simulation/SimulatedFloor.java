@@ -15,7 +15,7 @@ import simrobot.world.ObstacleGrid;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
 
-/** The floor with all its robots; robots are found by where they are, so that a crowd costs each of them the same as a few. */
+/** The floor with all its robots. Robots are looked up by place, so the cost per robot does not grow with their number. */
 final class SimulatedFloor implements Floor {
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
@@ -23,6 +23,9 @@ final class SimulatedFloor implements Floor {
 
     /** No corner of the octagon is farther from the centre of rotation. */
     private static final double OCTAGON_REACH = 0.29;
+
+    /** Robots farther from a robot's centre are out of reach of all its sonars; mouths are at most 0.26 m from the centre. */
+    private static final double SONAR_REACH = Pioneer2Dx.SONAR_RANGE_METERS + 0.26 + OCTAGON_REACH;
 
     private final DiscGrid places = new DiscGrid();
 
@@ -32,6 +35,12 @@ final class SimulatedFloor implements Floor {
     private List<Treadmill> treadmills = List.of();
     private ObstacleGrid obstacles;
     private Area ground;
+
+    /** The robots in sonar reach of {@link #seer}, looked up once for all its sonars until a robot moves. */
+    private SimulatedRobot[] neighbours = new SimulatedRobot[16];
+
+    private int neighbourCount;
+    private SimulatedRobot seer;
 
     SimulatedFloor(World world) {
         load(world);
@@ -45,6 +54,7 @@ final class SimulatedFloor implements Floor {
 
     void remove(SimulatedRobot robot) {
         places.remove(robot.number());
+        seer = null;
     }
 
     @Override
@@ -55,13 +65,15 @@ final class SimulatedFloor implements Floor {
         }
         robots[number] = robot;
         places.put(number, robot.xMeters(), robot.yMeters());
+        seer = null;
     }
 
     @Override
     public Encounter sweep(SimulatedRobot robot, double dx, double dy) {
         double x = robot.xMeters();
         double y = robot.yMeters();
-        Encounter first = new Encounter(obstacles.sweep(x, y, dx, dy, RADIUS), null);
+        Contact wall = obstacles.sweep(x, y, dx, dy, RADIUS);
+        Encounter first = wall.touches() ? new Encounter(wall, null) : Encounter.NONE;
         double reach = 2 * RADIUS + 2 * MovingDisc.SKIN_METERS;
         int others = places.near(
                 Math.min(x, x + dx) - reach,
@@ -86,7 +98,7 @@ final class SimulatedFloor implements Floor {
 
     @Override
     public boolean isFree(SimulatedRobot robot, double x, double y) {
-        if (!Double.isFinite(x) || !Double.isFinite(y) || obstacles.clearance(x, y, RADIUS) < RADIUS) {
+        if (!Double.isFinite(x) || !Double.isFinite(y) || !obstacles.isFree(x, y, RADIUS)) {
             return false;
         }
         return !places.isCrowded(robot == null ? -1 : robot.number(), x, y, 2 * RADIUS);
@@ -118,41 +130,48 @@ final class SimulatedFloor implements Floor {
     @Override
     public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range) {
         double nearest = obstacles.rayRange(x, y, ux, uy, range);
-        double endX = x + range * ux;
-        double endY = y + range * uy;
-        BodySide hit = (x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2);
-        return nearestBody(
-                robot, hit, nearest, Math.min(x, endX), Math.min(y, endY), Math.max(x, endX), Math.max(y, endY));
-    }
-
-    @Override
-    public double coneRange(SimulatedRobot robot, Cone cone, double range) {
-        double nearest = obstacles.coneRange(cone, range);
-        return nearestBody(
-                robot,
-                cone::distanceToSegment,
-                nearest,
-                cone.minX(range),
-                cone.minY(range),
-                cone.maxX(range),
-                cone.maxY(range));
-    }
-
-    private double nearestBody(
-            SimulatedRobot robot, BodySide side, double within, double minX, double minY, double maxX, double maxY) {
-        double nearest = within;
-        int others =
-                places.near(minX - OCTAGON_REACH, minY - OCTAGON_REACH, maxX + OCTAGON_REACH, maxY + OCTAGON_REACH);
-        for (int i = 0; i < others; i++) {
-            SimulatedRobot other = robots[places.found(i)];
-            if (other != robot) {
-                nearest = Math.min(nearest, toBody(side, other));
+        lookUpNeighbours(robot);
+        for (int i = 0; i < neighbourCount; i++) {
+            SimulatedRobot other = neighbours[i];
+            if (Distances.alongRayToDisc(x, y, ux, uy, other.xMeters(), other.yMeters(), OCTAGON_REACH) < nearest) {
+                nearest = Math.min(
+                        nearest, toBody((x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2), other));
             }
         }
         return nearest;
     }
 
-    /** How far it is to one side of a robot's body. */
+    @Override
+    public double coneRange(SimulatedRobot robot, Cone cone, double range) {
+        double nearest = obstacles.coneRange(cone, range);
+        lookUpNeighbours(robot);
+        for (int i = 0; i < neighbourCount; i++) {
+            SimulatedRobot other = neighbours[i];
+            if (cone.mayHold(other.xMeters(), other.yMeters(), OCTAGON_REACH, nearest)) {
+                nearest = Math.min(nearest, toBody(cone::distanceToSegment, other));
+            }
+        }
+        return nearest;
+    }
+
+    private void lookUpNeighbours(SimulatedRobot robot) {
+        if (seer != robot) {
+            double x = robot.xMeters();
+            double y = robot.yMeters();
+            int found = places.near(x - SONAR_REACH, y - SONAR_REACH, x + SONAR_REACH, y + SONAR_REACH);
+            neighbours = found > neighbours.length ? new SimulatedRobot[2 * found] : neighbours;
+            neighbourCount = 0;
+            for (int i = 0; i < found; i++) {
+                SimulatedRobot other = robots[places.found(i)];
+                if (other != robot) {
+                    neighbours[neighbourCount++] = other;
+                }
+            }
+            seer = robot;
+        }
+    }
+
+    /** The distance to one side of a robot's body. */
     private interface BodySide {
         double distance(double x1, double y1, double x2, double y2);
     }

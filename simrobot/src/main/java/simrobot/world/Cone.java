@@ -14,8 +14,6 @@ package simrobot.world;
 public final class Cone {
     private final double x;
     private final double y;
-    private final double axis;
-    private final double half;
     private final double leftX;
     private final double leftY;
     private final double rightX;
@@ -28,17 +26,41 @@ public final class Cone {
      * @param openingRadians between the two rays, below 180 degrees
      */
     public Cone(double x, double y, double axisRadians, double openingRadians) {
+        this(
+                x,
+                y,
+                Math.cos(axisRadians + openingRadians / 2),
+                Math.sin(axisRadians + openingRadians / 2),
+                Math.cos(axisRadians - openingRadians / 2),
+                Math.sin(axisRadians - openingRadians / 2));
         if (!(openingRadians > 0 && openingRadians < Math.PI)) {
             throw new IllegalArgumentException("a cone opens by " + openingRadians + ", expected above 0 and below pi");
         }
+    }
+
+    /**
+     * A cone between two rays.
+     *
+     * @param leftX with leftY the direction of the left ray, a unit vector; likewise the right ray, less than 180 degrees
+     *     clockwise from it
+     */
+    public Cone(double x, double y, double leftX, double leftY, double rightX, double rightY) {
         this.x = x;
         this.y = y;
-        axis = axisRadians;
-        half = openingRadians / 2;
-        leftX = Math.cos(axis + half);
-        leftY = Math.sin(axis + half);
-        rightX = Math.cos(axis - half);
-        rightY = Math.sin(axis - half);
+        this.leftX = leftX;
+        this.leftY = leftY;
+        this.rightX = rightX;
+        this.rightY = rightY;
+    }
+
+    /** Whether a part of the disc may be inside and nearer than {@code within}; false is certain. */
+    public boolean mayHold(double px, double py, double radius, double within) {
+        double fx = px - x;
+        double fy = py - y;
+        double reach = within + radius;
+        return fx * leftY - fy * leftX >= -radius
+                && rightX * fy - rightY * fx >= -radius
+                && fx * fx + fy * fy <= reach * reach;
     }
 
     /** Infinite when the point is not inside. */
@@ -57,8 +79,14 @@ public final class Cone {
         double by = y2 - y;
         double fromLeft = ax * leftY - ay * leftX;
         double toLeft = bx * leftY - by * leftX;
+        if (fromLeft < 0 && toLeft < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
         double fromRight = rightX * ay - rightY * ax;
         double toRight = rightX * by - rightY * bx;
+        if (fromRight < 0 && toRight < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
         double start = Math.max(entry(fromLeft, toLeft), entry(fromRight, toRight));
         double end = Math.min(exit(fromLeft, toLeft), exit(fromRight, toRight));
         if (start > end) {
@@ -84,26 +112,20 @@ public final class Cone {
         return from >= 0 ? from / (from - to) : -1;
     }
 
-    /** The cone's upright bounds, cut off at this reach: least x. */
+    /** The least x of the cone cut off at this reach; the next three likewise. */
     public double minX(double reach) {
-        return x + reach * lowest(axis);
+        return x + reach * (leftY <= 0 && rightY >= 0 ? -1 : Math.min(0, Math.min(leftX, rightX)));
     }
 
     public double maxX(double reach) {
-        return x - reach * lowest(axis + Math.PI);
+        return x + reach * (leftY >= 0 && rightY <= 0 ? 1 : Math.max(0, Math.max(leftX, rightX)));
     }
 
     public double minY(double reach) {
-        return y + reach * lowest(axis - Math.PI / 2);
+        return y + reach * (leftX >= 0 && rightX <= 0 ? -1 : Math.min(0, Math.min(leftY, rightY)));
     }
 
     public double maxY(double reach) {
-        return y - reach * lowest(axis + Math.PI / 2);
-    }
-
-    /** The least cosine, at most 0 for the apex, over the cone turned to this axis. */
-    private double lowest(double turnedAxis) {
-        double toBack = Math.abs(Math.IEEEremainder(turnedAxis - Math.PI, 2 * Math.PI));
-        return toBack <= half ? -1 : Math.min(0, Math.min(Math.cos(turnedAxis - half), Math.cos(turnedAxis + half)));
+        return y + reach * (leftX <= 0 && rightX >= 0 ? 1 : Math.max(0, Math.max(leftY, rightY)));
     }
 }

@@ -42,6 +42,9 @@ public final class MovingDisc {
 
     /** Meets a wall. */
     public void meetSegment(double x1, double y1, double x2, double y2) {
+        if (isBeside(x1, x2, x, dx) || isBeside(y1, y2, y, dy)) {
+            return;
+        }
         double ux = x2 - x1;
         double uy = y2 - y1;
         double wall = Math.sqrt(ux * ux + uy * uy);
@@ -50,6 +53,12 @@ public final class MovingDisc {
         }
         meetPoint(x1, y1);
         meetPoint(x2, y2);
+    }
+
+    /** Whether the wall lies, along one axis, wholly on one side of all that the disc sweeps over. */
+    private boolean isBeside(double wall1, double wall2, double from, double way) {
+        return Math.max(wall1, wall2) < Math.min(from, from + way) - reach
+                || Math.min(wall1, wall2) > Math.max(from, from + way) + reach;
     }
 
     /** Meets the wall's two long sides, its ends left out. */

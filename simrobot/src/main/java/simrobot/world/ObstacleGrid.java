@@ -312,51 +312,6 @@ public final class ObstacleGrid {
         }
     }
 
-    /**
-     * Lists the obstacles that are no farther from a place than so much, each once, for many rays from about there.
-     *
-     * @param into takes the obstacles' numbers from this index on
-     * @param room at most so many
-     * @return how many; -1 when there are more than there is room for
-     */
-    public int list(double x, double y, double within, int[] into, int from, int room) {
-        int left = column(x - within);
-        int right = column(x + within);
-        int top = row(y + within);
-        int size = 0;
-        for (int r = row(y - within); r <= top; r++) {
-            for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
-                if (distance(items[k], x, y) <= within && !holds(into, from, size, items[k])) {
-                    if (size == room) {
-                        return -1;
-                    }
-                    into[from + size++] = items[k];
-                }
-            }
-        }
-        return size;
-    }
-
-    private static boolean holds(int[] list, int from, int size, int item) {
-        for (int i = from; i < from + size; i++) {
-            if (list[i] == item) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** As {@link #rayRange}, but only among obstacles that were listed. */
-    public double rayRangeAmong(
-            int[] list, int from, int size, double x, double y, double ux, double uy, double maxMeters) {
-        double nearest = maxMeters;
-        for (int i = from; i < from + size; i++) {
-            double hit = hit(list[i], x, y, ux, uy);
-            nearest = hit < nearest ? hit : nearest;
-        }
-        return nearest;
-    }
-
     /** Where a ray from outside comes into the grid; 0 from inside, {@code max} when it never does. */
     private double entry(double x, double y, double ux, double uy, double max) {
         double in = 0;

@@ -2,7 +2,6 @@ package simrobot.behaviour;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -11,16 +10,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 class WanderTest {
     private static final Steering AHEAD = new Steering(0.4, 0);
 
-    private static double[] clear() {
-        double[] ranges = new double[16];
-        Arrays.fill(ranges, 5);
-        return ranges;
+    private static SonarRanges clear() {
+        return sonar -> 5;
     }
 
-    private static double[] echo(int sonar, double meters) {
-        double[] ranges = clear();
-        ranges[sonar] = meters;
-        return ranges;
+    private static SonarRanges echo(int which, double meters) {
+        return sonar -> sonar == which ? meters : 5;
     }
 
     @Test

@@ -1,0 +1,105 @@
+package simrobot.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.console.UsageException;
+import simgsm.speech.AudioOutput;
+import simgsm.speech.CallTap;
+import simgsm.speech.SpeechCodec;
+import simrobot.SimRobotMain;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.control.Fleet;
+import simrobot.control.RobotName;
+import simrobot.control.SimRobot;
+import simrobot.replay.Recording;
+import simrobot.replay.ReplayCursor;
+import simrobot.robot.RobotState;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.world.Segment;
+import simrobot.world.World;
+import vericommand.Settings;
+
+/** {@code --run} simulates what the window shows. */
+class BatchRunTest {
+    private static final int SECONDS = 20;
+    private static final World ROOM = World.ofSegments(
+            "room",
+            List.of(
+                    new Segment(-4, -3, 4, -3),
+                    new Segment(4, -3, 4, 3),
+                    new Segment(4, 3, -4, 3),
+                    new Segment(-4, 3, -4, -3)));
+
+    @TempDir
+    Path folder;
+
+    private static List<RobotState> states(List<SimulatedRobot> robots) {
+        return robots.stream().map(SimulatedRobot::state).toList();
+    }
+
+    /** The state of all robots at each second of a session that was set up as windows and consoles do. */
+    private static List<List<RobotState>> live(BehaviourKind behaviour) throws IOException, UsageException {
+        Simulation simulation = new Simulation(ROOM, 7);
+        simulation.setNoise(1);
+        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        Fleet.Kit kit = new Fleet.Kit(
+                7, true, true, behaviour, SpeechCodec.Kind.A_LAW, name -> CallTap.NONE, number -> Optional.empty());
+        List<List<RobotState>> states = new ArrayList<>();
+        try (SimRobot simRobot =
+                new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
+            Fleet fleet = new Fleet(simRobot, kit);
+            for (String robot : List.of("anna=5550201", "berta=5550202", "clara=5550203")) {
+                fleet.addFirst(RobotName.parse(robot), simulation);
+            }
+            for (int second = 0; second < SECONDS; second++) {
+                simulation.run(100);
+                states.add(states(simulation.robots()));
+            }
+        }
+        return states;
+    }
+
+    private List<List<RobotState>> run(BehaviourKind behaviour) throws IOException, UsageException {
+        Path file = folder.resolve("run.rec");
+        BatchRun.run(
+                SimRobotMain.options()
+                        .parse(List.of(
+                                "--run=" + SECONDS,
+                                "--seed=7",
+                                "--noise=1",
+                                "--robot=anna=5550201",
+                                "--robot=berta=5550202",
+                                "--robot=clara=5550203",
+                                "--behaviour=" + behaviour.text(),
+                                "--record=" + file)),
+                ROOM);
+        List<List<RobotState>> states = new ArrayList<>();
+        try (Recording recording = Recording.open(file)) {
+            ReplayCursor cursor = new ReplayCursor(recording);
+            for (int second = 1; second <= SECONDS; second++) {
+                cursor.seek(second * 1_000_000_000L);
+                states.add(states(cursor.robots()));
+            }
+        }
+        return states;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"wander", "wall-follow", "none"})
+    void theSameSeedGivesTheSameStatesToTheLastBitAsInAWindow(String behaviour) throws Exception {
+        BehaviourKind kind = BehaviourKind.ofText(behaviour);
+        assertEquals(live(kind), run(kind));
+    }
+}
