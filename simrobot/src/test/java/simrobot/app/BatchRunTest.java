@@ -29,7 +29,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Segment;
 import simrobot.world.World;
-import vericommand.Settings;
+import vericommand.VeriCommandSettings;
 
 /** {@code --run} simulates what the window shows. */
 class BatchRunTest {
@@ -53,7 +53,8 @@ class BatchRunTest {
     private static List<List<RobotState>> live(BehaviourKind behaviour) throws IOException, UsageException {
         Simulation simulation = new Simulation(ROOM, 7);
         simulation.setNoise(1);
-        Settings settings = new Settings(Locale.ENGLISH, Set.of(), Settings.OnHangup.STOP);
+        VeriCommandSettings settings =
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         Fleet.Kit kit = new Fleet.Kit(
                 7, true, true, behaviour, SpeechCodec.Kind.A_LAW, name -> CallTap.NONE, number -> Optional.empty());
         List<List<RobotState>> states = new ArrayList<>();
