@@ -1,13 +1,13 @@
 package vericommand;
 
-/** What a recogniser expected at the place where an order breaks off. */
+/** What fits at the position of a fault. */
 public enum ExpectedKeys {
     OPENING("**"),
     STAR("*"),
     HASH("#"),
     STAR_OR_HASH("* / #"),
     STAR_HASH_OR_ZERO("* / # / 0"),
-    /** A number, or one within its range. */
+    /** A number, or a number within its range. */
     NUMBER(null),
     DIGIT_HASH_OR_STAR(null),
     HASH_OR_STAR("# / *"),
@@ -21,7 +21,7 @@ public enum ExpectedKeys {
         this.keys = keys;
     }
 
-    /** The keys themselves where they need no translation, else null. */
+    /** The keys where they need no translation, else null. */
     String keys() {
         return keys;
     }

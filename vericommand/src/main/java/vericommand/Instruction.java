@@ -1,13 +1,13 @@
 package vericommand;
 
-/** One instruction of an order, in the operator's units; instructions out of range cannot be built. */
+/** One instruction of an order, in the operator's units; out of its range the constructor throws. */
 public sealed interface Instruction {
     /** The instruction as keys, without leading zeros: {@code #**20}. */
     String keys();
 
     /** An instruction that moves the robot. */
     sealed interface Motion extends Instruction {
-        /** How far: centimetres of a {@link Forward}, degrees of a {@link Turn}. */
+        /** Centimetres of a {@link Forward}, degrees of a {@link Turn}. */
         int amount();
     }
 
@@ -49,7 +49,7 @@ public sealed interface Instruction {
         }
     }
 
-    /** Brake now; as an order by itself it is taken while the robot moves. */
+    /** Brake now; an order without motions is accepted while the robot moves. */
     record StopNow() implements Instruction {
         @Override
         public String keys() {
@@ -57,7 +57,7 @@ public sealed interface Instruction {
         }
     }
 
-    /** Tell the status. */
+    /** Report the status. */
     record ReportStatus() implements Instruction {
         @Override
         public String keys() {

@@ -3,10 +3,9 @@ package vericommand;
 import java.util.Objects;
 
 /**
- * How one motion ended. When it is told, {@link Robot#status()} has the status that follows from it already.
+ * How one motion ended. {@link Robot#status()} has changed accordingly before the outcome is delivered.
  *
- * @param amountDone how far the robot came in the motion's own unit: centimetres of a forward, degrees of a turn; 0 or
- *     more
+ * @param amountDone how far the robot got, 0 or more: centimetres of a forward, degrees of a turn
  */
 public record MotionOutcome(Ending ending, double amountDone) {
     /** The ways in which a motion ends. */
@@ -17,9 +16,9 @@ public record MotionOutcome(Ending ending, double amountDone) {
         COLLISION,
         /** The watchdog ended it. */
         INFINITE_LOOP,
-        /** {@link Robot#brake()} ended it, the robot stands. */
+        /** {@link Robot#brake()} ended it; the robot stands. */
         BRAKED,
-        /** Motors or power went off, the robot's status says which; or, if it is Stopped, the world changed under it. */
+        /** Motors or power went off, as the robot's status says; in status Stopped: the world was changed. */
         ABORTED
     }
 

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * One whole order, right in grammar and range.
+ * One complete order, valid in grammar and range.
  *
- * @param keys as they came, without blanks and without further stars of the opening
+ * @param keys as received, without blanks and without further stars of the opening
  */
 public record Order(String keys, List<Instruction> instructions) {
     public static final int MAX_INSTRUCTIONS = 32;
@@ -20,22 +20,22 @@ public record Order(String keys, List<Instruction> instructions) {
         }
     }
 
-    /** Whether any of it moves the robot. */
+    /** Whether an instruction moves the robot. */
     public boolean moves() {
         return instructions.stream().anyMatch(Instruction.Motion.class::isInstance);
     }
 
-    /** Whether any of it stops the robot. */
+    /** Whether an instruction stops the robot. */
     public boolean stops() {
         return instructions.stream().anyMatch(Instruction.StopNow.class::isInstance);
     }
 
-    /** The order as people write it: {@code ** #**20 **}. */
+    /** The order with blanks between its instructions: {@code ** #**20 **}. */
     public String text() {
         return "** " + instructionKeys() + " **";
     }
 
-    /** The instructions as people write them: {@code #**100 #*#90}. */
+    /** The instructions with blanks between them: {@code #**100 #*#90}. */
     String instructionKeys() {
         return instructions.stream().map(Instruction::keys).collect(Collectors.joining(" "));
     }

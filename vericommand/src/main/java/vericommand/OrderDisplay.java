@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 
-/** Collects what a window shows of the orders: bounded, the newest is kept. */
+/** Collects what a window shows of the orders: the last 320 keys at most, and the last 8 replies. */
 final class OrderDisplay {
     private static final int MAX_KEYS = 320;
     private static final int MAX_REPLIES = 8;
@@ -43,8 +43,10 @@ final class OrderDisplay {
     }
 
     /**
-     * @param open the keys of the open order, empty if none is open. A new order takes the line over; but as the closing of
-     *     a broken order opens an empty one, a fault stays in view until more than stars have come
+     * Adds a key. A new order replaces the shown one; but the closing of a broken order opens an empty one, so a fault
+     * stays in view until the open order has a key other than {@code *}.
+     *
+     * @param open the keys of the open order, empty if none is open
      */
     void key(char key, String open) {
         boolean faultStays = failingPosition > 0 && open.chars().allMatch(c -> c == '*');

@@ -1,24 +1,26 @@
 package vericommand;
 
-/** An order that moves, on its way through its instructions. */
+import java.util.Optional;
+
+/** A complete order and how many of its instructions are done. */
 final class OrderExecution {
     private final Order order;
-    private final OrderOrigin source;
+    private final OrderOrigin origin;
     private int done;
     private boolean announced;
     private boolean stopOrdered;
 
-    OrderExecution(Order order, OrderOrigin source) {
+    OrderExecution(Order order, OrderOrigin origin) {
         this.order = order;
-        this.source = source;
+        this.origin = origin;
     }
 
     Order order() {
         return order;
     }
 
-    OrderOrigin source() {
-        return source;
+    OrderOrigin origin() {
+        return origin;
     }
 
     int done() {
@@ -29,15 +31,15 @@ final class OrderExecution {
         return done == order.instructions().size();
     }
 
-    Instruction present() {
+    Instruction current() {
         return order.instructions().get(done);
     }
 
-    void presentIsDone() {
+    void advance() {
         done++;
     }
 
-    /** True the first time only: the order has begun to move. */
+    /** True for the first call only: the order's first motion starts. */
     boolean announce() {
         boolean first = !announced;
         announced = true;
@@ -52,16 +54,28 @@ final class OrderExecution {
         return stopOrdered;
     }
 
-    /** Whether no further instruction may begin. */
-    boolean endsHere() {
-        return stopOrdered || source.isGone();
+    /** Whether no further instruction may start. */
+    boolean isCancelled() {
+        return stopOrdered || origin.isEnded();
     }
 
     OrderProgress progress(double amountDone) {
+        return progress(done, amountDone);
+    }
+
+    /** The progress of an order of which nothing is done; empty for an order that moves nothing. */
+    Optional<OrderProgress> initialProgress() {
+        for (int i = 0; i < order.instructions().size(); i++) {
+            if (order.instructions().get(i) instanceof Instruction.Motion) {
+                return Optional.of(progress(i, 0));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private OrderProgress progress(int index, double amountDone) {
+        var instructions = order.instructions();
         return new OrderProgress(
-                (Instruction.Motion) present(),
-                amountDone,
-                done + 1,
-                order.instructions().size());
+                (Instruction.Motion) instructions.get(index), amountDone, index + 1, instructions.size());
     }
 }

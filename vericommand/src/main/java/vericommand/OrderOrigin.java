@@ -1,10 +1,10 @@
 package vericommand;
 
-/** Who gave an order and how the answer goes back: one call, or one short message. */
+/** Where an order comes from and its reply goes to: one call or one short message. */
 final class OrderOrigin {
     private final String number;
     private final boolean message;
-    private boolean gone;
+    private boolean ended;
 
     private OrderOrigin(String number, boolean message) {
         this.number = number;
@@ -27,12 +27,12 @@ final class OrderOrigin {
         return message;
     }
 
-    /** The call is over: nothing that it ordered is answered any more. */
-    void leave() {
-        gone = true;
+    /** The call is over: its orders get no further reply. */
+    void end() {
+        ended = true;
     }
 
-    boolean isGone() {
-        return gone;
+    boolean isEnded() {
+        return ended;
     }
 }

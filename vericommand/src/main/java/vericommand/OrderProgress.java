@@ -1,19 +1,21 @@
 package vericommand;
 
 /**
- * How far an order got: within its present motion, and which instruction that is.
+ * How far an order has got.
  *
- * @param number of the instruction, from 1
- * @param of how many instructions
+ * @param amountDone of the current motion, in its own unit
+ * @param number of the current instruction, from 1
+ * @param of the number of instructions
  */
 record OrderProgress(Instruction.Motion motion, double amountDone, int number, int of) {
-    /** {@code 12 of 20 cm}; rounded to whole units as the operator keyed them. */
+    /** {@code 12 of 20 cm}, rounded to whole units. */
     String amounts(ReplyTexts texts) {
         String unit = motion instanceof Instruction.Forward ? "amounts.centimeters" : "amounts.degrees";
         long whole = Math.min(Math.round(amountDone), motion.amount());
         return texts.text(unit, "" + whole, "" + motion.amount());
     }
 
+    /** {@code instruction 2 of 3}. */
     String place(ReplyTexts texts) {
         return texts.text("reply.place", "" + number, "" + of);
     }

@@ -1,13 +1,13 @@
 package vericommand;
 
 /**
- * Reads the one order of a short message or a command line, key by key with the same recogniser as a call. What a call
- * would pass over, keys before the opening and behind the closing, is a fault here.
+ * Reads the one order of a short message or a command line with the recogniser of calls. Keys before the opening or after
+ * the closing, which a call ignores, are faults here.
  */
 public final class OrderText {
     private OrderText() {}
 
-    /** The text without the blanks and line breaks between its keys. */
+    /** The text without blanks and line breaks. */
     public static String keysOf(String text) {
         return text.codePoints()
                 .filter(character -> !Character.isWhitespace(character) && character != 0xa0)
@@ -15,7 +15,7 @@ public final class OrderText {
                 .toString();
     }
 
-    /** @return complete or broken, never pending; a fault holds all keys of the text */
+    /** @return complete or broken, never pending; a fault has all keys of the text */
     public static Recognition read(String text) {
         String keys = keysOf(text);
         CommandRecognizer recognizer = new CommandRecognizer();

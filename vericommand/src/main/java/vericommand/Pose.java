@@ -3,7 +3,7 @@ package vericommand;
 import java.util.Locale;
 
 /**
- * Where a robot is, for the texts that tell it.
+ * A robot's position and heading, as texts show them.
  *
  * @param headingDegrees 0 along +X, anticlockwise positive
  */
@@ -15,7 +15,7 @@ public record Pose(double xMeters, double yMeters, double headingDegrees) {
         }
     }
 
-    /** Metres with so many decimals, a dot before them whatever the language. */
+    /** Metres with this number of decimals, after a dot in every language. */
     public String xText(int decimals) {
         return decimal(xMeters, decimals);
     }
@@ -24,7 +24,7 @@ public record Pose(double xMeters, double yMeters, double headingDegrees) {
         return decimal(yMeters, decimals);
     }
 
-    /** Degrees in [0, 360), also where rounding would make them 360. */
+    /** Degrees in [0, 360); a value that would round to 360 is 0. */
     public String headingText(int decimals) {
         double scale = Math.pow(10, decimals);
         double rounded = Math.round(headingDegrees * scale) / scale % 360;

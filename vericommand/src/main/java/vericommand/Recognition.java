@@ -1,14 +1,14 @@
 package vericommand;
 
-/** What one key (or a time without one) has led to. */
+/** The result of reading one key, or of a time without one. */
 public sealed interface Recognition {
-    /** Nothing to tell yet. */
+    /** The order is incomplete, or none is open. */
     record Pending() implements Recognition {}
 
     /** The key closed an order. */
     record Complete(Order order) implements Recognition {}
 
-    /** The order is broken; told exactly once per broken order. */
+    /** A key does not fit; reported once per broken order. */
     record Broken(OrderFault fault) implements Recognition {}
 
     Recognition PENDING = new Pending();

@@ -1,9 +1,9 @@
 package vericommand;
 
 /**
- * An answer to an operator: a tone in a call, its text in a short message.
+ * The reply to an order: the tone in a call, {@link #message()} in a short message.
  *
- * @param text the meaning and what happened, without the tone's number
+ * @param text the tone's meaning and details, without its number
  */
 public record Reply(ReplyTone tone, String text) {
     /** One short message of the GSM alphabet. */

@@ -2,7 +2,7 @@ package vericommand;
 
 import java.util.Locale;
 
-/** What the robot answers, in words. Spanish keeps to letters of the GSM alphabet, which has é and ñ but not á, í, ó, ú. */
+/** The replies as texts. The Spanish ones use only letters of the GSM alphabet: é and ñ, but not á, í, ó, ú. */
 final class ReplyTexts {
     private final Locale locale;
 
@@ -10,7 +10,7 @@ final class ReplyTexts {
         this.locale = locale;
     }
 
-    /** The whole order is executed. */
+    /** All instructions are executed. */
     Reply done(Order order, RobotStatus status, Pose pose) {
         String where = where(status, pose);
         String text = text("reply.done", order.instructionKeys(), where);
@@ -20,7 +20,7 @@ final class ReplyTexts {
         return new Reply(ReplyTone.EXECUTED, text);
     }
 
-    /** The answer to an order that only asks for the status. */
+    /** The reply to an order that only asks for the status. */
     Reply report(Order order, RobotStatus status, Pose pose) {
         String where = where(status, pose);
         return switch (status) {
@@ -32,13 +32,13 @@ final class ReplyTexts {
         };
     }
 
-    /** A motion touched something, or went on for ever. */
+    /** A motion ended in a collision or in an infinite loop. */
     Reply failed(ReplyTone tone, OrderProgress progress) {
         String key = tone == ReplyTone.COLLISION ? "reply.collision" : "reply.loop";
         return new Reply(tone, text(key, progress.amounts(this), progress.place(this)));
     }
 
-    /** A motion was cut short: by the power or the motors, or by a world that changed under a robot still fit to move. */
+    /** A motion was ended by the power or the motors; in any other status by a change of the world. */
     Reply aborted(OrderProgress progress, RobotStatus status) {
         Reply why = switch (status) {
             case DISCONNECTED -> denied();
@@ -49,7 +49,7 @@ final class ReplyTexts {
         return new Reply(why.tone(), why.text() + " " + howFar);
     }
 
-    /** The next instruction of a trip was refused after some were done. */
+    /** An instruction was refused after {@code done} of {@code of} instructions. */
     Reply refusedAfter(ReplyTone tone, RobotStatus status, int done, int of) {
         Reply refusal = refused(tone, status);
         return done == 0 || tone != ReplyTone.NOT_POSSIBLE

@@ -2,7 +2,7 @@ package vericommand;
 
 import java.util.Locale;
 
-/** The single DTMF digit by which the robot answers in a call. */
+/** The DTMF digit by which the robot replies in a call. */
 public enum ReplyTone {
     CONNECTION_ACCEPTED(true),
     CONNECTION_DENIED(true),
@@ -19,12 +19,12 @@ public enum ReplyTone {
         this.fromPaper = fromPaper;
     }
 
-    /** True for the paper's six tones; 7 and 8 are ours. */
+    /** True for the paper's six tones, false for 7 and 8. */
     public boolean fromPaper() {
         return fromPaper;
     }
 
-    /** 1..8, the tone's number and its digit. */
+    /** 1..8. */
     public int number() {
         return ordinal() + 1;
     }

@@ -2,33 +2,33 @@ package vericommand;
 
 import java.util.function.Consumer;
 
-/** The port through which orders reach a robot, simulated or real. Everything happens on the robot's owner thread. */
+/** A robot, simulated or real, as orders command it. All methods are called on the robot's owner thread. */
 public interface Robot {
     RobotStatus status();
 
     /**
-     * Starts a motion; the status is Moving from here on. A motion may end before this returns.
+     * Starts a motion and sets the status Moving. The motion may end before this returns.
      *
-     * @param ended told exactly once how the motion ended, on the owner thread, after the status has changed
-     * @throws IllegalStateException unless {@link StatusRules} says that the motion is executed in the present status
+     * @param ended called once with the outcome, on the owner thread, after the status has changed
+     * @throws IllegalStateException unless {@link StatusRules} lets the current status execute the motion
      */
     void start(Instruction.Motion motion, Consumer<MotionOutcome> ended);
 
-    /** Brakes with the robot's deceleration; the motion under way ends when the robot stands. Standing: no effect. */
+    /** Brakes with the robot's deceleration; the motion ends when the robot stands. No effect on a standing robot. */
     void brake();
 
-    /** Whether a process of its own moves it; the status is Moving then, unless it has just touched something. */
+    /** Whether an autonomous behaviour moves the robot; the status is then Moving, or Collision after a contact. */
     default boolean isAutonomous() {
         return false;
     }
 
     /**
-     * Ends that process; the robot slows down to a stand.
+     * Ends the autonomous behaviour; the robot brakes.
      *
-     * @param stands told exactly once, on the owner thread, when the robot stands; perhaps before this returns
+     * @param standing called once, on the owner thread, when the robot stands; possibly before this returns
      */
-    default void endAutonomy(Runnable stands) {
-        stands.run();
+    default void endAutonomy(Runnable standing) {
+        standing.run();
     }
 
     /** The true pose. */

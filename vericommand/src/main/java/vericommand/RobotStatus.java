@@ -4,9 +4,9 @@ import java.util.Locale;
 
 /** The paper's five statuses; {@link #text()} is the word that consoles, windows and tests use. */
 public enum RobotStatus {
-    /** The robot has collided: it may only turn. */
+    /** The robot has collided; it can only turn. */
     COLLISION("Collision"),
-    /** An order is under way, or the robot has not come to rest yet. */
+    /** The robot moves, or brakes. */
     MOVING("Moving"),
     /** Robot and motors on, standing still. */
     STOPPED("Stopped"),
@@ -25,7 +25,7 @@ public enum RobotStatus {
         return text;
     }
 
-    /** The status with this name; case, blanks, {@code -} and {@code _} do not matter. */
+    /** The status with this name; case, blanks, {@code -} and {@code _} are ignored. */
     public static RobotStatus ofText(String text) {
         for (RobotStatus status : values()) {
             if (plain(status.text).equals(plain(text))) {

@@ -1,6 +1,6 @@
 package vericommand;
 
-/** What can happen to a robot's status. */
+/** Events that can change a robot's status. */
 public enum StatusEvent {
     POWER_ON("power on"),
     POWER_OFF("power off"),
@@ -8,7 +8,7 @@ public enum StatusEvent {
     MOTORS_OFF("motors off"),
     /** An instruction (or an autonomous process) sets the robot in motion. */
     MOTION_STARTED("motion starts"),
-    /** The robot has come to rest with the way ahead free, or after a forward motion that touched nothing. */
+    /** The robot has come to rest: after a forward motion that touched nothing, or with the way ahead free after a turn. */
     MOTION_ENDED("motion ends"),
     /** The robot touches something while it moves. */
     TOUCHED("touches something"),

@@ -3,9 +3,9 @@ package vericommand;
 import java.util.EnumMap;
 import java.util.Map;
 
-/** Which instruction is executed in which status: the paper's rule that a command is always checked first, as data. */
+/** Which instruction is executed in which status: the paper's check before every command, as a table. */
 public final class StatusRules {
-    /** What becomes of an instruction, and the tone that says so. */
+    /** How an instruction is treated, and the tone that says so. */
     public enum Treatment {
         EXECUTED(ReplyTone.EXECUTED),
         /** Not possible in this status. */

@@ -1,11 +1,11 @@
 package vericommand;
 
-/** What verification says of an order before anything moves. */
+/** The result of verifying an order, before anything moves. */
 public sealed interface Verdict {
     /** {@code accepted}, {@code refused} or {@code invalid}, for consoles and logs. */
     String word();
 
-    /** The keys that were judged, without blanks. */
+    /** The keys as received, without blanks. */
     String keys();
 
     record Accepted(Order order) implements Verdict {
@@ -21,7 +21,7 @@ public sealed interface Verdict {
     }
 
     /**
-     * Right as an order, but not now.
+     * A valid order that the robot's status does not permit.
      *
      * @param status in which the robot was
      * @param tone 8 not possible, 6 executing another, 2 robot off
@@ -51,8 +51,8 @@ public sealed interface Verdict {
     }
 
     /**
-     * Verifies an order against the robot's status: by its first instruction, except while the robot moves, when only an
-     * order that moves nothing is taken.
+     * Verifies an order against the robot's status: by its first instruction, and in Moving by its first motion if it has
+     * one.
      */
     static Verdict of(Order order, RobotStatus status) {
         Instruction decisive = order.instructions().get(0);
@@ -68,12 +68,12 @@ public sealed interface Verdict {
                 : new Refused(order, status, treatment.tone());
     }
 
-    /** Verifies what a reading has come to; a pending one has no verdict. */
-    static Verdict of(Recognition reading, RobotStatus status) {
-        if (reading instanceof Recognition.Complete complete) {
+    /** Verifies a complete or broken order. @throws IllegalArgumentException for a pending one */
+    static Verdict of(Recognition recognition, RobotStatus status) {
+        if (recognition instanceof Recognition.Complete complete) {
             return of(complete.order(), status);
         }
-        if (reading instanceof Recognition.Broken broken) {
+        if (recognition instanceof Recognition.Broken broken) {
             return new Invalid(broken.fault());
         }
         throw new IllegalArgumentException("the order is not read to its end yet");

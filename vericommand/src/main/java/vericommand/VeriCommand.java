@@ -5,10 +5,10 @@ import java.util.List;
 
 /**
  * The command verifier of one robot: reads orders from a call's keys and from short messages, verifies each against the
- * robot's status, has it executed instruction by instruction, and answers. A deterministic core on the robot's owner thread.
+ * robot's status, executes it instruction by instruction, and replies. A deterministic core on the robot's owner thread.
  *
- * <p>One order that moves is under way at a time. Its first motion is announced by tone 6, its end by one outcome; whatever
- * comes in between is answered by 6, except orders of nothing but {@code ###} and {@code #*0}.
+ * <p>One order that moves is executed at a time. Its first motion is announced by tone 6, its end by one outcome; every
+ * other order that comes in between is answered by 6, except orders of nothing but {@code ###} and {@code #*0}.
  */
 public final class VeriCommand {
     private final Robot robot;
@@ -17,15 +17,17 @@ public final class VeriCommand {
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
     private final OrderDisplay display;
-    /** Stop orders that wait for the robot to stand. */
+    /** Stop orders, answered when the robot stands. */
     private final List<OrderExecution> stops = new ArrayList<>();
 
+    /** Null when no call is up. */
     private OrderOrigin call;
-    /** Waits for the robot to stand, whose own process it has ended; null when none does. */
-    private HeldOrder held;
-
+    /** Verified once the autonomous behaviour that it ended has stopped the robot; null if none. */
+    private OrderExecution deferred;
+    /** The order that moves the robot; null if none. */
     private OrderExecution running;
-    private boolean toldUnderWay;
+
+    private boolean reportedUnderWay;
 
     public VeriCommand(Robot robot, VeriCommandSettings settings, VeriCommandListener listener) {
         this.robot = robot;
@@ -35,7 +37,7 @@ public final class VeriCommand {
         display = new OrderDisplay(settings.language(), texts);
     }
 
-    /** An accepted call is up. @param caller empty when the network does not say */
+    /** An accepted call is up; a previous one ends. @param caller empty when the network does not say */
     public void callBegan(String caller) {
         callEnded();
         call = OrderOrigin.call(caller);
@@ -43,23 +45,23 @@ public final class VeriCommand {
         listener.changed();
     }
 
-    /** The call is lost or cleared: what it ordered gets no reply, and unless told otherwise the robot brakes. */
+    /** The call is lost or cleared: its orders get no reply; with {@code OnHangup.STOP} the robot brakes if one moves it. */
     public void callEnded() {
         if (call == null) {
             return;
         }
-        call.leave();
-        boolean stopRobot =
-                running != null && running.source() == call && settings.onHangup() == VeriCommandSettings.OnHangup.STOP;
+        call.end();
+        boolean brakes =
+                running != null && running.origin() == call && settings.onHangup() == VeriCommandSettings.OnHangup.STOP;
         call = null;
         recognizer.reset();
         listener.changed();
-        if (stopRobot) {
+        if (brakes) {
             robot.brake();
         }
     }
 
-    /** A key of the caller; without a call it is nobody's. */
+    /** A key of the caller; ignored without a call. */
     public void key(char key) {
         if (call == null) {
             return;
@@ -69,31 +71,31 @@ public final class VeriCommand {
             display.begin(call.number(), false);
         }
         display.key(key, recognizer.keys());
-        conclude(recognition, call);
+        handle(recognition, call);
         listener.changed();
     }
 
-    /** Speech of the call has come, lost frames included: the time-out of an order left unfinished is counted by it. */
+    /** Speech of the call has come, lost frames included: its samples measure the time-out of an unfinished order. */
     public void speech(long samples) {
-        if (call != null && conclude(recognizer.elapsed(samples), call)) {
+        if (call != null && handle(recognizer.elapsed(samples), call)) {
             listener.changed();
         }
     }
 
-    /** A short message. @param from the number that the network vouches for */
+    /** A short message. @param from the number that the network has authenticated */
     public void message(String from, String text) {
         if (!settings.permits(from)) {
             listener.senderIgnored(from);
             return;
         }
         display.begin(from, true);
-        conclude(OrderText.read(text), OrderOrigin.message(from));
+        handle(OrderText.read(text), OrderOrigin.message(from));
         listener.changed();
     }
 
-    /** The robot's status has changed by itself; stop orders that waited for standstill are answered. */
+    /** The robot's status has changed without an order; stop orders that waited for standstill are answered. */
     public void statusChanged() {
-        if (running == null && held == null && robot.status() != RobotStatus.MOVING) {
+        if (running == null && deferred == null && robot.status() != RobotStatus.MOVING) {
             answerStops();
         }
         listener.changed();
@@ -101,7 +103,7 @@ public final class VeriCommand {
 
     /** Whether an order is being executed. */
     public boolean isUnderWay() {
-        return running != null || held != null || !stops.isEmpty();
+        return running != null || deferred != null || !stops.isEmpty();
     }
 
     /** What a window shows, immutable. */
@@ -109,74 +111,73 @@ public final class VeriCommand {
         return display.snapshot(call != null, isUnderWay());
     }
 
-    private boolean conclude(Recognition recognition, OrderOrigin source) {
+    /** @return false while the order is incomplete */
+    private boolean handle(Recognition recognition, OrderOrigin origin) {
         if (recognition instanceof Recognition.Pending) {
             return false;
         }
         if (recognition instanceof Recognition.Complete complete && endsAutonomy(complete.order())) {
-            hold(complete, source);
+            defer(new OrderExecution(complete.order(), origin));
         } else {
-            judge(recognition, source);
+            settle(Verdict.of(recognition, robot.status()), origin);
         }
         return true;
     }
 
-    /** Who asks only for the status disturbs nobody. */
+    private void report(Verdict verdict) {
+        display.verdict(verdict);
+        listener.order(verdict.keys(), verdict);
+    }
+
+    /** An order that only asks for the status leaves the autonomous behaviour running. */
     private boolean endsAutonomy(Order order) {
         return robot.isAutonomous() && (order.moves() || order.stops());
     }
 
-    private void hold(Recognition.Complete complete, OrderOrigin source) {
-        held = new HeldOrder(complete, source);
-        tellUnderWay();
-        robot.endAutonomy(this::judgeHeld);
+    private void defer(OrderExecution execution) {
+        deferred = execution;
+        reportUnderWay();
+        robot.endAutonomy(this::resumeDeferred);
     }
 
-    private void judgeHeld() {
-        HeldOrder over = held;
-        held = null;
-        if (over.isStopOrdered()) {
-            stopHeld(over);
-        } else if (!over.source().isGone()) {
-            judge(over.recognition(), over.source());
+    private void resumeDeferred() {
+        OrderExecution execution = deferred;
+        deferred = null;
+        Verdict verdict = Verdict.of(execution.order(), robot.status());
+        if (execution.isStopOrdered()) {
+            report(verdict);
+            execution
+                    .initialProgress()
+                    .ifPresent(progress -> answer(execution.origin(), texts.stopped(progress), false));
+        } else if (!execution.origin().isEnded()) {
+            settle(verdict, execution.origin());
         }
         answerStops();
-        tellUnderWay();
         listener.changed();
     }
 
-    /** What kept it from moving has been ordered after it. */
-    private void stopHeld(HeldOrder over) {
-        Verdict verdict = Verdict.of(over.recognition(), robot.status());
-        display.verdict(verdict);
-        listener.order(verdict.keys(), verdict);
-        over.firstProgress().ifPresent(progress -> answer(over.source(), texts.stopped(progress), false));
-    }
-
-    private void judge(Recognition recognition, OrderOrigin source) {
-        Verdict verdict = Verdict.of(recognition, robot.status());
-        display.verdict(verdict);
-        listener.order(verdict.keys(), verdict);
+    private void settle(Verdict verdict, OrderOrigin origin) {
+        report(verdict);
         if (verdict instanceof Verdict.Invalid invalid) {
-            answer(source, texts.invalid(invalid.fault()));
+            answer(origin, texts.invalid(invalid.fault()));
         } else if (verdict instanceof Verdict.Refused refused) {
-            answer(source, texts.refused(refused.tone(), refused.status()));
+            answer(origin, texts.refused(refused.tone(), refused.status()));
         } else {
-            begin(new OrderExecution(((Verdict.Accepted) verdict).order(), source));
+            begin(new OrderExecution(((Verdict.Accepted) verdict).order(), origin));
         }
     }
 
     private void begin(OrderExecution execution) {
         if (execution.order().moves()) {
             running = execution;
-            tellUnderWay();
+            reportUnderWay();
             proceed();
         } else if (!execution.order().stops()) {
             endInstructions(execution);
-            answer(execution.source(), texts.report(execution.order(), robot.status(), robot.pose()));
+            answer(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
         } else {
             stops.add(execution);
-            tellUnderWay();
+            reportUnderWay();
             if (robot.status() == RobotStatus.MOVING) {
                 stopRobot();
             } else {
@@ -189,41 +190,41 @@ public final class VeriCommand {
         if (running != null) {
             running.orderStop();
         }
-        if (held != null) {
-            held.orderStop();
+        if (deferred != null) {
+            deferred.orderStop();
         }
         robot.brake();
     }
 
-    /** Instruction after instruction, until one needs time, is refused or none is left. */
+    /** Starts the next motion, or ends the order when an instruction is refused or none is left. */
     private void proceed() {
         while (!running.isComplete()) {
-            Instruction present = running.present();
-            StatusRules.Treatment treatment = StatusRules.treatment(robot.status(), present);
+            Instruction current = running.current();
+            StatusRules.Treatment treatment = StatusRules.treatment(robot.status(), current);
             if (treatment != StatusRules.Treatment.EXECUTED) {
                 int of = running.order().instructions().size();
                 end(texts.refusedAfter(treatment.tone(), robot.status(), running.done(), of));
                 return;
             }
-            if (present instanceof Instruction.Motion motion) {
+            if (current instanceof Instruction.Motion motion) {
                 start(motion);
                 return;
             }
-            running.presentIsDone();
-            listener.instructionEnded(present);
+            running.advance();
+            listener.instructionEnded(current);
         }
         end(texts.done(running.order(), robot.status(), robot.pose()));
     }
 
     private void start(Instruction.Motion motion) {
-        if (running.announce() && !running.source().isMessage()) {
+        if (running.announce() && !running.origin().isMessage()) {
             listener.tone(ReplyTone.EXECUTING);
         }
         robot.start(motion, this::motionEnded);
     }
 
     private void motionEnded(MotionOutcome outcome) {
-        listener.instructionEnded(running.present());
+        listener.instructionEnded(running.current());
         OrderProgress progress = running.progress(outcome.amountDone());
         switch (outcome.ending()) {
             case DONE -> motionDone(progress);
@@ -235,8 +236,8 @@ public final class VeriCommand {
     }
 
     private void motionDone(OrderProgress progress) {
-        running.presentIsDone();
-        if (running.endsHere() && !running.isComplete()) {
+        running.advance();
+        if (running.isCancelled() && !running.isComplete()) {
             end(texts.stopped(progress));
         } else {
             proceed();
@@ -246,44 +247,43 @@ public final class VeriCommand {
     private void end(Reply reply) {
         OrderExecution ended = running;
         running = null;
-        answer(ended.source(), reply, !ended.isStopOrdered() || ended.isComplete());
+        answer(ended.origin(), reply, !ended.isStopOrdered() || ended.isComplete());
         answerStops();
-        tellUnderWay();
         listener.changed();
     }
 
     private void answerStops() {
-        List<OrderExecution> standing = List.copyOf(stops);
+        List<OrderExecution> ended = List.copyOf(stops);
         stops.clear();
-        for (OrderExecution stop : standing) {
+        for (OrderExecution stop : ended) {
             endInstructions(stop);
             RobotStatus status = robot.status();
             answer(
-                    stop.source(),
+                    stop.origin(),
                     status == RobotStatus.DISCONNECTED
                             ? texts.refused(ReplyTone.CONNECTION_DENIED, status)
                             : texts.done(stop.order(), status, robot.pose()));
         }
-        tellUnderWay();
+        reportUnderWay();
     }
 
     private void endInstructions(OrderExecution execution) {
         execution.order().instructions().forEach(listener::instructionEnded);
     }
 
-    private void answer(OrderOrigin source, Reply reply) {
-        answer(source, reply, true);
+    private void answer(OrderOrigin origin, Reply reply) {
+        answer(origin, reply, true);
     }
 
-    /** @param byTone whether a call hears the answer; an order that {@code ###} kept from its goal has no tone */
-    private void answer(OrderOrigin source, Reply reply, boolean byTone) {
-        if (source.isGone()) {
+    /** @param byTone false for an order that {@code ###} stopped before its goal: it has no tone in a call */
+    private void answer(OrderOrigin origin, Reply reply, boolean byTone) {
+        if (origin.isEnded()) {
             return;
         }
         display.reply(reply);
         listener.outcome(reply);
-        if (source.isMessage()) {
-            listener.message(source.number(), reply.message());
+        if (origin.isMessage()) {
+            listener.message(origin.number(), reply.message());
         } else if (byTone) {
             listener.tone(reply.tone());
             if (reply.tone() == ReplyTone.CONNECTION_DENIED) {
@@ -292,10 +292,10 @@ public final class VeriCommand {
         }
     }
 
-    private void tellUnderWay() {
-        if (toldUnderWay != isUnderWay()) {
-            toldUnderWay = isUnderWay();
-            listener.underWay(toldUnderWay);
+    private void reportUnderWay() {
+        if (reportedUnderWay != isUnderWay()) {
+            reportedUnderWay = isUnderWay();
+            listener.underWay(reportedUnderWay);
         }
     }
 }

@@ -1,29 +1,29 @@
 package vericommand;
 
-/** What a {@link VeriCommand} has sent and told, on its owner thread. */
+/** Receives the output of a {@link VeriCommand}, on its owner thread. */
 public interface VeriCommandListener {
     /** Send this tone to the caller. */
     void tone(ReplyTone tone);
 
-    /** Clear the call as soon as the tones ordered so far have left: the robot is off. */
+    /** Clear the call once the tones sent so far have left: the robot is off. */
     void clearCall();
 
     /** Send this short message. */
     void message(String to, String text);
 
-    /** An order is under way from here on, or none any more. */
+    /** True: an order is being executed from now on; false: none is. */
     default void underWay(boolean underWay) {}
 
-    /** An order has been read and verified; nothing has moved yet. @param keys as they came, without blanks */
+    /** An order has been read and verified; nothing has moved yet. @param keys as received, without blanks */
     default void order(String keys, Verdict verdict) {}
 
-    /** One instruction is over, however it ended. */
+    /** One instruction has ended, in whatever way. */
     default void instructionEnded(Instruction instruction) {}
 
-    /** An order is over, or was never begun. An order whose caller has gone has no outcome. */
+    /** An order has ended or was refused. An order of a call that has ended has no outcome. */
     default void outcome(Reply reply) {}
 
-    /** A short message came from somebody who may not command; it gets no reply. */
+    /** A short message came from a number that may not command; it gets no reply. */
     default void senderIgnored(String from) {}
 
     /** There is a new {@link VeriCommand#snapshot()}. */

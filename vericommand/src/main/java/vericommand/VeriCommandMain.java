@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Tells the verdict on an order, from the command line. */
+/** Prints the verdict on an order, from the command line. */
 public final class VeriCommandMain {
     private static final int ACCEPTED = 0;
     private static final int NOT_ACCEPTED = 1;
@@ -27,7 +27,7 @@ public final class VeriCommandMain {
         System.exit(run(List.of(args), standardStream(FileDescriptor.out), standardStream(FileDescriptor.err)));
     }
 
-    /** Runs without touching the process. @return the exit status */
+    /** @return the exit status */
     static int run(List<String> args, PrintStream out, PrintStream err) {
         try {
             return new VeriCommandMain().perform(args.iterator(), out);
@@ -52,7 +52,7 @@ public final class VeriCommandMain {
         return judge(String.join(" ", words).replaceAll("\\s", " "), out);
     }
 
-    /** Takes one word of the command line. @return what to print instead of a verdict, if the option asks for that */
+    /** Reads one word of the command line. @return the text of an option that prints one instead of a verdict */
     private Optional<String> option(String word, Iterator<String> args) {
         int equals = word.startsWith("--") ? word.indexOf('=') : -1;
         String value = equals < 0 ? null : word.substring(equals + 1);
@@ -64,7 +64,7 @@ public final class VeriCommandMain {
                 return Optional.of("vericommand " + version() + "\n");
             }
             case "--diagram" -> {
-                // The look file that the diagrams in docs/uml include is not there for a reader of this output.
+                // look.iuml lies in docs/uml only; the output is complete without it.
                 return Optional.of(StatusMachine.plantUml().replace("!include look.iuml\n", ""));
             }
             case "--status" -> status = statusOf(value(word, value, args));
@@ -124,7 +124,7 @@ public final class VeriCommandMain {
         return ACCEPTED;
     }
 
-    /** Where the key of that position stands in the text with its blanks; one behind the end if it is missing. */
+    /** The index in the text, blanks counted, of the key with that position; the text's length if it has fewer keys. */
     private static int indexOfKey(String text, int position) {
         int keys = 0;
         for (int i = 0; i < text.length(); i++) {

@@ -5,21 +5,21 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * How a robot is to be commanded.
+ * Who may command a robot, and how it replies.
  *
  * @param language of the reply texts; English unless Spanish
- * @param operators the numbers that may command; empty: every subscriber
+ * @param operators the numbers that may command; empty: every number
  */
 public record VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup) {
-    /** What becomes of the motion under way when the call that ordered it is lost. */
+    /** What happens to the motion under way when the call that ordered it ends. */
     public enum OnHangup {
-        /** The robot brakes: nobody holds it any more. */
+        /** The robot brakes: it must not run on without an operator. */
         STOP,
-        /** The present instruction ends as it would, the ones behind it are dropped. */
+        /** The current instruction is finished, the following ones are dropped. */
         FINISH
     }
 
-    /** English, every subscriber, stop. */
+    /** English, every number, stop. */
     public static final VeriCommandSettings DEFAULT = new VeriCommandSettings(Locale.ENGLISH, Set.of(), OnHangup.STOP);
 
     public VeriCommandSettings {
@@ -28,12 +28,12 @@ public record VeriCommandSettings(Locale language, Set<String> operators, OnHang
         operators = Set.copyOf(operators);
     }
 
-    /** @param number as the network vouches for it; empty when the network does not say */
+    /** @param number as authenticated by the network; empty when the network does not say */
     public boolean permits(String number) {
         return operators.isEmpty() || operators.contains(number);
     }
 
-    /** What a caller hears first: accepted, or denied because the robot is off or the caller is not allowed. */
+    /** The first tone of a call: accepted, or denied because the robot is off or the caller is not permitted. */
     public ReplyTone admission(String caller, RobotStatus status) {
         return permits(caller) && status != RobotStatus.DISCONNECTED
                 ? ReplyTone.CONNECTION_ACCEPTED

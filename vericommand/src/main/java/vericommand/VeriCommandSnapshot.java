@@ -5,16 +5,16 @@ import java.util.List;
 /**
  * What a window shows of a {@link VeriCommand}, in the language of its settings.
  *
- * @param from the number of the present or last call or message, empty if unknown
- * @param message whether that was a short message
+ * @param from the number of the current or last call or message, empty if unknown
+ * @param message whether {@code from} sent a short message
  * @param inCall whether a call is up
  * @param underWay whether an order is being executed
- * @param keys of the present or last order as they came, without blanks; in a call also those skipped behind a broken one
- * @param words the order in words, empty unless it was read to its end
+ * @param keys of the current or last order as received, without blanks; in a call also those skipped after a fault
+ * @param words the order in words, empty unless it is complete
  * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, or empty while the order is being keyed
  * @param verdictText the verdict in words
- * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One behind the last key: something
- *     was missing
+ * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One more than the number of keys: a
+ *     key is missing
  * @param replies to this call or message so far, the newest last, as {@code 3 Done: ...}; at most the last eight
  */
 public record VeriCommandSnapshot(
