@@ -89,10 +89,6 @@ public final class CommandGrammar {
                 default -> key >= '1' && key <= '9' ? DIGIT : OTHER;
             };
         }
-
-        public String text() {
-            return text;
-        }
     }
 
     /** What a key contributes to the order. */
@@ -159,7 +155,8 @@ public final class CommandGrammar {
             .on(ANY_SKIPPING, NO_STAR_OR_HASH, SKIPPING)
             .on(SKIPPING, STAR, SKIPPING_STAR)
             .on(SKIPPING_HASH, STAR, SKIPPING)
-            .on(SKIPPING_STAR, STAR, OPENED, OPEN_ORDER);
+            .on(SKIPPING_STAR, STAR, OPENED, OPEN_ORDER)
+            .texts(Place::name, key -> key.text);
 
     private CommandGrammar() {}
 }

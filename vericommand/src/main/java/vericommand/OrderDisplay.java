@@ -12,9 +12,9 @@ final class OrderDisplay {
 
     private final Locale locale;
     private final ReplyTexts texts;
-    private final StringBuilder keys = new StringBuilder();
     private final Deque<String> replies = new ArrayDeque<>();
     private String from = "";
+    private String keys = "";
     private boolean message;
     private String words = "";
     private String verdictWord = "";
@@ -34,8 +34,7 @@ final class OrderDisplay {
     }
 
     void keys(String all) {
-        keys.setLength(0);
-        keys.append(all);
+        keys = all;
         words = "";
         verdictWord = "";
         verdictText = "";
@@ -53,7 +52,7 @@ final class OrderDisplay {
         if (!open.isEmpty() && !faultStays) {
             keys(open);
         } else if (keys.length() < MAX_KEYS) {
-            keys.append(key);
+            keys += key;
         }
     }
 
@@ -89,7 +88,7 @@ final class OrderDisplay {
                 message,
                 inCall,
                 underWay,
-                keys.toString(),
+                keys,
                 words,
                 verdictWord,
                 verdictText,

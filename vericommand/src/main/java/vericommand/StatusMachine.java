@@ -21,7 +21,8 @@ public final class StatusMachine {
             .on(MOVING, TURN_ENDED_BLOCKED, COLLISION)
             .on(EnumSet.complementOf(EnumSet.of(DISCONNECTED)), MOTORS_OFF, NO_MOTORS)
             .on(DISCONNECTED, MOTORS_OFF, DISCONNECTED)
-            .on(EnumSet.allOf(RobotStatus.class), POWER_OFF, DISCONNECTED);
+            .on(EnumSet.allOf(RobotStatus.class), POWER_OFF, DISCONNECTED)
+            .texts(RobotStatus::text, StatusEvent::text);
 
     private final StateMachine<RobotStatus, StatusEvent, NoAction> machine;
 
@@ -48,10 +49,5 @@ public final class StatusMachine {
             throw new IllegalStateException("\"" + event.text() + "\" is not possible in " + status().text());
         }
         return status();
-    }
-
-    /** The table as a PlantUML state diagram. */
-    public static String plantUml() {
-        return TABLE.plantUml(RobotStatus::text, StatusEvent::text);
     }
 }

@@ -1,9 +1,6 @@
 package vericommand;
 
-import java.util.EnumMap;
-import java.util.Map;
-
-/** Which instruction is executed in which status: the paper's check before every command, as a table. */
+/** Which instruction is executed in which status: the paper's check before every command. */
 public final class StatusRules {
     /** How an instruction is treated, and the tone that says so. */
     public enum Treatment {
@@ -26,30 +23,15 @@ public final class StatusRules {
         }
     }
 
-    private record Row(Treatment forward, Treatment turn, Treatment stop, Treatment report) {}
-
-    private static final Map<RobotStatus, Row> ROWS = new EnumMap<>(Map.of(
-            RobotStatus.COLLISION,
-            new Row(Treatment.REFUSED, Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED),
-            RobotStatus.MOVING,
-            new Row(Treatment.BUSY, Treatment.BUSY, Treatment.EXECUTED, Treatment.EXECUTED),
-            RobotStatus.STOPPED,
-            new Row(Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED, Treatment.EXECUTED),
-            RobotStatus.NO_MOTORS,
-            new Row(Treatment.REFUSED, Treatment.REFUSED, Treatment.REFUSED, Treatment.EXECUTED),
-            RobotStatus.DISCONNECTED,
-            new Row(Treatment.DENIED, Treatment.DENIED, Treatment.DENIED, Treatment.DENIED)));
-
     private StatusRules() {}
 
     public static Treatment treatment(RobotStatus status, Instruction instruction) {
-        Row row = ROWS.get(status);
-        if (instruction instanceof Instruction.Forward) {
-            return row.forward();
-        }
-        if (instruction instanceof Instruction.Turn) {
-            return row.turn();
-        }
-        return instruction instanceof Instruction.StopNow ? row.stop() : row.report();
+        return switch (status) {
+            case COLLISION -> instruction instanceof Instruction.Forward ? Treatment.REFUSED : Treatment.EXECUTED;
+            case MOVING -> instruction instanceof Instruction.Motion ? Treatment.BUSY : Treatment.EXECUTED;
+            case STOPPED -> Treatment.EXECUTED;
+            case NO_MOTORS -> instruction instanceof Instruction.ReportStatus ? Treatment.EXECUTED : Treatment.REFUSED;
+            case DISCONNECTED -> Treatment.DENIED;
+        };
     }
 }

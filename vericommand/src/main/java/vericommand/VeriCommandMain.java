@@ -65,7 +65,7 @@ public final class VeriCommandMain {
             }
             case "--diagram" -> {
                 // look.iuml lies in docs/uml only; the output is complete without it.
-                return Optional.of(StatusMachine.plantUml().replace("!include look.iuml\n", ""));
+                return Optional.of(StatusMachine.TABLE.plantUml().replace("!include look.iuml\n", ""));
             }
             case "--status" -> status = statusOf(value(word, value, args));
             case "--lang" -> language = languageOf(value(word, value, args));

@@ -102,6 +102,6 @@ class VeriCommandMainTest {
         assertTrue(out().startsWith("vericommand "), out());
         out.reset();
         assertEquals(0, run("--diagram"));
-        assertEquals(StatusMachine.plantUml().replace("!include look.iuml\n", ""), out());
+        assertEquals(StatusMachine.TABLE.plantUml().replace("!include look.iuml\n", ""), out());
     }
 }

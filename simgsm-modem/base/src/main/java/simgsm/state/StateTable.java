@@ -34,6 +34,8 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     private final String name;
     private final S initial;
     private final Map<Key<S, E>, Row<S, E, A>> rows = new LinkedHashMap<>();
+    private Function<S, String> stateText = Enum::name;
+    private Function<E, String> eventText = Enum::name;
 
     /**
      * An empty table.
@@ -86,6 +88,13 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
         return this;
     }
 
+    /** Sets the texts of the diagram in place of the enums' own names. */
+    public StateTable<S, E, A> texts(Function<S, String> ofState, Function<E, String> ofEvent) {
+        stateText = ofState;
+        eventText = ofEvent;
+        return this;
+    }
+
     private void add(Row<S, E, A> row) {
         if (rows.putIfAbsent(new Key<>(row.state, row.event), row) != null) {
             throw new IllegalArgumentException(name + ": two rows for " + row.event + " in " + row.state);
@@ -117,16 +126,11 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
         return next;
     }
 
-    /** The table as a PlantUML state diagram with the enums' own names. */
-    public String plantUml() {
-        return plantUml(Enum::name, Enum::name);
-    }
-
     /**
      * The table as a PlantUML state diagram. Events between the same two states share an arrow; rows that keep the state
      * are not drawn.
      */
-    public String plantUml(Function<S, String> stateText, Function<E, String> eventText) {
+    public String plantUml() {
         StringBuilder uml =
                 new StringBuilder("@startuml\n!include look.iuml\ntitle %s\nhide empty description\n".formatted(name));
         for (S state : initial.getDeclaringClass().getEnumConstants()) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -89,6 +90,14 @@ class StateTableTest {
         assertFalse(machine.fire(Act.LOOK));
         assertEquals(Lamp.OFF, machine.state());
         assertEquals(List.of(), done);
+    }
+
+    @Test
+    void theDiagramHasTheTextsOfStatesAndEventsWhereTheyAreGiven() {
+        String uml = table().texts(lamp -> lamp.name().toLowerCase(Locale.ROOT), act -> "button " + act.ordinal())
+                .plantUml();
+        assertTrue(uml.contains("state \"on\" as ON\n"), uml);
+        assertTrue(uml.contains("OFF --> ON : button 0\n"), uml);
     }
 
     @Test
