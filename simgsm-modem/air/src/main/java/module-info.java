@@ -6,4 +6,5 @@ module simgsm.air {
     exports simgsm.air;
     exports simgsm.sim;
     exports simgsm.sms;
+    exports simgsm.trace;
 }

@@ -13,11 +13,11 @@ import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
-import simgsm.air.MessageText;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
+import simgsm.trace.MessageText;
 
 /**
  * One terminal's connection: the terminal with the small cell that it carries. To the driver a mere handle; inside, all

@@ -8,13 +8,13 @@ import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
 import simgsm.air.Layer3Type;
-import simgsm.air.MessageText;
 import simgsm.air.MobilityManagement;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;
 import simgsm.octets.OctetString;
+import simgsm.trace.MessageText;
 
 /** Uplink signalling: from the radio link's message to the protocol that it is for. */
 final class SignallingDispatcher {

@@ -6,16 +6,16 @@ import java.util.Optional;
 import java.util.StringJoiner;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
-import simgsm.air.MessageText;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.DeliverTpdu;
-import simgsm.sms.PduTool;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
+import simgsm.trace.MessageText;
+import simgsm.trace.TpduText;
 
 /** All that a message says, in lines: its fields, a short message or broadcast page inside, its octets. */
 final class MessageWords {
@@ -74,7 +74,7 @@ final class MessageWords {
             Tpdu unit = TpduCodec.decode(tpdu, row.direction());
             text(unit).ifPresent(text -> add(lines, new MessageText.Field("text", text)));
             lines.add("");
-            lines.add(PduTool.words(unit));
+            lines.add(TpduText.of(unit));
         } catch (ProtocolViolation violation) {
             lines.add(violation.getMessage());
         }

@@ -13,7 +13,6 @@ import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.LocationArea;
-import simgsm.air.MessageText;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RelayMessage;
@@ -37,6 +36,7 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.trace.MessageText;
 
 /** Snapshots of an exchange through which a call and a message have passed. */
 final class Scene {

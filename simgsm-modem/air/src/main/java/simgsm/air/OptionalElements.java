@@ -15,14 +15,14 @@ import java.util.Arrays;
  * Elements of a fixed length have no length octet, so a reader must be told of all that a protocol may send. A cut
  * optional element counts as absent (TS 24.008, 8.7.1).
  */
-final class OptionalElements {
+public final class OptionalElements {
     private final MessageReader in;
     private final int[] understood;
     private final FixedElements fixed;
     private MessageReader value;
 
     /** Lengths of the elements without length octet, by identifier; 0 for all others. */
-    enum FixedElements {
+    public enum FixedElements {
         NONE,
         /** Local time zone 1 octet, universal time and zone 7 octets. */
         MOBILITY_MANAGEMENT(0x46, 1, 0x47, 7),
@@ -39,14 +39,14 @@ final class OptionalElements {
     }
 
     /** @param understood the identifiers that the caller reads and that would be refused otherwise */
-    OptionalElements(MessageReader in, FixedElements fixed, int... understood) {
+    public OptionalElements(MessageReader in, FixedElements fixed, int... understood) {
         this.in = in;
         this.fixed = fixed;
         this.understood = understood;
     }
 
     /** The next element's identifier, or -1 at the end. */
-    int next() throws ProtocolViolation {
+    public int next() throws ProtocolViolation {
         while (in.hasMore()) {
             int identifier = in.octet("element identifier");
             if (identifier < 0x80) {
@@ -57,7 +57,7 @@ final class OptionalElements {
     }
 
     /** The value of the element that {@link #next} has just named. */
-    MessageReader value() {
+    public MessageReader value() {
         return value;
     }
 

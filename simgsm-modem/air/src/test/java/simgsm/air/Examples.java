@@ -53,7 +53,7 @@ import simgsm.octets.OctetString;
 /** One message of every kind with its octets, each read and named by Wireshark without a complaint. */
 public final class Examples {
     /** @param sendSequence N(SD) that the octets carry; 0 where there is none */
-    record Example(Layer3Message message, Direction direction, int sendSequence, String hex) {
+    public record Example(Layer3Message message, Direction direction, int sendSequence, String hex) {
         byte[] octets() {
             return OctetString.ofHex(hex).toArray();
         }
@@ -66,7 +66,7 @@ public final class Examples {
     public static final Imsi IMSI = new Imsi("262420000000017");
     static final Imei IMEI = new Imei("490154203237518");
     static final Tmsi TMSI = new Tmsi(0xf41234ab);
-    static final Msisdn SERVICE_CENTER = new Msisdn("491700000000");
+    public static final Msisdn SERVICE_CENTER = new Msisdn("491700000000");
 
     static final List<Example> MOBILITY_MANAGEMENT = List.of(
             up(
@@ -171,17 +171,17 @@ public final class Examples {
 
     private Examples() {}
 
-    static List<Example> all() {
+    public static List<Example> all() {
         return List.of(MOBILITY_MANAGEMENT, CALL_CONTROL, RADIO_RESOURCE, SHORT_MESSAGES).stream()
                 .flatMap(List::stream)
                 .toList();
     }
 
-    static TransactionIdentifier ours(int value) {
+    public static TransactionIdentifier ours(int value) {
         return new TransactionIdentifier(value, false);
     }
 
-    static TransactionIdentifier theirs(int value) {
+    public static TransactionIdentifier theirs(int value) {
         return new TransactionIdentifier(value, true);
     }
 

@@ -19,6 +19,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.sms.TpduExamples.Example;
+import simgsm.trace.TpduText;
 
 class TpduCodecTest {
     static List<Example> examples() {
@@ -105,7 +106,7 @@ class TpduCodecTest {
     private static boolean decodes(OctetString octets, Direction direction) {
         try {
             Tpdu tpdu = TpduCodec.decode(octets, direction);
-            assertTrue(!PduTool.words(tpdu).isEmpty());
+            assertTrue(!TpduText.of(tpdu).isEmpty());
             assertEquals(tpdu, TpduCodec.decode(TpduCodec.encode(tpdu), direction), octets::toString);
             return true;
         } catch (ProtocolViolation violation) {

@@ -9,7 +9,7 @@ import simgsm.console.Options;
 public interface Tool {
     /** In the order in which the help lists them. */
     List<Tool> ALL =
-            List.of(new TonesTool(), new DecodeTool(), new GsmTool(), new SmsTool(), new LoadTool(), new FuzzTool());
+            List.of(new TonesTool(), new DecodeTool(), new GsmTool(), new PduTool(), new LoadTool(), new FuzzTool());
 
     String word();
 

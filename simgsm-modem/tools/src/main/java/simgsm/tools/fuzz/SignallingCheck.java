@@ -6,7 +6,6 @@ import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
-import simgsm.air.MessageText;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage;
@@ -15,10 +14,11 @@ import simgsm.octets.OctetString;
 import simgsm.sms.BroadcastCollector;
 import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.DeliverTpdu;
-import simgsm.sms.PduTool;
 import simgsm.sms.Reassembler;
 import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
+import simgsm.trace.MessageText;
+import simgsm.trace.TpduText;
 
 /** Reads an RSL message down to the text of a short message, as the programs do, and writes it again. */
 final class SignallingCheck {
@@ -66,7 +66,7 @@ final class SignallingCheck {
     }
 
     private void transferUnit(Tpdu tpdu) {
-        PduTool.words(tpdu);
+        TpduText.of(tpdu);
         TpduCodec.encode(tpdu);
         if (tpdu instanceof DeliverTpdu deliver) {
             nowNanos += NANOS_A_MESSAGE;

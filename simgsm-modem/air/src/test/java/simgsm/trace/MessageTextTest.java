@@ -1,4 +1,4 @@
-package simgsm.air;
+package simgsm.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -12,9 +12,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.abis.RslCodecTest;
 import simgsm.abis.RslMessage;
+import simgsm.air.Direction;
+import simgsm.air.Examples;
 import simgsm.air.Examples.Example;
-import simgsm.air.MessageText.Field;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Type;
+import simgsm.air.RelayMessage;
+import simgsm.air.ShortMessageControl;
 import simgsm.octets.OctetString;
+import simgsm.trace.MessageText.Field;
 
 class MessageTextTest {
     static List<Example> examples() {

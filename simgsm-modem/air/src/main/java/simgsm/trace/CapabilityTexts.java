@@ -1,10 +1,18 @@
-package simgsm.air;
+package simgsm.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import simgsm.air.MessageText.Field;
+import simgsm.air.CallControl;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Message;
+import simgsm.air.MessageReader;
+import simgsm.air.MobilityManagement;
+import simgsm.air.OptionalElements;
 import simgsm.air.OptionalElements.FixedElements;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
 import simgsm.octets.OctetString;
+import simgsm.trace.MessageText.Field;
 
 /**
  * What a terminal says that it can do, for people who watch. Nothing here depends on it, so the messages' records pass

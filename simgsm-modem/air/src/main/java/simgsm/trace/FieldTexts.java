@@ -1,10 +1,17 @@
-package simgsm.air;
+package simgsm.trace;
 
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import simgsm.air.MessageText.Field;
+import simgsm.air.Cause;
+import simgsm.air.LocationArea;
+import simgsm.air.MobileIdentity;
+import simgsm.air.RejectCause;
+import simgsm.air.RelayMessage;
+import simgsm.air.RpCause;
+import simgsm.air.TransactionIdentifier;
+import simgsm.trace.MessageText.Field;
 
 /** The components of message records as fields in words; a new message kind needs no line here. */
 final class FieldTexts {

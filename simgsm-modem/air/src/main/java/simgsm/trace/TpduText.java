@@ -1,61 +1,26 @@
-package simgsm.sms;
+package simgsm.trace;
 
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
-import simgsm.air.Direction;
-import simgsm.air.ProtocolViolation;
-import simgsm.octets.OctetString;
+import simgsm.sms.Alphabet;
+import simgsm.sms.Concatenation;
+import simgsm.sms.DataCodingScheme;
+import simgsm.sms.DeliverTpdu;
+import simgsm.sms.DeliveryStatus;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.StatusReportTpdu;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.Tpdu;
+import simgsm.sms.UserData;
+import simgsm.sms.ValidityPeriod;
 
-/** The words of {@code pdu encode} and {@code pdu decode}. */
-public final class PduTool {
-    private PduTool() {}
+/** Transfer units of short messages in words. */
+public final class TpduText {
+    private TpduText() {}
 
-    /**
-     * One user part a line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
-     *
-     * @param reference of the message, 0 to 255; shows only when there are several parts
-     * @throws IllegalArgumentException for a text of more than 255 parts
-     */
-    public static String encode(String text, int reference) {
-        StringJoiner lines = new StringJoiner("\n");
-        for (UserData part : MessageSplitter.split(text, reference)) {
-            lines.add((part.hasHeader() ? 1 : 0) + "," + part.coding().octet() + "," + part.length() + ","
-                    + part.octets());
-        }
-        return lines.toString();
-    }
-
-    /**
-     * A SUBMIT, DELIVER or STATUS-REPORT in words, a field a line as {@code name: value}. Blanks in the digits are
-     * ignored.
-     *
-     * @throws IllegalArgumentException for what is not hexadecimal, or no such unit; the text says why
-     */
-    public static String decode(String hex) {
-        OctetString octets = octets(hex);
-        try {
-            Direction direction = isSubmit(octets) ? Direction.UPLINK : Direction.DOWNLINK;
-            return words(TpduCodec.decode(octets, direction));
-        } catch (ProtocolViolation violation) {
-            throw new IllegalArgumentException("not a TPDU: " + violation.getMessage(), violation);
-        }
-    }
-
-    private static OctetString octets(String hex) {
-        try {
-            return OctetString.ofHex(hex.replaceAll("\\s", ""));
-        } catch (IllegalArgumentException wrong) {
-            throw new IllegalArgumentException("a TPDU is an even number of hexadecimal digits", wrong);
-        }
-    }
-
-    private static boolean isSubmit(OctetString octets) {
-        return octets.length() > 0 && (octets.toArray()[0] & 0x03) == 1;
-    }
-
-    /** The fields in the order of the octets. */
-    public static String words(Tpdu tpdu) {
+    /** A line for each field, {@code name: value}, in the order of the octets; the unit's name comes first. */
+    public static String of(Tpdu tpdu) {
         StringJoiner lines = new StringJoiner("\n");
         if (tpdu instanceof SubmitTpdu submit) {
             addSubmit(lines, submit);
@@ -153,7 +118,7 @@ public final class PduTool {
         lines.add("TP-UDL: " + userData.length() + unit);
         Optional<Concatenation> place = userData.concatenation();
         if (userData.hasHeader()) {
-            lines.add("TP-UDH: " + place.map(PduTool::place).orElse("no concatenation"));
+            lines.add("TP-UDH: " + place.map(TpduText::place).orElse("no concatenation"));
         }
         boolean isData = userData.coding().alphabet() == Alphabet.OCTETS;
         lines.add(isData ? "data: " + userData.body() : "text: " + userData.text());

@@ -1,10 +1,18 @@
-package simgsm.air;
+package simgsm.trace;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Message;
+import simgsm.air.Layer3Type;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RelayMessage;
+import simgsm.air.ShortMessageControl;
 import simgsm.octets.OctetString;
 
 /**

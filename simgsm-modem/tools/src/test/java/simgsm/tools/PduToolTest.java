@@ -1,4 +1,4 @@
-package simgsm.sms;
+package simgsm.tools;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

@@ -1,0 +1,105 @@
+package simgsm.tools;
+
+import java.io.PrintStream;
+import java.util.StringJoiner;
+import simgsm.air.Direction;
+import simgsm.air.ProtocolViolation;
+import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.Options;
+import simgsm.console.UsageException;
+import simgsm.octets.OctetString;
+import simgsm.sms.MessageSplitter;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+import simgsm.trace.TpduText;
+
+/** {@code pdu encode TEXT} and {@code pdu decode HEX}: short messages as octets and back. */
+final class PduTool implements Tool {
+    @Override
+    public String word() {
+        return "pdu";
+    }
+
+    @Override
+    public Options options() {
+        return new Options(
+                        "java -jar simgsm-modem.jar pdu encode [--ref HH] TEXT | pdu decode HEX",
+                        "encode: one user part of the short message a line, as udhi,dcs,udl,ud-hex.\n"
+                                + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words.")
+                .value("ref", "HH", "encode: reference of a message of several parts, hexadecimal (00)")
+                .arguments(2);
+    }
+
+    @Override
+    public int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
+        if (arguments.rest().size() < 2) {
+            throw new UsageException("expected encode TEXT or decode HEX");
+        }
+        String direction = arguments.rest().get(0);
+        String input = arguments.rest().get(1);
+        int reference = arguments.value("ref", PduTool::reference).orElse(0);
+        try {
+            switch (direction) {
+                case "encode" -> out.print(encode(input, reference) + "\n");
+                case "decode" -> out.print(decode(input) + "\n");
+                default -> throw new UsageException("expected encode or decode, found " + direction);
+            }
+        } catch (IllegalArgumentException e) {
+            err.println("simgsm-modem: pdu " + direction + ": " + e.getMessage());
+            return ExitStatus.FAILED;
+        }
+        out.flush();
+        return ExitStatus.OK;
+    }
+
+    /**
+     * One user part a line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
+     *
+     * @param reference of the message, 0 to 255; shows only when there are several parts
+     * @throws IllegalArgumentException for a text of more than 255 parts
+     */
+    static String encode(String text, int reference) {
+        StringJoiner lines = new StringJoiner("\n");
+        for (UserData part : MessageSplitter.split(text, reference)) {
+            lines.add((part.hasHeader() ? 1 : 0) + "," + part.coding().octet() + "," + part.length() + ","
+                    + part.octets());
+        }
+        return lines.toString();
+    }
+
+    /**
+     * A SUBMIT, DELIVER or STATUS-REPORT in words, a field a line as {@code name: value}. Blanks in the digits are
+     * ignored.
+     *
+     * @throws IllegalArgumentException for what is not hexadecimal, or no such unit; the text says why
+     */
+    static String decode(String hex) {
+        OctetString octets = octets(hex);
+        try {
+            Direction direction = isSubmit(octets) ? Direction.UPLINK : Direction.DOWNLINK;
+            return TpduText.of(TpduCodec.decode(octets, direction));
+        } catch (ProtocolViolation violation) {
+            throw new IllegalArgumentException("not a TPDU: " + violation.getMessage(), violation);
+        }
+    }
+
+    private static OctetString octets(String hex) {
+        try {
+            return OctetString.ofHex(hex.replaceAll("\\s", ""));
+        } catch (IllegalArgumentException wrong) {
+            throw new IllegalArgumentException("a TPDU is an even number of hexadecimal digits", wrong);
+        }
+    }
+
+    private static boolean isSubmit(OctetString octets) {
+        return octets.length() > 0 && (octets.octet(0) & 0x03) == 1;
+    }
+
+    private static int reference(String text) {
+        if (!text.matches("[0-9A-Fa-f]{1,2}")) {
+            throw new IllegalArgumentException("expected one or two hexadecimal digits, found " + text);
+        }
+        return Integer.parseInt(text, 16);
+    }
+}
