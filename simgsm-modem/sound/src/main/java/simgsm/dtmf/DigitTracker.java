@@ -17,14 +17,13 @@ final class DigitTracker {
     private static final int MOST_MISSED = 4;
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
     private static final double END = 4.5;
-    /** A tone that begins so soon after a key's, 60 ms, finds it still in the spectrum of the time before. */
-    private static final int SOON_HOPS = 24;
 
     private final ToneBank bank;
     private final short[] recent;
     private final DtmfListener listener;
     private final ToneFit fit = new ToneFit();
-    private final ToneJudge judge = new ToneJudge();
+    private final KeyMeasures measures = new KeyMeasures();
+    private final Judge judge;
 
     private int runKey;
     private int run;
@@ -32,6 +31,12 @@ final class DigitTracker {
     private int missed;
     /** Hop before which another look is not worth it. */
     private long nextLook;
+
+    /** Log odds of the candidate: of the newest window, and of those before it. */
+    private double sum;
+
+    private double sumBefore;
+    private long windowStart;
 
     private DtmfDigit current;
     /** One over the likeness of the tone itself. */
@@ -43,7 +48,13 @@ final class DigitTracker {
     /** Hop up to which sound belongs to the key that ended last. */
     private long barrier;
 
-    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener) {
+    /** Log odds of one look; the receiver's own come from {@link KeyLikelihood}. */
+    interface Judge {
+        double logOdds(long hop, int key, ToneFit fit, KeyMeasures measures, short[] samples, int end);
+    }
+
+    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener, Judge judge) {
+        this.judge = judge;
         this.bank = bank;
         this.recent = recent;
         this.listener = listener;
@@ -88,7 +99,12 @@ final class DigitTracker {
     private void standsOut(int key, float loudness) {
         run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
         quietest = run == 1 ? loudness : Math.min(quietest, loudness);
-        nextLook = run == 1 ? 0 : nextLook;
+        if (run == 1) {
+            nextLook = 0;
+            sum = 0;
+            sumBefore = 0;
+            windowStart = Long.MIN_VALUE / 2;
+        }
         runKey = key;
         missed = 0;
     }
@@ -96,7 +112,6 @@ final class DigitTracker {
     private boolean isDue(long hop) {
         return hop >= nextLook
                 && (run <= OFTEN || hop % 4 == 0)
-                && run <= ToneFit.SPAN
                 && (current == null || current.key().ordinal() != runKey);
     }
 
@@ -105,18 +120,35 @@ final class DigitTracker {
         DtmfKey rival = current == null ? null : current.key();
         int wait = fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS);
         nextLook = hop + wait;
-        if (wait == 0 && !isTail(hop) && judge.judge(fit, recent, end, followsKey(hop)) != null) {
-            decide(hop);
+        if (wait == 0 && !isTail(hop) && fit.isWithinTwist() && fit.isOldEnough(LEAST_HOPS)) {
+            add(hop, judge.logOdds(hop, runKey, fit, measures, recent, end));
+            if (sum > KeyLikelihood.LIMIT) {
+                decide(hop);
+            }
         }
     }
 
-    private boolean followsKey(long hop) {
-        return current != null || ended != null && hop - fit.sinceOnset - barrier < SOON_HOPS;
+    /**
+     * The evidence of one look. Looks whose windows overlap are one piece of evidence, of which the best counts; those at
+     * least a window apart add up, less what one of them needs to be worth counting.
+     */
+    private void add(long hop, double odds) {
+        if (hop - windowStart >= ToneFit.LISTENED) {
+            sumBefore = Math.max(0, sum - KeyLikelihood.LEAST);
+            windowStart = hop;
+            sum = sumBefore + odds;
+        } else {
+            sum = Math.max(sum, sumBefore + odds);
+        }
     }
 
     /** An echo: the key that ended last goes on, weaker, without a pause. */
     private boolean isTail(long hop) {
-        return current == null && ended != null && ended.ordinal() == runKey && fit.open;
+        return current == null
+                && ended != null
+                && ended.ordinal() == runKey
+                && fit.open
+                && hop - barrier <= ToneFit.SPAN;
     }
 
     private void decide(long hop) {

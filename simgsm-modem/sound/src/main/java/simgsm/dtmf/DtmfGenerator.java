@@ -13,7 +13,7 @@ public final class DtmfGenerator {
     /** A key let go at once still sounds this long, and its pause lasts that long (TS 23.014, 6). */
     private static final ToneShape SHORTEST_PRESS = ToneShape.STANDARD.withMillis(70, 65);
 
-    private static final int SAMPLES_PER_MILLI = 8;
+    static final int SAMPLES_PER_MILLI = 8;
     private static final long UNTIL_RELEASE = Long.MAX_VALUE;
 
     private final ToneShape shape;

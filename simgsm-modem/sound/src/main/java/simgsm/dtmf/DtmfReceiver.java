@@ -21,7 +21,15 @@ public final class DtmfReceiver {
     private long hopsDone;
 
     public DtmfReceiver(DtmfListener listener) {
-        tracker = new DigitTracker(bank, recent, listener);
+        this(
+                listener,
+                (hop, key, fit, measures, samples, end) ->
+                        KeyLikelihood.fitted().logOdds(measures, fit, samples, end));
+    }
+
+    /** One that judges otherwise, for the fit of the likelihood. */
+    DtmfReceiver(DtmfListener listener, DigitTracker.Judge judge) {
+        tracker = new DigitTracker(bank, recent, listener, judge);
     }
 
     public void accept(short[] samples) {

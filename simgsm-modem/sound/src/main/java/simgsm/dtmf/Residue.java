@@ -36,8 +36,6 @@ final class Residue {
     double line;
 
     double lineHertz;
-    /** The strongest line that stands out from twice what was there before. */
-    double newLine;
 
     private final double[] window = new double[LENGTH];
     private final double[] re = new double[SIZE];
@@ -103,7 +101,6 @@ final class Residue {
         columnBefore = 0;
         line = 0;
         lineHertz = 0;
-        newLine = 0;
         int bins = 0;
         for (int k = LOWEST; k <= HIGHEST; k++) {
             double hertz = k * BIN_HERTZ;
@@ -130,8 +127,6 @@ final class Residue {
             line = peak;
             lineHertz = k * BIN_HERTZ;
         }
-        double old = Math.max(before[k], Math.max(before[k - 1], before[k + 1]));
-        newLine = Math.max(newLine, peak - 2 * LINE_OVER_PEAK * old);
     }
 
     /**
@@ -170,20 +165,6 @@ final class Residue {
             }
         }
         return most;
-    }
-
-    /** How much of what sounds beside the tones now lies within a bin of a multiple of that frequency. */
-    double familyShare(double hertz) {
-        double family = 0;
-        double all = TINY;
-        for (int k = LOWEST; k <= HIGHEST; k++) {
-            if (!isTones(k)) {
-                double multiple = k * BIN_HERTZ / hertz;
-                family += Math.abs(multiple - Math.rint(multiple)) * hertz < 1.5 * BIN_HERTZ ? during[k] : 0;
-                all += during[k];
-            }
-        }
-        return family / all;
     }
 
     private boolean isTones(int k) {

@@ -11,7 +11,7 @@ final class ToneFit {
     private static final int ROW = 0;
     private static final int COLUMN = 1;
     /** For frequency and steadiness the newest 40 ms count: some codecs need time to settle on a tone. */
-    private static final int LISTENED = 16;
+    static final int LISTENED = 16;
     /** Hops whose median is the tone's power, to begin with. */
     private static final int REFERENCE = 8;
     /** A pause of the length that ends a digit, in half hops: what lies before it is another tone. */
@@ -35,6 +35,10 @@ final class ToneFit {
 
     /** Farther off than this it is no key's tone; between what Q.24 accepts (1.8 %) and rejects (3 %). */
     private static final double MOST_ERROR = 0.021;
+    /** Between what Q.24 accepts (8 dB) with 2 dB to spare, and 15 dB, which no exchange takes. */
+    private static final double MOST_TWIST_DB = 12.5;
+    /** Hops by which the beginning is uncertain in noise that leaves no coherence. */
+    private static final double NOISE_HOPS = 6;
     /** Of the turn that 4 % make over a lag of one hop for the highest column, of two hops for the highest row. */
     private static final double[] FAR_OFF_TANGENTS = {
         0,
@@ -62,10 +66,6 @@ final class ToneFit {
     final double[] error = new double[2];
     /** Share of the energy near the tone that adds up in one phase; 1 for a steady tone alone. */
     final double[] coherence = new double[2];
-    /** The same under a smoother window, which keeps tones 200 Hz and more away out of it. */
-    final double[] steadiness = new double[2];
-    /** Largest over smallest amplitude. */
-    final double[] ripple = new double[2];
 
     int row;
     int column;
@@ -247,9 +247,7 @@ final class ToneFit {
             return false;
         }
         amplitude[tone] /= ToneBank.leak(deviation);
-        coherence[tone] = coherence(re[tone], im[tone], turn, 0, n);
-        steadiness[tone] = coherence(smoothRe, smoothIm, turn, 1, n - 1);
-        ripple[tone] = ripple(power[tone], n);
+        coherence[tone] = coherence(re[tone], im[tone], turn, n);
         return true;
     }
 
@@ -299,7 +297,7 @@ final class ToneFit {
         return near + Math.atan2(y * c - x * s, x * c + y * s) / lag;
     }
 
-    private double coherence(double[] xs, double[] ys, double turn, int from, int to) {
+    private double coherence(double[] xs, double[] ys, double turn, int n) {
         double stepCosine = Math.cos(turn);
         double stepSine = Math.sin(turn);
         double c = 1;
@@ -308,7 +306,7 @@ final class ToneFit {
         double y = 0;
         double energy = 0;
         int used = 0;
-        for (int i = from; i < to; i++) {
+        for (int i = 0; i < n; i++) {
             if (likeness[i] > HALF) {
                 x += xs[i] * c - ys[i] * s;
                 y += ys[i] * c + xs[i] * s;
@@ -322,20 +320,13 @@ final class ToneFit {
         return energy == 0 ? 0 : (x * x + y * y) / (used * energy);
     }
 
-    private double ripple(double[] powers, int n) {
-        double largest = 0;
-        double smallest = Double.MAX_VALUE;
-        for (int i = 1; i < n - 1; i++) {
-            if (likeness[i] > HALF) {
-                largest = Math.max(largest, powers[i]);
-                smallest = Math.min(smallest, powers[i]);
-            }
-        }
-        return Math.sqrt(largest / smallest);
+    /** Whether neither tone is {@link #MOST_TWIST_DB} or more louder than the other. */
+    boolean isWithinTwist() {
+        return Math.abs(20 * Math.log10(amplitude[COLUMN] / amplitude[ROW])) < MOST_TWIST_DB;
     }
 
-    /** In decibels, high group over low. */
-    double twist() {
-        return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
+    /** Whether the tones have sounded for so many hops, and for more where noise blurs their beginning. */
+    boolean isOldEnough(double leastHops) {
+        return sinceOnset >= leastHops + NOISE_HOPS * (1 - Math.min(coherence[ROW], coherence[COLUMN]));
     }
 }

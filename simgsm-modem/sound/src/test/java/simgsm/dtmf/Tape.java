@@ -16,6 +16,8 @@ final class Tape {
     /** Sample at which each expected digit's tone starts. */
     final List<Integer> starts = new ArrayList<>();
 
+    final List<Integer> ends = new ArrayList<>();
+
     /** Samples were lost or doubled, so that starts hold no longer. */
     boolean slipped;
 
@@ -82,6 +84,9 @@ final class Tape {
         }
         int at = length;
         silence(toneMillis);
+        if (counts) {
+            ends.add(length);
+        }
         tone(at, length, key.rowHertz() * (1 + rowError), rowDbm0);
         tone(at, length, key.columnHertz() * (1 + columnError), columnDbm0);
         if (dropOutMillis >= 0) {
@@ -218,6 +223,7 @@ final class Tape {
         java.util.Arrays.fill(sound, to - from, sound.length, 0);
         length = to - from;
         starts.replaceAll(start -> start - from);
+        ends.replaceAll(end -> end - from);
         return this;
     }
 

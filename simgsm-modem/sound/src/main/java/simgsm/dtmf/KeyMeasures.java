@@ -1,0 +1,133 @@
+package simgsm.dtmf;
+
+/**
+ * What is measured of two tones at one moment to tell a key from anything else: one number per {@link Kind}. Powers are on
+ * the scale of squared amplitudes.
+ */
+final class KeyMeasures {
+    /** The measures, in the order of {@link #values}. Shares and ratios are common logarithms, so that their curves are smooth. */
+    enum Kind {
+        /** log10(1 - coherence) of the less steady tone over the newest 40 ms. */
+        WAVER,
+        /** log10(1 - coherence) of the steadier tone. */
+        LEAST_WAVER,
+        /** Level of the weaker tone, dBm0. */
+        LEVEL,
+        /** The larger frequency error, percent. */
+        ERROR,
+        /** How long the tones have sounded, ms. */
+        AGE,
+        /**
+         * log10 of the power at a tone's frequency before it began over the tone's power, the larger of the two; unknown if
+         * the tones are older than 90 ms.
+         */
+        BEFORE,
+        /** The strongest other line between 560 and 3500 Hz against the weaker tone, dB. */
+        LINE,
+        /**
+         * The strongest other harmonic of the voice of which the tones would be two, dB against the weaker tone; -120 if they
+         * are no harmonics.
+         */
+        FAMILY,
+        /** Geometric over arithmetic mean of the spectrum apart from the tones, 0.6 for noise. */
+        EVENNESS,
+        /** log10 of the other sound before the tones began over the other sound now; unknown as for BEFORE. */
+        BACKGROUND,
+        /** log10 of the strongest line's share of the other sound. */
+        LINE_SHARE,
+        /** log10 of the share of all power in the line that is not the tones'. */
+        REST
+    }
+
+    /** The first so many kinds need no spectrum. */
+    static final int OF_TONES = Kind.BEFORE.ordinal();
+
+    static final int COUNT = Kind.values().length;
+
+    /** The onset is known to 1 ms; the time before the tones ends so much earlier. */
+    private static final int ONSET_MARGIN_SAMPLES = 8;
+    /** Ratios below this count as this. */
+    private static final double LEAST = 1e-4;
+    /** FAMILY where the tones are no harmonics of one voice. */
+    private static final double NO_FAMILY_DB = -120;
+    /** Two harmonics' frequency ratio, as measured, misses that of their numbers by less than this share. */
+    private static final double SAME_VOICE = 0.002;
+    /** Of a voice the row's tone is looked for up to this harmonic: higher ones lie too close together. */
+    private static final int HIGHEST_ROW_HARMONIC = 6;
+
+    /** By {@link Kind#ordinal}; NaN for unknown. */
+    final double[] values = new double[COUNT];
+
+    private final Residue residue = new Residue();
+
+    /** Measures the kinds that need no spectrum. */
+    void measureTones(ToneFit fit) {
+        put(Kind.WAVER, log(1 - Math.min(fit.coherence[0], fit.coherence[1])));
+        put(Kind.LEAST_WAVER, log(1 - Math.max(fit.coherence[0], fit.coherence[1])));
+        put(Kind.LEVEL, ToneLevel.dbm0(Math.min(fit.amplitude[0], fit.amplitude[1])));
+        put(Kind.ERROR, 100 * Math.max(Math.abs(fit.error[0]), Math.abs(fit.error[1])));
+        put(Kind.AGE, fit.sinceOnset * ToneBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI);
+    }
+
+    /**
+     * Measures the other kinds.
+     *
+     * @param end index after the newest of {@code samples}
+     */
+    void measureSpectrum(ToneFit fit, short[] samples, int end) {
+        double row = square(fit.amplitude[0]);
+        double column = square(fit.amplitude[1]);
+        double weaker = Math.min(row, column);
+        int began = (int) (end - ToneBank.HOP * (fit.sinceOnset + 1));
+        residue.measure(samples, end, began - ONSET_MARGIN_SAMPLES, fit.hertz[0], fit.hertz[1]);
+        double before = Math.max(residue.rowBefore / row, residue.columnBefore / column);
+        double background =
+                Math.max(LEAST * (row + column), residue.restBefore) / Math.max(LEAST * (row + column), residue.rest);
+        put(Kind.BEFORE, fit.open ? Double.NaN : log(before));
+        put(Kind.LINE, decibels(residue.line / weaker));
+        put(Kind.FAMILY, family(fit, weaker));
+        put(Kind.EVENNESS, residue.evenness());
+        put(Kind.BACKGROUND, fit.open ? Double.NaN : Math.log10(background));
+        put(Kind.LINE_SHARE, log(residue.line / residue.rest));
+        put(Kind.REST, log(1 - Math.min(1, (row + column) / (2 * power(samples, began, end)))));
+    }
+
+    private void put(Kind kind, double value) {
+        values[kind.ordinal()] = value;
+    }
+
+    /** The third and seventh harmonic of a voice at 232 Hz lie only 0.4 % beside A, the fourth and seventh 0.9 % beside 1, 5, 9 and D. */
+    private double family(ToneFit fit, double weaker) {
+        double ratio = fit.hertz[1] / fit.hertz[0];
+        for (int rowHarmonic = HIGHEST_ROW_HARMONIC; rowHarmonic > 0; rowHarmonic--) {
+            int columnHarmonic = (int) Math.round(ratio * rowHarmonic);
+            if (Math.abs(ratio * rowHarmonic / columnHarmonic - 1) < SAME_VOICE) {
+                double voiceHertz = (fit.hertz[0] + fit.hertz[1]) / (rowHarmonic + columnHarmonic);
+                return decibels(residue.family(voiceHertz, rowHarmonic, columnHarmonic) / weaker);
+            }
+        }
+        return NO_FAMILY_DB;
+    }
+
+    /** Mean square of {@code samples[from..to)}. */
+    private static double power(short[] samples, int from, int to) {
+        long sum = 0;
+        int first = Math.max(0, from);
+        for (int i = first; i < to; i++) {
+            sum += samples[i] * samples[i];
+        }
+        return sum / (double) Math.max(1, to - first);
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+
+    private static double log(double ratio) {
+        return Math.log10(Math.max(LEAST, ratio));
+    }
+
+    private static double decibels(double ratio) {
+        return Math.max(NO_FAMILY_DB, 10 * Math.log10(Math.max(1e-12, ratio)));
+    }
+}
