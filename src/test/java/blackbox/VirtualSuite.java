@@ -12,7 +12,6 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
-import simgsm.center.smsc.MemoryStore;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
@@ -45,7 +44,7 @@ final class VirtualSuite {
     private final Simulation simulation = new Simulation(World.bare(), 1);
     private final Exchange exchange = new Exchange(
             new ExchangeSettings("SimGSM", 1, Instant.parse("2026-11-21T12:00:00Z")),
-            new MemoryStore(this::commit),
+            (ticket, entries) -> commit(ticket),
             event -> {});
     private long nowNanos;
 

@@ -152,8 +152,8 @@ public final class Center implements AutoCloseable {
                         settings.callWaiting()),
                 store,
                 listener);
-        exchange.restore(journal.restored());
-        store.start();
+        exchange.restore(journal.stored());
+        store.start(cause -> Collapse.end(CenterMain.NAME, cause));
         exchange.smpp().admit(smppUsers);
         loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
     }

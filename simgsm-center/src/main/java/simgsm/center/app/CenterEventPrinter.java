@@ -8,7 +8,7 @@ import java.util.Map;
 import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeEvent;
-import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.DeliveryAttempt;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
@@ -68,7 +68,7 @@ public final class CenterEventPrinter {
         ShortMessage message = history.message();
         Event event = parties(Event.of("message").with("id", message.id()), message.from(), message.to())
                 .with("state", word(history.state()))
-                .with("standing", word(history.standing()))
+                .with("standing", word(history.waitReason()))
                 .with("accepted", time(message.acceptedAt()))
                 .with("expires", time(message.expiresAt()))
                 .with("attempts", history.attemptCount());
@@ -80,7 +80,7 @@ public final class CenterEventPrinter {
                 : event;
     }
 
-    public static Event of(Attempt attempt) {
+    public static Event of(DeliveryAttempt attempt) {
         return Event.of("attempt").with("at", time(attempt.at())).with("outcome", word(attempt.outcome()));
     }
 

@@ -1,17 +1,18 @@
 package simgsm.center.journal;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import simgsm.center.smsc.StoreEntry;
 
-/** Writes a ledger's image into a snapshot, a little at a time, and then deletes what the snapshot stands for. */
+/** Writes the journal's state into a snapshot, in steps, and then deletes the files that the snapshot replaces. */
 final class Compaction {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
-    /** Entries a step: a few milliseconds. */
+    /** Entries per step; a few milliseconds. */
     private static final int STEP_ENTRIES = 1_000;
 
     private final Disk disk;
@@ -20,8 +21,8 @@ final class Compaction {
     private final JournalSegment snapshot;
 
     /**
-     * @param number of the last segment that is not written to any more
-     * @param image what everything up to that segment amounts to
+     * @param number of the last closed segment
+     * @param image the state after that segment
      */
     Compaction(Disk disk, long number, List<StoreEntry> image) throws IOException {
         this.disk = disk;
@@ -30,7 +31,7 @@ final class Compaction {
         this.snapshot = new JournalSegment(disk.create(FileNames.unfinished()));
     }
 
-    /** @return whether the snapshot is complete and in force */
+    /** Writes the next entries. @return whether the snapshot is complete and has replaced the older files */
     boolean step() throws IOException {
         List<StoreEntry> next = new ArrayList<>(STEP_ENTRIES);
         while (rest.hasNext() && next.size() < STEP_ENTRIES) {
@@ -51,7 +52,7 @@ final class Compaction {
         return snapshot.size();
     }
 
-    /** What stays by mischance does no harm: the next start passes over it. */
+    /** A file that cannot be deleted is ignored by the next start. */
     private void removeSuperseded() {
         try {
             for (String name : disk.names()) {
@@ -59,18 +60,18 @@ final class Compaction {
                     disk.delete(name);
                 }
             }
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             LOG.log(Level.WARNING, "an old part of the journal cannot be deleted: {0}", e.toString());
         }
     }
 
-    /** Gives up; what is written so far does not count. */
+    /** Deletes the unfinished snapshot. */
     void abandon() {
         try {
             snapshot.close();
             disk.delete(FileNames.unfinished());
-        } catch (IOException e) {
-            // The next compaction writes over it, and so does the next start.
+        } catch (IOException | UncheckedIOException e) {
+            // The next compaction overwrites it; the next start deletes it.
         }
     }
 }

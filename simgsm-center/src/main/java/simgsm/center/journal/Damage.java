@@ -1,10 +1,11 @@
 package simgsm.center.journal;
 
 /**
- * A stretch of a file that holds no records.
+ * A part of a file without valid records.
  *
- * @param to behind its last octet
- * @param isTail whether nothing good follows it: what a crash leaves of a record that was being written
+ * @param from its first octet
+ * @param to the octet after its last one
+ * @param isTail whether no valid record follows, as after a crash while a record was written
  */
 record Damage(String file, long from, long to, boolean isTail) {
     @Override

@@ -3,18 +3,21 @@ package simgsm.center.journal;
 import java.io.IOException;
 import java.util.Set;
 
-/** The one directory that a journal lives in. Nothing is durable before it is synchronised: contents by the file, names here. */
+/**
+ * A journal's directory. A change is durable after synchronisation: of contents by {@link DiskFile#sync}, of names by {@link
+ * #sync}.
+ */
 public interface Disk {
-    /** Names of the files that are there. */
+    /** Names of all files. */
     Set<String> names() throws IOException;
 
-    /** A new, empty file, in place of an old one if need be. */
+    /** Creates an empty file; an existing file of this name is truncated. */
     DiskFile create(String name) throws IOException;
 
-    /** A file that is there, for reading and writing. */
+    /** Opens an existing file for reading and writing. */
     DiskFile open(String name) throws IOException;
 
-    /** Atomic: afterwards, and after a crash, there is the one name or the other. */
+    /** Renames atomically: after a crash the file has the one name or the other. */
     void rename(String from, String to) throws IOException;
 
     void delete(String name) throws IOException;

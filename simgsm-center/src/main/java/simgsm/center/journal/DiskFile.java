@@ -15,7 +15,7 @@ public interface DiskFile extends AutoCloseable {
 
     void truncate(long size) throws IOException;
 
-    /** Makes what was written durable. After a failure nothing is certain about what was written since the last time. */
+    /** Makes all writes durable. After a failure the state of the writes since the last success is unknown. */
     void sync() throws IOException;
 
     @Override

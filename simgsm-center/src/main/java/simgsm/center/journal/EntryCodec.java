@@ -18,7 +18,7 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 
-/** Store entries as octets: a kind, then the fields in their order, as {@link DataOutputStream} writes them. */
+/** Converts store entries to octets and back: the kind, then the fields in order, as {@link DataOutputStream} writes them. */
 final class EntryCodec {
     private static final int ACCEPTED = 1;
     private static final int ENDED = 2;
@@ -89,13 +89,13 @@ final class EntryCodec {
         to.writeInt(instant.getNano());
     }
 
-    /** @throws IOException if the octets are not an entry that this version writes */
+    /** @throws IOException if the octets are not an entry in this format */
     static StoreEntry decode(byte[] octets) throws IOException {
         DataInputStream from = new DataInputStream(new ByteArrayInputStream(octets));
         try {
             return read(from);
         } catch (IllegalArgumentException | DateTimeException e) {
-            throw new IOException("an entry of nonsense: " + e.getMessage(), e);
+            throw new IOException("an invalid entry: " + e.getMessage(), e);
         }
     }
 

@@ -1,6 +1,7 @@
 package simgsm.center.journal;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
@@ -12,13 +13,13 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A directory of the operating system's file system. */
+/** A directory of the file system. */
 public final class FileDisk implements Disk {
     private static final boolean IS_WINDOWS = System.getProperty("os.name", "").startsWith("Windows");
 
     private final Path directory;
 
-    /** @param directory must be there */
+    /** @param directory must exist */
     public FileDisk(Path directory) {
         this.directory = directory;
     }
@@ -27,6 +28,8 @@ public final class FileDisk implements Disk {
     public Set<String> names() throws IOException {
         try (Stream<Path> files = Files.list(directory)) {
             return files.map(path -> path.getFileName().toString()).collect(Collectors.toSet());
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
         }
     }
 
@@ -63,7 +66,7 @@ public final class FileDisk implements Disk {
         Files.delete(directory.resolve(name));
     }
 
-    /** Windows knows no opening of directories; its file system makes names durable by itself. */
+    /** Windows cannot open directories; NTFS makes names durable by itself. */
     @Override
     public void sync() throws IOException {
         if (!IS_WINDOWS) {

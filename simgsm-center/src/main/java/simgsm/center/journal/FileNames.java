@@ -4,10 +4,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/**
- * What the journal's files are called. Segments are numbered upwards; a snapshot bears the number of the last segment
- * that it stands for.
- */
+/** Names of the journal's files. Segments are numbered from 1; a snapshot has the number of the last segment it replaces. */
 final class FileNames {
     private static final Pattern SEGMENT = Pattern.compile("segment-([0-9]{10})");
     private static final Pattern SNAPSHOT = Pattern.compile("snapshot-([0-9]{10})");
@@ -36,7 +33,7 @@ final class FileNames {
         return number(SNAPSHOT, name);
     }
 
-    /** Whether a snapshot with this number makes the file worthless. */
+    /** Whether a snapshot with this number replaces the file. */
     static boolean isSuperseded(String name, long snapshot) {
         return segmentNumber(name).filter(number -> number <= snapshot).isPresent()
                 || snapshotNumber(name).filter(number -> number < snapshot).isPresent();

@@ -1,47 +1,48 @@
 package simgsm.center.journal;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.smsc.StoredState;
 
 /**
- * The store on disk: entries appended to segments, each group durable before it counts, and now and then a snapshot in
- * place of all segments before it. Knows no thread and no clock; one owner drives it.
+ * The store on disk: groups of entries appended to segments, and from time to time a snapshot that replaces all segments
+ * before it. Without thread and clock; one owner drives it.
  *
- * <p>What does not get onto the disk is refused; but of what has happened already, and so cannot be refused, it keeps a
- * memory, and writes it first when the disk works again.
+ * <p>While the disk fails, new messages are refused. Entries of any other kind tell what has happened already; they are
+ * kept in memory and written first when the disk works again.
  */
 public final class Journal {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
-    /** Below this it is not worth the trouble. */
+    /** No compaction below this size on disk. */
     private static final long MIN_COMPACTED_OCTETS = 4 << 20;
-    /** A segment that has grown so large is followed by the next. */
+    /** A larger segment is closed and followed by the next. */
     private static final long SEGMENT_OCTETS = 16 << 20;
-    /** So many times what is needed may lie on the disk. */
+    /** Compaction begins when the files are larger than their state by this factor. */
     private static final int MOST_WASTE = 3;
 
     private static final int MOST_SEGMENTS = 32;
 
     private final Disk disk;
     private final long minCompactedOctets;
-    private final Ledger ledger;
-    /** In order; what is asked for again is owed once. */
+    private final JournalState state;
+    /** Entries that the disk has not taken, in order; repetitions are kept once. */
     private final Set<StoreEntry> owed = new LinkedHashSet<>();
 
     private JournalSegment segment;
-    /** The segment may hold more than is certain. */
+    /** Whether the segment may hold octets of a failed append. */
     private boolean isSuspect;
 
     private boolean isFailing;
     private Compaction compaction;
     private long lastNumber;
-    /** In files that are not written to any more; of these, what the compaction under way is to replace. */
+    /** Octets in closed files; of these, those that the compaction under way replaces. */
     private long closedOctets;
 
     private long replacedOctets;
@@ -50,24 +51,24 @@ public final class Journal {
 
     private Journal(Disk disk, long minCompactedOctets, int maxRecent) {
         this.disk = disk;
-        this.ledger = new Ledger(maxRecent);
+        this.state = new JournalState(maxRecent);
         this.minCompactedOctets = minCompactedOctets;
         this.compactAboveOctets = minCompactedOctets;
     }
 
     /**
-     * Reads what is there; damage is logged by file and position, and the rest saved.
+     * Reads the directory; damage is logged by file and position, and the valid records are kept.
      *
      * @throws IOException if the disk cannot be read
      */
     public static Journal open(Disk disk) throws IOException {
-        return open(disk, MIN_COMPACTED_OCTETS, Ledger.MAX_RECENT);
+        return open(disk, MIN_COMPACTED_OCTETS, JournalState.MAX_RECENT);
     }
 
-    /** With limits so small that a test reaches them. */
+    /** For tests with smaller limits. */
     static Journal open(Disk disk, long minCompactedOctets, int maxRecent) throws IOException {
         Journal journal = new Journal(disk, minCompactedOctets, maxRecent);
-        Recovery recovery = new Recovery(disk, journal.ledger);
+        Recovery recovery = new Recovery(disk, journal.state);
         recovery.run();
         journal.lastNumber = recovery.lastNumber();
         journal.closedOctets = recovery.octets();
@@ -75,12 +76,12 @@ public final class Journal {
         return journal;
     }
 
-    /** What the entries so far amount to. */
-    public Restored restored() {
-        return ledger.restored();
+    /** The sum of all entries so far. */
+    public StoredState stored() {
+        return state.stored();
     }
 
-    /** Makes entries durable, all or none. @return whether they are */
+    /** Makes entries durable, all or none. @return whether that has succeeded */
     public boolean commit(List<StoreEntry> entries) {
         List<StoreEntry> all = new ArrayList<>(owed.size() + entries.size());
         all.addAll(owed);
@@ -90,7 +91,7 @@ public final class Journal {
             isSuspect = true;
             segment.append(all);
             isSuspect = false;
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             failed(entries, e);
             return false;
         }
@@ -99,16 +100,16 @@ public final class Journal {
             isFailing = false;
             owed.clear();
         }
-        all.forEach(ledger::apply);
+        all.forEach(state::apply);
         return true;
     }
 
-    /** Whether the disk has refused the last commit; an empty commit tries again to write what has happened since. */
+    /** Whether the last commit has failed; an empty commit tries again to write the kept entries. */
     public boolean isFailing() {
         return isFailing;
     }
 
-    private void failed(List<StoreEntry> refused, IOException e) {
+    private void failed(List<StoreEntry> refused, Exception e) {
         LOG.log(isFailing ? Level.DEBUG : Level.ERROR, "the disk does not take the journal: {0}", e.toString());
         isFailing = true;
         for (StoreEntry entry : refused) {
@@ -118,7 +119,7 @@ public final class Journal {
         }
     }
 
-    /** After a failure nobody knows what the file holds, so it is cut to what is certain. */
+    /** Cuts the file to its durable part after a failure, and opens the next segment if necessary. */
     private void prepare() throws IOException {
         if (isSuspect) {
             segment.repair();
@@ -157,7 +158,7 @@ public final class Journal {
         return compaction != null;
     }
 
-    /** Begins a compaction if too much on the disk is dead, or does the next step of one; each takes milliseconds. */
+    /** Begins a compaction if one is due, or does the next step of it; each takes milliseconds. */
     public void compact() {
         try {
             if (compaction == null) {
@@ -167,7 +168,7 @@ public final class Journal {
                 compactAboveOctets = minCompactedOctets;
                 compaction = null;
             }
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             LOG.log(Level.WARNING, "the journal cannot be compacted now: {0}", e.toString());
             compactAboveOctets = octetsOnDisk() + minCompactedOctets;
             if (compaction != null) {
@@ -178,14 +179,14 @@ public final class Journal {
     }
 
     private void beginIfDue() throws IOException {
-        boolean isWasteful = octetsOnDisk() > compactAboveOctets && octetsOnDisk() > MOST_WASTE * ledger.octets();
+        boolean isWasteful = octetsOnDisk() > compactAboveOctets && octetsOnDisk() > MOST_WASTE * state.octets();
         if (!isFailing && (isWasteful || segments > MOST_SEGMENTS)) {
             segments = 0;
             if (segment != null) {
                 closeSegment();
             }
             replacedOctets = closedOctets;
-            compaction = new Compaction(disk, lastNumber, ledger.image());
+            compaction = new Compaction(disk, lastNumber, state.image());
         }
     }
 
@@ -193,7 +194,7 @@ public final class Journal {
         return closedOctets + (segment == null ? 0 : segment.size());
     }
 
-    /** Tries once more to write what is owed, and ends. */
+    /** Tries once more to write the kept entries, and closes the segment. */
     public void close() {
         if (isFailing) {
             commit(List.of());

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import simgsm.center.smsc.StoreEntry;
 
-/** A file that entries are appended to. Its size is what is known to be durable; anything behind that never counts. */
+/** A file to which entries are appended. Its size counts durable octets; any after them are invalid. */
 final class JournalSegment {
     private final DiskFile file;
     private long size;
@@ -20,7 +20,7 @@ final class JournalSegment {
         return size;
     }
 
-    /** Writes entries at the end and makes them durable, all together. */
+    /** Appends entries with one write and one synchronisation. */
     void append(List<StoreEntry> entries) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         long sequence = nextSequence;
@@ -33,7 +33,7 @@ final class JournalSegment {
         nextSequence = sequence;
     }
 
-    /** Takes back what an append that failed may have left. */
+    /** Removes the octets that a failed append may have left. */
     void repair() throws IOException {
         file.truncate(size);
         file.sync();

@@ -1,31 +1,30 @@
 package simgsm.center.journal;
 
-import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.StoreEntry;
 
 /**
- * The thread that owns the journal. Whatever has come while the disk was busy goes to it in one group with one
- * synchronisation, so that the disk's pace sets the size of the groups and not the number of messages.
+ * The thread that owns the journal. Commits that arrive while the disk is busy are written as one group with one
+ * synchronisation, so the size of the groups follows from the disk's speed.
  */
 public final class JournalThread implements MessageStore, AutoCloseable {
-    private static final System.Logger LOG = System.getLogger(JournalThread.class.getName());
-    /** A group's octets stay below about a megabyte. */
+    /** Commits in a group; about 1 MB. */
     private static final int MAX_GROUP = 4_000;
 
     private static final long RETRY_MILLIS = 500;
 
-    private record Order(long ticket, StoreEntry entry) {}
+    private record Order(long ticket, List<StoreEntry> entries) {}
 
-    /** Ends the thread once everything before it is done. */
-    private static final Order END = new Order(0, null);
+    /** Ends the thread after all orders before it. */
+    private static final Order END = new Order(NO_TICKET, List.of());
 
-    /** Hears what has become of each group, on the journal's thread. */
+    /** Receives the outcome of each group, on the journal's thread. */
     public interface Answers {
         /** @param tickets in the order of the commits */
         void committed(List<Long> tickets, boolean isDurable);
@@ -35,47 +34,50 @@ public final class JournalThread implements MessageStore, AutoCloseable {
     private final Answers answers;
     private final BlockingQueue<Order> orders = new LinkedBlockingQueue<>();
     private final Thread thread = new Thread(this::run, "journal");
+    private Consumer<Throwable> onFailure;
 
     public JournalThread(Journal journal, Answers answers) {
         this.journal = journal;
         this.answers = answers;
     }
 
-    public void start() {
+    /** @param failed is called when the thread has ended by an exception; nothing is stored any more */
+    public void start(Consumer<Throwable> failed) {
+        onFailure = failed;
         thread.start();
     }
 
     @Override
-    public void commit(long ticket, StoreEntry entry) {
-        orders.add(new Order(ticket, entry));
+    public void commit(long ticket, List<StoreEntry> entries) {
+        orders.add(new Order(ticket, entries));
     }
 
     private void run() {
+        try {
+            writeUntilEnd();
+        } catch (Throwable fault) {
+            onFailure.accept(fault);
+        }
+    }
+
+    private void writeUntilEnd() {
         List<Order> group = new ArrayList<>();
         boolean isEnding = false;
         while (!isEnding) {
             group.clear();
             collect(group);
-            isEnding = group.remove(END);
+            isEnding = group.removeIf(order -> order == END);
             if (!group.isEmpty() || journal.isFailing()) {
-                answers.committed(group.stream().map(Order::ticket).toList(), isCommitted(group));
+                boolean isDurable = journal.commit(
+                        group.stream().flatMap(order -> order.entries.stream()).toList());
+                answers.committed(group.stream().map(Order::ticket).toList(), isDurable);
             }
             journal.compact();
         }
         journal.close();
     }
 
-    /** A fault of ours refuses a group; it does not end the thread. */
-    private boolean isCommitted(List<Order> group) {
-        try {
-            return journal.commit(group.stream().map(Order::entry).toList());
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, "an error of our own in the journal", e);
-            return false;
-        }
-    }
-
-    /** Waits for something to do: orders, or a reason not to wait for any. */
+    /** Takes the next group: waits for one, but not while compacting, and at most 0.5 s while the disk fails. */
     private void collect(List<Order> group) {
         try {
             Order first = journal.isCompacting()
@@ -90,7 +92,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
         }
     }
 
-    /** Writes what has been handed in, and ends the thread. */
+    /** Writes all commits so far and ends the thread. */
     @Override
     public void close() {
         if (!thread.isAlive()) {

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 
-/** Reads a file's records one after another; what lies between good ones is reported and skipped. */
+/** Reads a file's records in order; octets between valid records are reported and skipped. */
 final class RecordReader {
-    /** Room for a whole record, and enough that a file is read in few pieces. */
+    /** 256 KiB and more: several of the longest records. */
     private static final int WINDOW = 4 * (RecordFormat.HEADER_LENGTH + RecordFormat.MAX_CONTENTS);
 
     private static final long NONE = -1;
@@ -29,7 +29,7 @@ final class RecordReader {
         window.limit(0);
     }
 
-    /** The contents of the next good record, or null at the end. */
+    /** The contents of the next valid record, or null at the end. */
     byte[] next() throws IOException {
         while (position < size) {
             byte[] contents = contentsHere();
@@ -45,7 +45,7 @@ final class RecordReader {
         return null;
     }
 
-    /** Behind the last good record so far. */
+    /** The position after the last valid record so far. */
     long goodEnd() {
         return damagedFrom == NONE ? position : damagedFrom;
     }
@@ -82,7 +82,7 @@ final class RecordReader {
         return window.getInt((int) (position - windowStart) + offset);
     }
 
-    /** Whether the file has so many octets from here on; they are in the window then. */
+    /** Reads this number of octets from the position on into the window; false if the file is shorter. */
     private boolean load(int length) throws IOException {
         if (position + length > size) {
             return false;

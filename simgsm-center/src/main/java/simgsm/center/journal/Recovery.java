@@ -8,30 +8,30 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
-/** Reads what earlier processes have left: the latest snapshot and the segments behind it, into a ledger. */
+/** Reads the latest snapshot and the segments after it into the journal's state. */
 final class Recovery {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
-    /** Stands for "no snapshot"; segments are numbered from 1. */
+    /** The number of no snapshot; segments are numbered from 1. */
     private static final long NONE = 0;
 
     private final Disk disk;
-    private final Ledger ledger;
+    private final JournalState state;
     private long lastNumber;
     private long octets;
     private int segments;
 
-    Recovery(Disk disk, Ledger ledger) {
+    Recovery(Disk disk, JournalState state) {
         this.disk = disk;
-        this.ledger = ledger;
+        this.state = state;
     }
 
-    /** The highest number that a segment or snapshot has; 0 if there is none. */
+    /** The highest number of a segment or snapshot; 0 if there is none. */
     long lastNumber() {
         return lastNumber;
     }
 
-    /** What was read. */
+    /** Valid octets read. */
     long octets() {
         return octets;
     }
@@ -81,7 +81,7 @@ final class Recovery {
             if (reader.goodEnd() < file.size()) {
                 cut(name, file, reader.goodEnd());
             }
-            // An earlier process may have died before it did so, and the machine may die after us.
+            // An earlier process may have ended before it synchronised the file.
             file.sync();
         }
     }
@@ -92,13 +92,13 @@ final class Recovery {
 
     private void apply(String name, byte[] record) {
         try {
-            ledger.apply(EntryCodec.decode(record));
+            state.apply(EntryCodec.decode(record));
         } catch (IOException e) {
             LOG.log(Level.WARNING, "{0}: {1}; skipped", name, e.getMessage());
         }
     }
 
-    /** A tail that cannot be cut does no harm: nothing is ever written behind it. */
+    /** A tail that cannot be cut stays: no record is ever written after it. */
     private static void cut(String name, DiskFile file, long end) {
         try {
             file.truncate(end);
@@ -108,7 +108,7 @@ final class Recovery {
         }
     }
 
-    /** What a compaction would have deleted, had it lived; and what it had not finished. */
+    /** Deletes the replaced files and the unfinished snapshot of a compaction that a crash has interrupted. */
     private void removeSuperseded(Set<String> names, long snapshot) {
         for (String name : names) {
             if (FileNames.isSuperseded(name, snapshot) || name.equals(FileNames.unfinished())) {

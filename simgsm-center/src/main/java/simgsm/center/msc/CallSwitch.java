@@ -154,7 +154,7 @@ final class CallSwitch {
         } else if (called.get().isClearingCall() && !waits) {
             heldCalls.hold(call, called.get());
         } else {
-            call.extend(called.get(), transaction.get(), timers);
+            call.extend(called.get(), transaction.get());
         }
     }
 
@@ -170,7 +170,13 @@ final class CallSwitch {
 
     /** Legs may have come free: calls that waited for them go on. */
     void legsChanged() {
-        heldCalls.release(this::reach);
+        heldCalls.release(call -> {
+            try {
+                reach(call);
+            } catch (RuntimeException e) {
+                call.originating().link().failed(e);
+            }
+        });
     }
 
     /** A call has entered a state; called by the call itself. */

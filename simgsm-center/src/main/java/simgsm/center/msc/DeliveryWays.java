@@ -1,11 +1,12 @@
 package simgsm.center.msc;
 
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.center.smpp.EsmeRoutes;
+import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.DeliveryPort;
-import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.Envelope;
-import simgsm.center.smsc.Recipient;
 import simgsm.center.subscriber.SubscriberRegister;
 
 /**
@@ -29,22 +30,27 @@ final class DeliveryWays implements DeliveryPort {
     }
 
     @Override
-    public boolean isReachable(Recipient receiver) {
+    public boolean isReachable(Destination receiver) {
         return wayTo(receiver).isReachable(receiver);
     }
 
     @Override
-    public int window(Recipient receiver) {
+    public int window(Destination receiver) {
         return wayTo(receiver).window(receiver);
     }
 
     @Override
-    public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
-        wayTo(envelope.receiver()).deliver(envelope, moreWaiting, receipt);
+    public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
+        wayTo(envelope.destination()).deliver(envelope, moreWaiting, ended);
     }
 
-    private DeliveryPort wayTo(Recipient receiver) {
-        if (!(receiver instanceof Recipient.Number number)) {
+    @Override
+    public void emptied(Destination destination) {
+        applications.emptied(destination);
+    }
+
+    private DeliveryPort wayTo(Destination receiver) {
+        if (!(receiver instanceof Destination.Number number)) {
             return applications;
         }
         Msisdn called = number.number();

@@ -17,10 +17,10 @@ import simgsm.air.ProtocolViolation;
 import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
-import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.smsc.StoredState;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.timer.Timers;
@@ -55,8 +55,8 @@ public final class Exchange {
         register = new SubscriberRegister(
                 settings.home(),
                 random,
-                newcomer ->
-                        store.commit(MessageStore.NO_TICKET, new StoreEntry.Known(newcomer.number(), newcomer.imsi())));
+                newcomer -> store.commit(
+                        MessageStore.NO_TICKET, List.of(new StoreEntry.Known(newcomer.number(), newcomer.imsi()))));
         smpp = new SmppServer(timers);
         MessageDelivery delivery = new MessageDelivery(register);
         shortMessages = new ShortMessageCenter(
@@ -83,9 +83,8 @@ public final class Exchange {
     }
 
     /** Goes on where an earlier life of this exchange ended. To be called once, before anything else. */
-    public void restore(Restored restored) {
+    public void restore(StoredState restored) {
         restored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
-        restored.waiting().forEach(message -> smpp.changed(message, MessageState.ACCEPTED));
         shortMessages.restore(restored);
     }
 
@@ -112,7 +111,7 @@ public final class Exchange {
 
     /** A terminal has connected. @param isLocal whether from this machine: only others are held to what one person does */
     public Link linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         Link link = new Link(port, address, isLocal, parts);
         links.add(link);
         link.open();
@@ -121,7 +120,7 @@ public final class Exchange {
     }
 
     public void frameReceived(long nowNanos, Link link, IpaFrame frame) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         if (!link.isClosed) {
             try {
                 receive(link, frame);
@@ -134,7 +133,7 @@ public final class Exchange {
 
     /** The connection has ended by the peer's doing, or broke. */
     public void linkClosed(long nowNanos, Link link, String reason) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         if (!link.isClosed) {
             // Whoever has detached before may go without a word.
             LOG.log(link.subscriber == null ? Level.DEBUG : Level.INFO, "{0}: gone, {1}", link, reason);
@@ -150,21 +149,25 @@ public final class Exchange {
 
     /** Has something done at this moment. */
     public void perform(long nowNanos, Runnable action) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         action.run();
         settle();
     }
 
     /** The store has made an entry durable, or has failed to. */
     public void committed(long nowNanos, long ticket, boolean isDurable) {
-        timers.advance(nowNanos);
-        shortMessages.committed(ticket, isDurable);
+        advanceTimers(nowNanos);
+        try {
+            shortMessages.committed(ticket, isDurable);
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "an error of our own after a commit", e);
+        }
         settle();
     }
 
     /** Time has passed. */
     public void advance(long nowNanos) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         settle();
     }
 
@@ -200,9 +203,33 @@ public final class Exchange {
             List<Link> touched = new ArrayList<>(settlement);
             settlement.clear();
             for (Link link : touched) {
-                if (!link.isClosed) {
-                    link.radio.releaseIfUnused();
-                }
+                settle(link);
+            }
+        }
+    }
+
+    private static void settle(Link link) {
+        try {
+            if (!link.isClosed) {
+                link.radio.releaseIfUnused();
+            }
+        } catch (RuntimeException e) {
+            link.failed(e);
+        }
+    }
+
+    /**
+     * Moves the time forward. An error of our own in a timer of a link or application ends that one; in any other timer it
+     * is logged. In no case does it reach the caller, whose frame belongs to another link.
+     */
+    private void advanceTimers(long nowNanos) {
+        boolean isDone = false;
+        while (!isDone) {
+            try {
+                timers.advance(nowNanos);
+                isDone = true;
+            } catch (RuntimeException e) {
+                LOG.log(Level.ERROR, "an error of our own in a timer", e);
             }
         }
     }
@@ -213,7 +240,7 @@ public final class Exchange {
      * @throws IllegalArgumentException saying what is wrong with the order
      */
     public BroadcastView broadcast(long nowNanos, BroadcastOrder order) {
-        timers.advance(nowNanos);
+        advanceTimers(nowNanos);
         return broadcaster.broadcast(order);
     }
 

@@ -17,6 +17,7 @@ import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 import simgsm.trace.MessageText;
 
 /**
@@ -35,6 +36,7 @@ public final class Link {
 
     final LinkPort port;
     private final ExchangeParts parts;
+    final Timers timers;
     final NetworkRadioConnection radio;
     final Paging paging;
     private final KeepAlive keepAlive;
@@ -60,24 +62,25 @@ public final class Link {
         this.address = address;
         this.lifeline = address;
         this.parts = parts;
-        this.radio = new NetworkRadioConnection(this, parts.timers());
-        this.paging = new Paging(this, parts.timers());
-        this.keepAlive = new KeepAlive(parts.timers(), this::sendCcm, this::drop);
-        this.moderation = new TerminalRateLimits(isLocal, parts.timers());
-        this.authenticity = new Authenticity(this, parts.timers());
-        this.shortMessages = new ShortMessageTransfers(this, parts.timers(), parts.shortMessageCenter());
+        this.timers = parts.timers().ownedBy(this::failed);
+        this.radio = new NetworkRadioConnection(this, timers);
+        this.paging = new Paging(this, timers);
+        this.keepAlive = new KeepAlive(timers, this::sendCcm, this::drop);
+        this.moderation = new TerminalRateLimits(isLocal, timers);
+        this.authenticity = new Authenticity(this, timers);
+        this.shortMessages = new ShortMessageTransfers(this, timers, parts.shortMessageCenter());
     }
 
     /** Asks the peer for its identity and begins to supervise the connection. */
     void open() {
         sendCcm(new CcmMessage.IdentityRequest());
         keepAlive.start();
-        identification = parts.timers().start(IDENTITY_NANOS, () -> drop("has not identified itself"));
+        identification = timers.start(IDENTITY_NANOS, () -> drop("has not identified itself"));
     }
 
     void receive(CcmMessage message) {
         if (message instanceof CcmMessage.IdentityResponse) {
-            parts.timers().cancel(identification);
+            timers.cancel(identification);
             sendCcm(new CcmMessage.IdentityAcknowledge());
         } else {
             keepAlive.receive(message);
@@ -92,7 +95,7 @@ public final class Link {
     /** From now on somebody is registered here. */
     void become(Subscriber who) {
         subscriber = who;
-        parts.timers().cancel(identification);
+        timers.cancel(identification);
         lifeline = who.number().digits();
     }
 
@@ -158,11 +161,17 @@ public final class Link {
         }
     }
 
+    /** Ends this link after an error of our own, and no other. */
+    void failed(RuntimeException e) {
+        LOG.log(Level.ERROR, this + ": closed after an error of our own", e);
+        drop("internal error");
+    }
+
     /** The link is no more: everything on it ends, and whoever was registered here is detached. */
     void forget() {
         isClosed = true;
         keepAlive.stop();
-        parts.timers().cancel(identification);
+        timers.cancel(identification);
         authenticity.cancel();
         if (registration != null) {
             registration.cancel();

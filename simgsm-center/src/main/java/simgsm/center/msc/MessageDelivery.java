@@ -1,12 +1,12 @@
 package simgsm.center.msc;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.DeliveryPort;
-import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.Envelope;
-import simgsm.center.smsc.Recipient;
 import simgsm.center.subscriber.SubscriberRegister;
 
 /** The short message centre's way to attached mobiles. */
@@ -24,18 +24,19 @@ final class MessageDelivery implements DeliveryPort {
     }
 
     @Override
-    public boolean isReachable(Recipient receiver) {
-        return receiver instanceof Recipient.Number number
+    public boolean isReachable(Destination receiver) {
+        return receiver instanceof Destination.Number number
                 && linkOf(number.number()).isPresent();
     }
 
     @Override
-    public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
-        Optional<Link> link =
-                envelope.receiver() instanceof Recipient.Number number ? linkOf(number.number()) : Optional.empty();
+    public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
+        Optional<Link> link = envelope.destination() instanceof Destination.Number number
+                ? linkOf(number.number())
+                : Optional.empty();
         link.ifPresentOrElse(
-                there -> there.shortMessages.deliver(envelope.tpdu(moreWaiting), receipt),
-                () -> receipt.ended(DeliveryOutcome.ABSENT));
+                there -> there.shortMessages.deliver(envelope.tpdu(moreWaiting), ended),
+                () -> ended.accept(DeliveryOutcome.ABSENT));
     }
 
     private Optional<Link> linkOf(Msisdn receiver) {

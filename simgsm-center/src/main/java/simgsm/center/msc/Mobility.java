@@ -93,7 +93,7 @@ final class Mobility {
             link.registration.cancel();
         }
         link.authenticity.cancel();
-        link.registration = new LocationUpdate(link, this, timers);
+        link.registration = new LocationUpdate(link, this, link.timers);
         link.registration.start(request.identity());
     }
 

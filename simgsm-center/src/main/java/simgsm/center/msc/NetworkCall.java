@@ -24,7 +24,7 @@ final class NetworkCall implements CallLeg.Owner {
         this.from = link.subscriber.number();
         this.to = to;
         this.timers = timers;
-        this.originating = new CallLeg(link, transaction, Optional.empty(), exchange.tones(), timers, this);
+        this.originating = new CallLeg(link, transaction, Optional.empty(), exchange.tones(), link.timers, this);
     }
 
     Msisdn from() {
@@ -54,9 +54,9 @@ final class NetworkCall implements CallLeg.Owner {
     }
 
     /** The called mobile is known and free: go and fetch it. */
-    void extend(Link called, TransactionIdentifier transaction, Timers timers) {
+    void extend(Link called, TransactionIdentifier transaction) {
         originating.proceed();
-        terminating = new CallLeg(called, transaction, Optional.of(from), Optional.empty(), timers, this);
+        terminating = new CallLeg(called, transaction, Optional.of(from), Optional.empty(), called.timers, this);
         terminating.page();
     }
 

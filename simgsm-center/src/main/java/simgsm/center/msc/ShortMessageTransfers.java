@@ -3,9 +3,10 @@ package simgsm.center.msc;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
@@ -91,14 +92,14 @@ final class ShortMessageTransfers {
     }
 
     /** Gives the mobile a message, paging it if need be; one at a time. */
-    void deliver(OctetString tpdu, DeliveryReceipt receipt) {
+    void deliver(OctetString tpdu, Consumer<DeliveryOutcome> ended) {
         TransactionIdentifier transaction = new TransactionIdentifier(nextTransaction, false);
         nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
         nextReference = (nextReference + 1) % REFERENCES;
         terminating = new TerminatingTransfer(link, transaction, nextReference, tpdu, timers, outcome -> {
             terminating = null;
             link.touched();
-            receipt.ended(outcome);
+            ended.accept(outcome);
         });
         link.paging.request(terminating);
     }

@@ -6,74 +6,77 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import simgsm.center.smsc.DeliveryOutcome;
-import simgsm.center.smsc.DeliveryReceipt;
-import simgsm.center.smsc.Recipient;
+import simgsm.center.smsc.Destination;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** The deliver_sm of a session that are not answered yet. */
+/** The deliver_sm of a session that are not yet answered. */
 final class DeliveryWindow {
-    /** How many an application may leave unanswered before it gets no more. */
+    /** Unanswered deliver_sm at a time. */
     static final int SIZE = 100;
 
-    /** response_timer (7.2): later answers come to nothing, the message is tried again. */
+    /** response_timer (7.2): without an answer the attempt has failed; a later answer is ignored. */
     static final long RESPONSE_NANOS = Duration.ofSeconds(30).toNanos();
 
-    private record Outstanding(Recipient receiver, DeliveryReceipt receipt, long sentNanos) {}
+    private record Outstanding(Destination destination, Consumer<DeliveryOutcome> ended, long sentNanos) {}
 
     private final Timers timers;
+    private final Runnable roomMade;
     private final Map<Integer, Outstanding> outstanding = new LinkedHashMap<>();
     private Timer oldest;
 
-    DeliveryWindow(Timers timers) {
+    /** @param roomMade is called after places have become free, by an answer or by the timer */
+    DeliveryWindow(Timers timers, Runnable roomMade) {
         this.timers = timers;
+        this.roomMade = roomMade;
     }
 
     int size() {
         return outstanding.size();
     }
 
-    void sent(int sequence, Recipient receiver, DeliveryReceipt receipt) {
-        outstanding.put(sequence, new Outstanding(receiver, receipt, timers.nowNanos()));
+    void sent(int sequence, Destination destination, Consumer<DeliveryOutcome> ended) {
+        outstanding.put(sequence, new Outstanding(destination, ended, timers.nowNanos()));
         if (oldest == null) {
             oldest = timers.start(RESPONSE_NANOS, this::giveUpOldest);
         }
     }
 
-    /** @return false for an answer to nothing */
-    boolean answered(int sequence, DeliveryOutcome outcome) {
+    /** Ends the attempt with this number; an unknown number is ignored. */
+    void answered(int sequence, DeliveryOutcome outcome) {
         Outstanding answered = outstanding.remove(sequence);
-        if (answered == null) {
-            return false;
+        if (answered != null) {
+            answered.ended.accept(outcome);
+            roomMade.run();
         }
-        answered.receipt.ended(outcome);
-        return true;
     }
 
     private void giveUpOldest() {
         oldest = null;
         List<Outstanding> late = new ArrayList<>();
         Iterator<Outstanding> each = outstanding.values().iterator();
-        while (each.hasNext()) {
+        while (each.hasNext() && oldest == null) {
             Outstanding next = each.next();
-            long due = next.sentNanos + RESPONSE_NANOS;
-            if (due > timers.nowNanos()) {
-                oldest = timers.start(due - timers.nowNanos(), this::giveUpOldest);
-                break;
+            long left = next.sentNanos + RESPONSE_NANOS - timers.nowNanos();
+            if (left > 0) {
+                oldest = timers.start(left, this::giveUpOldest);
+            } else {
+                each.remove();
+                late.add(next);
             }
-            each.remove();
-            late.add(next);
         }
-        late.forEach(gone -> gone.receipt.ended(DeliveryOutcome.FAILED));
+        late.forEach(lost -> lost.ended.accept(DeliveryOutcome.FAILED));
+        roomMade.run();
     }
 
-    /** The session is gone. Returns whom its messages were for. */
-    List<Recipient> lose() {
+    /** Ends all attempts, because the session has ended; returns their destinations. */
+    List<Destination> end() {
         timers.cancel(oldest);
         List<Outstanding> lost = List.copyOf(outstanding.values());
         outstanding.clear();
-        lost.forEach(each -> each.receipt.ended(DeliveryOutcome.ABSENT));
-        return lost.stream().map(Outstanding::receiver).distinct().toList();
+        lost.forEach(each -> each.ended.accept(DeliveryOutcome.ABSENT));
+        return lost.stream().map(Outstanding::destination).distinct().toList();
     }
 }

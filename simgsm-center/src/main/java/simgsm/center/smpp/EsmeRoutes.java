@@ -4,37 +4,37 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.DeliveryPort;
-import simgsm.center.smsc.DeliveryReceipt;
+import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.Envelope;
-import simgsm.center.smsc.Recipient;
 
-/** The short message centre's way to applications: by the number that they serve, receipts by system id. */
+/** Delivers to applications: messages by the number that they serve, receipts by system id. */
 public final class EsmeRoutes implements DeliveryPort {
     private static final int MAX_REMEMBERED = 100_000;
 
     private final Map<String, Route> bySystemId = new HashMap<>();
     private final Map<Msisdn, Route> byNumber = new HashMap<>();
     private final Map<AddressRange, Route> byRange = new LinkedHashMap<>();
-    /** Which range a number fell into; ranges are slow to search. Forgotten when an application comes or goes. */
+    /** The result of {@link #closestRange} by number; cleared when a session is added or removed. */
     private final Map<Msisdn, Optional<Route>> found = new HashMap<>();
 
     EsmeRoutes() {}
 
-    /** Whether an application serves just this number. */
+    /** Whether an application serves exactly this number. */
     public boolean serveExactly(Msisdn number) {
         return byNumber.containsKey(number);
     }
 
-    /** Whether an application serves this number, alone or among others. */
+    /** Whether an application serves this number, alone or in a range. */
     public boolean serve(Msisdn number) {
         return routeOf(number).isPresent();
     }
 
-    boolean serve(Recipient receiver) {
-        return routeOf(receiver).isPresent();
+    boolean serve(Destination destination) {
+        return routeOf(destination).isPresent();
     }
 
     void add(EsmeSession session, Optional<AddressRange> range) {
@@ -70,7 +70,7 @@ public final class EsmeRoutes implements DeliveryPort {
         }
     }
 
-    /** The session can take something again. */
+    /** A session's window has room again. */
     void roomOn(EsmeSession session, Optional<AddressRange> range, SmppServer server) {
         giveTurns(bySystemId.get(session.systemId()), server);
         range.ifPresent(numbers -> giveTurns(
@@ -83,10 +83,15 @@ public final class EsmeRoutes implements DeliveryPort {
         }
     }
 
-    private Optional<Route> routeOf(Recipient receiver) {
-        return receiver instanceof Recipient.Esme esme
+    /** Destinations that wait for their turn on the same route as this one. */
+    int blocked(Destination destination) {
+        return routeOf(destination).map(Route::blocked).orElse(0);
+    }
+
+    private Optional<Route> routeOf(Destination destination) {
+        return destination instanceof Destination.Esme esme
                 ? Optional.ofNullable(bySystemId.get(esme.systemId()))
-                : routeOf(((Recipient.Number) receiver).number());
+                : routeOf(((Destination.Number) destination).number());
     }
 
     private Optional<Route> routeOf(Msisdn number) {
@@ -114,23 +119,28 @@ public final class EsmeRoutes implements DeliveryPort {
     }
 
     @Override
-    public boolean isReachable(Recipient receiver) {
-        return routeOf(receiver).map(route -> route.admits(receiver)).orElse(false);
+    public boolean isReachable(Destination destination) {
+        return routeOf(destination).map(route -> route.admits(destination)).orElse(false);
     }
 
     @Override
-    public int window(Recipient receiver) {
+    public int window(Destination destination) {
         return Integer.MAX_VALUE;
     }
 
     @Override
-    public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
-        Optional<Route> route = routeOf(envelope.receiver());
+    public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
+        Optional<Route> route = routeOf(envelope.destination());
         if (route.isEmpty()) {
-            receipt.ended(DeliveryOutcome.ABSENT);
+            ended.accept(DeliveryOutcome.ABSENT);
             return;
         }
         route.get().used();
-        route.get().idlest().deliver(envelope, receipt);
+        route.get().leastLoaded().deliver(envelope, ended);
+    }
+
+    @Override
+    public void emptied(Destination destination) {
+        routeOf(destination).ifPresent(route -> route.emptied(destination));
     }
 }

@@ -3,26 +3,27 @@ package simgsm.center.smpp;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.time.Duration;
-import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
+import simgsm.center.smpp.MessageStatusStore.MessageStatus;
 import simgsm.center.smsc.DeliveryOutcome;
-import simgsm.center.smsc.DeliveryReceipt;
 import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.Recipient;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
+import simgsm.timer.Timers;
 
-/** One connection with an application, from its opening to its end. */
+/** A connection with an application: {@link SmppSessionTable} driven by PDUs and timers. */
 public final class EsmeSession {
-    /** session_init_timer (7.2): who does not bind is not kept. */
+    /** session_init_timer (7.2): the connection is closed if the application does not bind. */
     static final long INIT_NANOS = Duration.ofSeconds(30).toNanos();
-    /** enquire_link_timer: after so long a silence the application is asked whether it is there. */
+    /** enquire_link_timer (7.2): enquire_link is sent after this silence. */
     static final long ENQUIRE_NANOS = Duration.ofSeconds(60).toNanos();
-    /** How long it may take to answer that. */
+    /** response_timer (7.2) of enquire_link. */
     static final long ANSWER_NANOS = Duration.ofSeconds(30).toNanos();
-    /** Guessing passwords needs a new connection from time to time. */
+    /** The connection is closed after this number of refused binds, which slows the guessing of passwords. */
     static final int MAX_REFUSED_BINDS = 5;
 
     private static final System.Logger LOG = System.getLogger(EsmeSession.class.getName());
@@ -31,10 +32,12 @@ public final class EsmeSession {
     private final SmppPort port;
     private final String address;
     private final boolean isLocal;
+    private final Timers timers;
     private final SmppFramer framer = new SmppFramer();
     private final DeliveryWindow window;
-    private final Throttle throttle;
-    private SessionState state = SessionState.OPEN;
+    private final SubmissionLimits limits;
+    private final StateMachine<SmppSessionTable.State, SmppSessionTable.Event, SmppSessionTable.Action> machine =
+            new StateMachine<>(SmppSessionTable.ROWS, this, this::perform);
     private boolean isClosed;
     private String systemId = "";
     private Optional<AddressRange> range = Optional.empty();
@@ -49,18 +52,19 @@ public final class EsmeSession {
         this.port = port;
         this.address = address;
         this.isLocal = isLocal;
-        this.window = new DeliveryWindow(server.timers());
-        this.throttle = new Throttle(server.timers(), isLocal);
-        heardNanos = server.timers().nowNanos();
-        silence = server.timers().start(INIT_NANOS, this::checkSilence);
+        this.timers = server.timers().ownedBy(this::failed);
+        this.window = new DeliveryWindow(timers, this::roomMade);
+        this.limits = new SubmissionLimits(timers, isLocal);
+        heardNanos = timers.nowNanos();
+        silence = timers.start(INIT_NANOS, this::checkSilence);
     }
 
     String systemId() {
         return systemId;
     }
 
-    SessionState state() {
-        return state;
+    SmppSessionTable.State state() {
+        return machine.state();
     }
 
     int outstanding() {
@@ -75,18 +79,17 @@ public final class EsmeSession {
         if (isClosed) {
             return;
         }
-        heardNanos = server.timers().nowNanos();
+        heardNanos = timers.nowNanos();
         isEnquired = false;
         framer.accept(octets);
         try {
-            while (!isClosed && state != SessionState.UNBOUND && framer.hasNext()) {
+            while (!isClosed && state() != SmppSessionTable.State.UNBOUND && framer.hasNext()) {
                 receiveNext();
             }
         } catch (SmppViolation lost) {
             LOG.log(Level.INFO, "{0}: {1}", this, lost.getMessage());
             lost.answer().ifPresent(this::send);
-            end();
-            port.closeWhenSent();
+            endWhenSent();
         }
     }
 
@@ -105,42 +108,56 @@ public final class EsmeSession {
         } else if (pdu instanceof SmppPdu.Message message) {
             request(message.command(), message.sequence(), () -> submit(message));
         } else if (pdu instanceof SmppPdu.Plain plain) {
-            request(plain.command(), plain.sequence(), () -> perform(plain));
+            request(plain.command(), plain.sequence(), () -> acknowledge(plain.command(), plain.sequence()));
         } else if (pdu instanceof SmppPdu.Query query) {
             request(SmppCommand.QUERY_SM, query.sequence(), () -> query(query));
         } else if (pdu instanceof SmppPdu.Cancel cancel) {
             request(SmppCommand.CANCEL_SM, cancel.sequence(), () -> cancel(cancel));
         } else if (pdu instanceof SmppPdu.MessageResponse response) {
-            delivered(response.sequence(), response.status());
+            window.answered(response.sequence(), outcome(response.status()));
         } else if (pdu instanceof SmppPdu.GenericNack nack) {
-            delivered(nack.sequence(), nack.status());
+            window.answered(nack.sequence(), outcome(nack.status()));
         }
     }
 
-    /** What a request does; SmppViolation refuses it. */
+    /** Fulfils a request; SmppViolation refuses it. */
     private interface Fulfilment {
         void run() throws SmppViolation;
     }
 
     private void request(SmppCommand command, int number, Fulfilment fulfilment) {
-        Optional<SessionState> next = state.after(command);
-        if (next.isEmpty()) {
-            send(SmppCodec.refusal(command, state.refusal(command), number));
+        SmppSessionTable.Event event = SmppSessionTable.Event.of(command);
+        if (!machine.accepts(event)) {
+            boolean isSecondBind = command.isBind() && state().isBound();
+            int status = isSecondBind ? SmppStatus.ALREADY_BOUND : SmppStatus.INVALID_BIND_STATUS;
+            send(SmppCodec.refusal(command, status, number));
             return;
         }
         try {
             fulfilment.run();
-            if (next.get() != state) {
-                enter(next.get());
-            }
+            machine.fire(event);
         } catch (SmppViolation refused) {
             LOG.log(Level.DEBUG, "{0}: {1} refused, {2}", this, command, refused.getMessage());
             send(SmppCodec.refusal(command, refused.status(), number));
             if (refusedBinds == MAX_REFUSED_BINDS) {
-                end();
-                port.closeWhenSent();
+                endWhenSent();
             }
         }
+    }
+
+    private void perform(SmppSessionTable.Action action) {
+        switch (action) {
+            case ADD_TO_ROUTES -> server.bound(this, range);
+            case REMOVE_FROM_ROUTES -> removeFromRoutes();
+            case CLOSE_CONNECTION -> port.closeWhenSent();
+        }
+    }
+
+    private void removeFromRoutes() {
+        server.unbound(this, range);
+        window.end().forEach(server::tryAgain);
+        server.routes().roomOn(this, range, server);
+        systemId = "";
     }
 
     private void bind(SmppPdu.Bind bind) throws SmppViolation {
@@ -161,100 +178,70 @@ public final class EsmeSession {
         send(new SmppPdu.BindResponse(bind.command(), SmppStatus.OK, bind.sequence(), SmppServer.SYSTEM_ID));
     }
 
-    private void enter(SessionState next) {
-        boolean began = !state.isBound() && next.isBound();
-        state = next;
-        if (began) {
-            server.bound(this, range);
-        } else if (next == SessionState.UNBOUND) {
-            end();
-            port.closeWhenSent();
-        }
-    }
-
-    private void perform(SmppPdu.Plain plain) {
-        send(new SmppPdu.PlainResponse(plain.command(), SmppStatus.OK, plain.sequence()));
+    private void acknowledge(SmppCommand command, int number) {
+        send(new SmppPdu.PlainResponse(command, SmppStatus.OK, number));
     }
 
     private void submit(SmppPdu.Message pdu) throws SmppViolation {
-        if (!throttle.admits()) {
-            throw new SmppViolation(SmppStatus.THROTTLED, "too much at a time");
+        if (!limits.admit()) {
+            throw new SmppViolation(SmppStatus.THROTTLED, "too many submissions at a time");
         }
         Msisdn ownNumber = range.flatMap(AddressRange::exact).orElse(ShortMessageCenter.ADDRESS);
-        throttle.begun();
-        Submission submission = new Submission(pdu.command(), pdu.sequence());
+        limits.begun();
         try {
-            submission.id = server.desk().submit(systemId, ownNumber, pdu.message(), submission::answer);
+            server.submissions().submit(systemId, ownNumber, pdu.message(), (id, status) -> {
+                limits.answered();
+                send(new SmppPdu.MessageResponse(pdu.command(), status, pdu.sequence(), id));
+            });
         } catch (SmppViolation refused) {
-            throttle.answered();
+            limits.answered();
             throw refused;
-        }
-        submission.flush();
-    }
-
-    /** A message that was handed in; its refusal may come before its id is known. */
-    private final class Submission {
-        private final SmppCommand command;
-        private final int number;
-        private int status = -1;
-        private String id;
-
-        Submission(SmppCommand command, int number) {
-            this.command = command;
-            this.number = number;
-        }
-
-        void answer(int answered) {
-            status = answered;
-            flush();
-        }
-
-        void flush() {
-            if (id != null && status >= 0) {
-                throttle.answered();
-                send(new SmppPdu.MessageResponse(command, status, number, id));
-            }
         }
     }
 
     private void query(SmppPdu.Query query) throws SmppViolation {
-        MessageStatusStore.Fate fate = server.fates()
-                .find(query.messageId(), systemId, query.source().value())
-                .orElseThrow(() -> unknown(SmppStatus.QUERY_FAILED, query.messageId()));
-        boolean isOver = fate.state() != MessageState.ACCEPTED;
+        MessageStatus status = status(query.messageId(), query.source(), SmppStatus.QUERY_FAILED);
+        boolean hasEnded = status.state() != MessageState.ACCEPTED;
         send(new SmppPdu.QueryResponse(
                 SmppStatus.OK,
                 query.sequence(),
                 query.messageId(),
-                isOver ? SmppTime.full(fate.at()) : "",
-                Receipts.code(fate.state()),
+                hasEnded ? SmppTime.full(status.at()) : "",
+                DeliverSm.messageState(status.state()),
                 0));
     }
 
     private void cancel(SmppPdu.Cancel cancel) throws SmppViolation {
-        MessageStatusStore.Fate fate = server.fates()
-                .find(cancel.messageId(), systemId, cancel.source().value())
-                .filter(found -> found.state() == MessageState.ACCEPTED)
-                .orElseThrow(() -> unknown(SmppStatus.CANCEL_FAILED, cancel.messageId()));
-        if (!server.center().cancel(fate.to(), Long.parseLong(cancel.messageId()))) {
-            throw new SmppViolation(SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " is being delivered");
+        MessageStatus status = status(cancel.messageId(), cancel.source(), SmppStatus.CANCEL_FAILED);
+        if (!server.center().cancel(status.id())) {
+            throw new SmppViolation(
+                    SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " has ended or is being delivered");
         }
-        send(new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, cancel.sequence()));
+        acknowledge(SmppCommand.CANCEL_SM, cancel.sequence());
     }
 
-    private SmppViolation unknown(int status, String id) {
-        return new SmppViolation(status, systemId + " has no message \"" + id + "\" that waits or has lately ended");
+    /** @throws SmppViolation with {@code refusal} if this application has no such message */
+    private MessageStatus status(String id, SmppAddress source, int refusal) throws SmppViolation {
+        return server.statuses()
+                .find(server.center(), id, systemId, source.value())
+                .orElseThrow(() -> new SmppViolation(
+                        refusal, systemId + " has no message \"" + id + "\" that waits or has lately ended"));
     }
 
-    /** Sends deliver_sm. The receipt is told when it is answered, or will not be. */
-    void deliver(Envelope envelope, DeliveryReceipt receipt) {
+    /** Sends deliver_sm. @param ended is given the outcome once: of the answer, of the timer, or of the session's end */
+    void deliver(Envelope envelope, Consumer<DeliveryOutcome> ended) {
+        int number = nextSequence();
+        window.sent(number, envelope.destination(), ended);
+        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope)));
+    }
+
+    private int nextSequence() {
         sequence = sequence % Integer.MAX_VALUE + 1;
-        window.sent(sequence, envelope.receiver(), receipt);
-        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, sequence, Deliveries.of(envelope)));
+        return sequence;
     }
 
-    private void delivered(int number, int status) {
-        if (window.answered(number, outcome(status)) && state.receives()) {
+    private void roomMade() {
+        if (state().receives()) {
             server.routes().roomOn(this, range, server);
         }
     }
@@ -270,17 +257,15 @@ public final class EsmeSession {
     }
 
     private void checkSilence() {
-        long silent = server.timers().nowNanos() - heardNanos;
-        if (!state.isBound() || isEnquired) {
-            port.close(isEnquired ? "does not answer enquire_link" : "does not bind");
-            closed();
-        } else if (silent >= ENQUIRE_NANOS) {
+        long silentNanos = timers.nowNanos() - heardNanos;
+        if (!state().isBound() || isEnquired) {
+            drop(isEnquired ? "does not answer enquire_link" : "does not bind");
+        } else if (silentNanos >= ENQUIRE_NANOS) {
             isEnquired = true;
-            sequence = sequence % Integer.MAX_VALUE + 1;
-            send(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, sequence));
-            silence = server.timers().start(ANSWER_NANOS, this::checkSilence);
+            send(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, nextSequence()));
+            silence = timers.start(ANSWER_NANOS, this::checkSilence);
         } else {
-            silence = server.timers().start(ENQUIRE_NANOS - silent, this::checkSilence);
+            silence = timers.start(ENQUIRE_NANOS - silentNanos, this::checkSilence);
         }
     }
 
@@ -290,24 +275,30 @@ public final class EsmeSession {
         }
     }
 
+    private void failed(RuntimeException e) {
+        LOG.log(Level.ERROR, this + ": closed after an error of our own", e);
+        drop("internal error");
+    }
+
+    private void drop(String reason) {
+        port.close(reason);
+        closed();
+    }
+
+    private void endWhenSent() {
+        end();
+        port.closeWhenSent();
+    }
+
     /** The connection is gone. */
     void closed() {
         end();
         isClosed = true;
     }
 
-    /** Nothing is delivered any more; what was, without an answer, goes back to its queue. */
     private void end() {
-        server.timers().cancel(silence);
-        state = SessionState.UNBOUND;
-        if (systemId.isEmpty()) {
-            return;
-        }
-        server.unbound(this, range);
-        List<Recipient> lost = window.lose();
-        lost.forEach(server::tryAgain);
-        server.routes().roomOn(this, range, server);
-        systemId = "";
+        timers.cancel(silence);
+        machine.fire(SmppSessionTable.Event.END);
     }
 
     @Override

@@ -1,55 +1,55 @@
 package simgsm.center.smpp;
 
 import java.time.Instant;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import simgsm.air.Msisdn;
+import simgsm.center.smsc.BoundedMap;
+import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.ShortMessageCenter;
 
-/** What became of the messages of applications, for those who ask. The oldest that have ended are forgotten. */
+/** States of the messages that applications sent, for query_sm and cancel_sm: all that wait, and the last that ended. */
 final class MessageStatusStore {
     static final int MAX_ENDED = 100_000;
 
-    /** @param at when it ended; when it was taken, while it is under way */
-    record Fate(String systemId, String source, Msisdn to, MessageState state, Instant at) {}
-
-    private final Map<Long, Fate> underWay = new HashMap<>();
-    private final Map<Long, Fate> ended = new LinkedHashMap<>() {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Long, Fate> eldest) {
-            return size() > MAX_ENDED;
+    /** @param at when the message ended; while it waits, when it was accepted */
+    record MessageStatus(long id, String systemId, String source, MessageState state, Instant at) {
+        private static MessageStatus of(ShortMessage message, EsmeOrigin origin, MessageState state, Instant at) {
+            return new MessageStatus(
+                    message.id(), origin.systemId(), origin.source().value(), state, at);
         }
-    };
-
-    void changed(ShortMessage message, MessageState state, Instant now) {
-        message.esme().ifPresent(origin -> {
-            Fate fate = new Fate(origin.systemId(), origin.source().value(), message.to(), state, now);
-            if (state == MessageState.ACCEPTED) {
-                underWay.put(message.id(), fate);
-            } else {
-                underWay.remove(message.id());
-                ended.put(message.id(), fate);
-            }
-        });
     }
 
-    /** The message with this id if this application sent it from this address; an empty address fits every message. */
-    Optional<Fate> find(String id, String systemId, String source) {
+    private final Map<Long, MessageStatus> ended = new BoundedMap<>(MAX_ENDED);
+
+    /** Takes note of a new state. */
+    void changed(ShortMessage message, MessageState state, Instant now) {
+        if (message.esme().isPresent() && state != MessageState.ACCEPTED) {
+            ended.put(message.id(), MessageStatus.of(message, message.esme().get(), state, now));
+        }
+    }
+
+    /**
+     * The status of a message.
+     *
+     * @param systemId must have sent it
+     * @param source must be its source address; empty fits every address
+     */
+    Optional<MessageStatus> find(ShortMessageCenter center, String id, String systemId, String source) {
         long number;
         try {
             number = Long.parseLong(id);
         } catch (NumberFormatException e) {
             return Optional.empty();
         }
-        return Optional.ofNullable(underWay.getOrDefault(number, ended.get(number)))
-                .filter(fate -> fate.systemId.equals(systemId))
-                .filter(fate -> source.isEmpty() || withoutPlus(source).equals(fate.source));
-    }
-
-    private static String withoutPlus(String address) {
-        return address.startsWith("+") ? address.substring(1) : address;
+        String plainSource = source.startsWith("+") ? source.substring(1) : source;
+        return Optional.ofNullable(ended.get(number))
+                .or(() -> center.waitingMessage(number)
+                        .flatMap(message -> message.esme()
+                                .map(origin -> MessageStatus.of(
+                                        message, origin, MessageState.ACCEPTED, message.acceptedAt()))))
+                .filter(status -> status.systemId.equals(systemId))
+                .filter(status -> plainSource.isEmpty() || plainSource.equals(status.source));
     }
 }

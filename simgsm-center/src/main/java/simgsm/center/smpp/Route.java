@@ -4,15 +4,16 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import simgsm.center.smsc.Recipient;
+import simgsm.center.smsc.Destination;
 
-/** The sessions that serve the same numbers, or take the receipts of the same application. */
+/** Sessions that serve the same numbers, or the receipts of the same application; and the destinations that share them. */
 final class Route {
     private final List<EsmeSession> sessions = new ArrayList<>(1);
-    /** Receivers for whom something waits until a session has room; in the order of their turn. */
-    private final Set<Recipient> starved = new LinkedHashSet<>();
+    /** Destinations that wait for room in a session's window, in the order of their turns. */
+    private final Set<Destination> blocked = new LinkedHashSet<>();
 
-    private Recipient hasTurn;
+    /** May send although others are blocked; null between turns. */
+    private Destination hasTurn;
 
     boolean isEmpty() {
         return sessions.isEmpty();
@@ -26,18 +27,27 @@ final class Route {
         sessions.remove(session);
     }
 
-    /** Whether something may be sent to this receiver now; if not, its turn will come. */
-    boolean admits(Recipient receiver) {
-        boolean mayGo = starved.isEmpty() || receiver.equals(hasTurn);
-        if (mayGo && idlest().hasRoom()) {
+    /** Whether a message may be sent to this destination now; if not, the destination is blocked until its turn. */
+    boolean admits(Destination destination) {
+        boolean mayGo = blocked.isEmpty() || destination.equals(hasTurn);
+        if (mayGo && leastLoaded().hasRoom()) {
             return true;
         }
-        starved.add(receiver);
+        blocked.add(destination);
         return false;
     }
 
-    /** The one with the fewest answers outstanding, so that a stuck one gets nothing more. */
-    EsmeSession idlest() {
+    int blocked() {
+        return blocked.size();
+    }
+
+    /** Nothing waits for this destination any more. */
+    void emptied(Destination destination) {
+        blocked.remove(destination);
+    }
+
+    /** The session with the fewest unanswered deliver_sm. */
+    EsmeSession leastLoaded() {
         EsmeSession best = sessions.get(0);
         for (int i = 1; i < sessions.size(); i++) {
             if (sessions.get(i).outstanding() < best.outstanding()) {
@@ -47,16 +57,16 @@ final class Route {
         return best;
     }
 
-    /** Something has been sent; whoever wants to send more waits for the next turn if others wait. */
+    /** A message has been sent: the turn is over. */
     void used() {
         hasTurn = null;
     }
 
-    /** Gives turns while there is room and somebody waits. */
+    /** Lets blocked destinations send, one message each, while there is room. */
     void giveTurns(SmppServer server) {
-        while (!starved.isEmpty() && !sessions.isEmpty() && idlest().hasRoom()) {
-            Recipient next = starved.iterator().next();
-            starved.remove(next);
+        while (!blocked.isEmpty() && !sessions.isEmpty() && leastLoaded().hasRoom()) {
+            Destination next = blocked.iterator().next();
+            blocked.remove(next);
             hasTurn = next;
             server.center().roomFor(next);
             hasTurn = null;

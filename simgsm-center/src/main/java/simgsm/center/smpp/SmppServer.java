@@ -3,16 +3,13 @@ package simgsm.center.smpp;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.util.Optional;
+import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.Recipient;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.timer.Timers;
 
-/**
- * The centre's side of SMPP for all applications. A deterministic core on the exchange's thread and timers; whoever calls
- * has moved the timers to the present.
- */
+/** The centre's side of SMPP for all applications. A deterministic core on the exchange's thread and timers. */
 public final class SmppServer {
     static final String SYSTEM_ID = "SimGSM";
     static final int INTERFACE_VERSION = 0x34;
@@ -21,33 +18,33 @@ public final class SmppServer {
 
     private final Timers timers;
     private final EsmeRoutes routes = new EsmeRoutes();
-    private final MessageStatusStore fates = new MessageStatusStore();
+    private final MessageStatusStore statuses = new MessageStatusStore();
     private SmppUsers users = SmppUsers.anyLocal();
     private ShortMessageCenter center;
-    private SubmitHandler desk;
+    private SubmitHandler submissions;
     private int sessions;
 
     public SmppServer(Timers timers) {
         this.timers = timers;
     }
 
-    /** The centre knows the routes and these know the centre; so the last arrow is drawn afterwards. */
+    /** Connects server and short message centre; the centre's delivery port needs {@link #routes} before. */
     public void serve(ShortMessageCenter shortMessages) {
         center = shortMessages;
-        desk = new SubmitHandler(shortMessages);
+        submissions = new SubmitHandler(shortMessages);
     }
 
-    /** Who may bind from now on; at first anybody on this machine. */
+    /** Sets the applications that may bind from now on; at first, any on this machine. */
     public void admit(SmppUsers admitted) {
         users = admitted;
     }
 
-    /** The way to the applications. */
+    /** Delivers to the bound applications. */
     public EsmeRoutes routes() {
         return routes;
     }
 
-    /** An application has connected. The session stands for it in all further calls. */
+    /** A connection was opened; the session identifies it in the other methods. */
     public EsmeSession opened(SmppPort port, String address, boolean isLocal) {
         return new EsmeSession(this, port, address, isLocal);
     }
@@ -56,22 +53,19 @@ public final class SmppServer {
         session.received(octets);
     }
 
-    /** The connection has ended by the peer's doing, or broke. */
+    /** The connection was closed by the peer, or is broken. */
     public void closed(EsmeSession session, String reason) {
         LOG.log(session.state().isBound() ? Level.INFO : Level.DEBUG, "{0}: gone, {1}", session, reason);
         session.closed();
     }
 
-    /** Applications that are bound now. */
     public int boundSessions() {
         return sessions;
     }
 
-    /** To be told of every change of every message. */
+    /** To be called on every change of state of every message. */
     public void changed(ShortMessage message, MessageState state) {
-        if (message.esme().isPresent()) {
-            fates.changed(message, state, center.now());
-        }
+        statuses.changed(message, state, center.now());
     }
 
     void bound(EsmeSession session, Optional<AddressRange> range) {
@@ -86,15 +80,15 @@ public final class SmppServer {
             return;
         }
         routes.add(session, range);
-        // whoever waits for room with a session that is full, or dead unnoticed, has it here
+        // Destinations blocked by a full session, or by one that is dead without notice, have room here.
         routes.roomOn(session, range, this);
-        center.available(new Recipient.Esme(session.systemId()));
+        center.available(new Destination.Esme(session.systemId()));
         range.ifPresent(numbers -> {
             if (numbers.exact().isPresent()) {
                 center.available(numbers.exact().get());
             } else {
                 center.available(
-                        receiver -> receiver instanceof Recipient.Number number && numbers.contains(number.number()));
+                        each -> each instanceof Destination.Number number && numbers.contains(number.number()));
             }
         });
     }
@@ -104,10 +98,10 @@ public final class SmppServer {
         routes.remove(session, range);
     }
 
-    /** A session has gone without answering; another one may serve the same receiver. */
-    void tryAgain(Recipient receiver) {
-        if (routes.serve(receiver)) {
-            center.available(receiver);
+    /** A session has ended without answering; another one may serve the same destination. */
+    void tryAgain(Destination destination) {
+        if (routes.serve(destination)) {
+            center.available(destination);
         }
     }
 
@@ -123,11 +117,11 @@ public final class SmppServer {
         return center;
     }
 
-    SubmitHandler desk() {
-        return desk;
+    SubmitHandler submissions() {
+        return submissions;
     }
 
-    MessageStatusStore fates() {
-        return fates;
+    MessageStatusStore statuses() {
+        return statuses;
     }
 }

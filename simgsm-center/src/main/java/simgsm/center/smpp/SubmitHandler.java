@@ -1,9 +1,10 @@
 package simgsm.center.smpp;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntConsumer;
+import java.util.function.ObjIntConsumer;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.center.smsc.EsmeOrigin;
@@ -13,9 +14,11 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.UserData;
 
-/** Takes what applications hand in: to the short message centre, and its answer back. */
+/** Converts submit_sm and data_sm to SUBMITs for the short message centre, and its answer to a command_status. */
 final class SubmitHandler {
+    /** TP-MR and the reference of concatenated parts are one octet. */
     private static final int REFERENCES = 256;
+
     private static final int RECEIPT_BITS = 0x03;
 
     private final ShortMessageCenter center;
@@ -25,13 +28,13 @@ final class SubmitHandler {
     }
 
     /**
-     * Hands a message in, in as many parts as it takes.
+     * Submits a message, in as many parts as it needs: all or none.
      *
-     * @param ownNumber stands for a source that is left out
-     * @param answer told once, with a status of {@link SmppStatus}
-     * @return the message's id, should the status be OK
+     * @param ownNumber replaces an empty source address
+     * @param answer called once, with the message's id and a status of {@link SmppStatus}
      */
-    String submit(String systemId, Msisdn ownNumber, SmppMessage message, IntConsumer answer) throws SmppViolation {
+    void submit(String systemId, Msisdn ownNumber, SmppMessage message, ObjIntConsumer<String> answer)
+            throws SmppViolation {
         Msisdn to = message.destination()
                 .number()
                 .orElseThrow(() -> new SmppViolation(
@@ -39,20 +42,22 @@ final class SubmitHandler {
                         "\"" + message.destination().value() + "\" is not a telephone number"));
         SmsAddress source = source(message, ownNumber);
         Optional<Instant> expiry = expiry(message);
-        List<UserData> parts = MessageContent.parts(message, (int) (center.nextId() % REFERENCES));
-        Receipts receipts = receipts(message.registeredDelivery());
-        Msisdn from = source.number().orElse(ownNumber);
-        Parts answers = new Parts(parts.size(), answer);
-        long id = 0;
-        for (int i = 0; i < parts.size(); i++) {
-            // Parts go in order, so the last one stands for the message.
-            boolean isLast = i == parts.size() - 1;
-            id = center.nextId();
-            EsmeOrigin origin =
-                    new EsmeOrigin(systemId, source, message.dataCoding(), isLast ? receipts : Receipts.NONE);
-            center.submit(origin, from, to, unit(message, to, parts.get(i), id), expiry, answers::answered);
+        long firstId = center.nextId();
+        List<SubmitTpdu> parts = new ArrayList<>();
+        for (UserData part : MessageContent.parts(message, (int) (firstId % REFERENCES))) {
+            parts.add(unit(message, to, part, firstId + parts.size()));
         }
-        return Long.toString(id);
+        EsmeOrigin origin =
+                new EsmeOrigin(systemId, source, message.dataCoding(), receipts(message.registeredDelivery()));
+        // Parts are delivered in order, so the last one's id and receipt stand for the message.
+        String id = Long.toString(firstId + parts.size() - 1);
+        center.submit(
+                origin,
+                source.number().orElse(ownNumber),
+                to,
+                parts,
+                expiry,
+                refusal -> answer.accept(id, refusal.map(SubmitHandler::status).orElse(SmppStatus.OK)));
     }
 
     private static SmsAddress source(SmppMessage message, Msisdn ownNumber) throws SmppViolation {
@@ -63,14 +68,14 @@ final class SubmitHandler {
                 .forMobiles()
                 .orElseThrow(() -> new SmppViolation(
                         SmppStatus.INVALID_SOURCE,
-                        "\"" + message.source().value() + "\" is no number and no name of 11 letters"));
+                        "\"" + message.source().value() + "\" is neither a number nor up to 11 letters"));
     }
 
     private Optional<Instant> expiry(SmppMessage message) throws SmppViolation {
         Instant now = center.now();
         if (!message.schedule().isEmpty()
                 && time(message.schedule(), now, SmppStatus.INVALID_SCHEDULE).isAfter(now)) {
-            throw new SmppViolation(SmppStatus.INVALID_SCHEDULE, "messages are sent at once, not on a schedule");
+            throw new SmppViolation(SmppStatus.INVALID_SCHEDULE, "scheduled delivery is not supported");
         }
         if (message.validity().isEmpty()) {
             return Optional.empty();
@@ -114,26 +119,5 @@ final class SubmitHandler {
             case NETWORK_OUT_OF_ORDER, TEMPORARY_FAILURE, RESOURCES_UNAVAILABLE -> SmppStatus.SYSTEM_ERROR;
             default -> SmppStatus.SUBMIT_FAILED;
         };
-    }
-
-    /** One answer for all parts: the first refusal, or OK when the last is stored. */
-    private static final class Parts {
-        private final IntConsumer answer;
-        private int open;
-        private int status = SmppStatus.OK;
-
-        Parts(int count, IntConsumer answer) {
-            this.open = count;
-            this.answer = answer;
-        }
-
-        void answered(Optional<RpCause> refusal) {
-            if (status == SmppStatus.OK && refusal.isPresent()) {
-                status = SubmitHandler.status(refusal.get());
-            }
-            if (--open == 0) {
-                answer.accept(status);
-            }
-        }
     }
 }

@@ -1,16 +1,16 @@
 package simgsm.center.smsc;
 
-/** How an attempt to give a message to its receiver ended. */
+/** How an attempt to deliver a message ended. */
 public enum DeliveryOutcome {
     DELIVERED,
-    /** RP cause 22: the receiver will say when it has room. */
+    /** RP cause 22; RP-SMMA reports that the receiver has memory again. */
     MEMORY_FULL,
-    /** The receiver takes messages, only not so many at once; it is asked again in a moment. */
+    /** The receiver is throttling: tried again after seconds. */
     BUSY,
-    /** The receiver does not want it, for good. */
+    /** Permanently refused by the receiver. */
     REFUSED,
-    /** Nobody answered; its next registration is the time to try again, or the schedule. */
+    /** No answer to paging, or no connection: tried again at the next registration, or by the schedule. */
     ABSENT,
-    /** The dialogue broke off; the schedule says when to try again. */
+    /** The transfer broke off: tried again by the schedule. */
     FAILED
 }

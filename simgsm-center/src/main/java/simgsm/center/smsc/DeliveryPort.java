@@ -1,26 +1,34 @@
 package simgsm.center.smsc;
 
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 
-/** The way from the short message centre to receivers. */
+/** Delivers messages to mobiles and applications. */
 public interface DeliveryPort {
-    /** Whether what is sent to this number can ever arrive; nothing else is taken. */
+    /** Whether messages to this number are accepted: it is assigned, or may be assigned later. */
     default boolean isServed(Msisdn number) {
         return true;
     }
 
-    /** Whether an attempt makes sense now. Who says no tells the centre when that changes. */
-    boolean isReachable(Recipient receiver);
+    /**
+     * Whether an attempt can be made now. After {@code false}, {@link ShortMessageCenter#available} or {@link
+     * ShortMessageCenter#roomFor} is called when that changes.
+     */
+    boolean isReachable(Destination destination);
 
-    /** How many attempts to one receiver may be under way at a time. */
-    default int window(Recipient receiver) {
+    /** How many attempts to one destination may be under way at a time. */
+    default int window(Destination destination) {
         return 1;
     }
 
     /**
      * Begins one attempt.
      *
-     * @param moreWaiting whether the receiver may be told that more is to come
+     * @param moreWaiting whether further messages wait for the destination (TP-MMS)
+     * @param ended is given the outcome, once
      */
-    void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt);
+    void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended);
+
+    /** No message waits for this destination any more. */
+    default void emptied(Destination destination) {}
 }

@@ -3,26 +3,26 @@ package simgsm.center.smsc;
 import java.time.Instant;
 import simgsm.octets.OctetString;
 
-/** Something that waits in a receiver's queue. */
+/** An element of a receiver's queue: a message, or a report on one. */
 public sealed interface Envelope {
     ShortMessage message();
 
-    Recipient receiver();
+    Destination destination();
 
     Instant expiresAt();
 
     /**
-     * DELIVER or STATUS-REPORT.
+     * The DELIVER or STATUS-REPORT.
      *
-     * @param moreWaiting whether the receiver is told that more is to come (TP-MMS)
+     * @param moreWaiting whether further messages wait for the destination (TP-MMS)
      */
     OctetString tpdu(boolean moreWaiting);
 
-    /** A message on its way to its receiver. */
+    /** A message for its receiver. */
     record Delivery(ShortMessage message) implements Envelope {
         @Override
-        public Recipient receiver() {
-            return new Recipient.Number(message.to());
+        public Destination destination() {
+            return new Destination.Number(message.to());
         }
 
         @Override
@@ -36,13 +36,13 @@ public sealed interface Envelope {
         }
     }
 
-    /** What became of a message, on its way back to the sender. */
+    /** The final state of a message, for its sender. */
     record Report(ShortMessage message, MessageState state, Instant at, Instant expiresAt) implements Envelope {
         @Override
-        public Recipient receiver() {
+        public Destination destination() {
             return message.esme()
-                    .<Recipient>map(origin -> new Recipient.Esme(origin.systemId()))
-                    .orElseGet(() -> new Recipient.Number(message.from()));
+                    .<Destination>map(origin -> new Destination.Esme(origin.systemId()))
+                    .orElseGet(() -> new Destination.Number(message.from()));
         }
 
         @Override

@@ -3,15 +3,15 @@ package simgsm.center.smsc;
 import simgsm.sms.SmsAddress;
 
 /**
- * What a message from an application (ESME) carries beyond that of a mobile.
+ * What a message from an application (ESME) has in addition to a mobile's.
  *
- * @param systemId whom receipts go to
- * @param source the address that the application gave itself; a number, or letters
- * @param dataCoding as submitted (SMPP 3.4, 5.2.19), so that another application is given the same octets
- * @param receipts which receipts are wanted
+ * @param systemId receives the receipts
+ * @param source originator address as submitted; a number, or letters
+ * @param dataCoding as submitted (SMPP 3.4, 5.2.19); another application receives the same value
+ * @param receipts which receipts are requested
  */
 public record EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Receipts receipts) {
-    /** The lowest two bits of registered_delivery (SMPP 3.4, 5.2.17); the code is the place in the list. */
+    /** Bits 1-0 of registered_delivery (SMPP 3.4, 5.2.17); the value is the ordinal. */
     public enum Receipts {
         NONE,
         ALWAYS,
@@ -20,5 +20,9 @@ public record EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Rec
         public boolean areWantedFor(MessageState state) {
             return this == ALWAYS || this == ON_FAILURE && state != MessageState.DELIVERED;
         }
+    }
+
+    EsmeOrigin withoutReceipts() {
+        return new EsmeOrigin(systemId, source, dataCoding, Receipts.NONE);
     }
 }

@@ -5,19 +5,22 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What has happened to a message so far, and what is to happen next. A centre that starts again knows when the message was
- * accepted, and not how often it was tried.
+ * The attempts at a message so far and the next one. After a restart the centre knows when the message was accepted, and
+ * not its earlier attempts.
  *
- * @param attempts the latest, oldest first
+ * @param attempts the latest, oldest first, at most {@link #MAX_ATTEMPTS}
  * @param attemptCount of all attempts
- * @param nextTry when the schedule says so
+ * @param nextTry by the schedule; empty when no schedule runs
  * @param endedAt empty while it waits
  */
 public record MessageHistory(
         ShortMessage message,
         MessageState state,
-        Standing standing,
-        List<Attempt> attempts,
+        WaitReason waitReason,
+        List<DeliveryAttempt> attempts,
         int attemptCount,
         Optional<Instant> nextTry,
-        Optional<Instant> endedAt) {}
+        Optional<Instant> endedAt) {
+    /** A message with the longest validity (63 weeks), tried at the longest pause (12 h), is tried 900 times. */
+    static final int MAX_ATTEMPTS = 20;
+}

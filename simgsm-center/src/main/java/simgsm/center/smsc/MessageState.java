@@ -1,14 +1,14 @@
 package simgsm.center.smsc;
 
-/** What has become of a short message. */
+/** State of a short message. */
 public enum MessageState {
-    /** Stored, on its way. */
+    /** Stored, not yet delivered. */
     ACCEPTED,
     DELIVERED,
-    /** Its validity ended before it could be delivered. */
+    /** Its validity ended before it was delivered. */
     EXPIRED,
     /** Refused by the receiver, or by the store. */
     REJECTED,
-    /** Called back by the application that sent it. */
+    /** Cancelled by the application that sent it. */
     DELETED
 }

@@ -2,237 +2,231 @@ package simgsm.center.smsc;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.PriorityQueue;
-import java.util.Queue;
-import java.util.function.Function;
+import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** What waits for one receiver; attempts begin in the order of acceptance, as many at a time as the way takes. */
+/**
+ * Messages and reports that wait for one destination. Attempts begin in the order of acceptance, as many at a time as the
+ * port's window allows. An entry that ends for any reason is removed at once, so {@link #size} counts what is held.
+ */
 final class ReceiverQueue {
-    private final Recipient receiver;
+    private final Destination destination;
     private final Instant startedAt;
     private final Timers timers;
     private final DeliveryPort port;
-    private final Ends ends;
-    private final Map<Long, Waiting> waiting = new LinkedHashMap<>();
-    /** What is not being attempted. May hold envelopes that are gone. */
-    private final Queue<Waiting> ready = new PriorityQueue<>(Comparator.comparingLong((Waiting each) -> each.place));
+    private final BiConsumer<Entry, MessageState> ended;
+    /** Entries without an attempt under way, by place. */
+    private final NavigableMap<Long, Entry> ready;
 
     private int inFlight;
+    private int reserved;
     private boolean isMemoryFull;
     private int failures;
     private int refusals;
     private Timer retry;
-    private long retryNanos;
     private long nextPlace;
 
-    /** What the centre does when an envelope leaves the queue. */
-    interface Ends {
-        void ended(Envelope envelope, MessageState state, Attempts attempts);
-    }
+    /** An envelope in this queue. */
+    final class Entry {
+        private final Envelope envelope;
+        private final long place = nextPlace++;
+        private List<DeliveryAttempt> attempts = List.of();
+        private int attemptCount;
+        private Timer expiry;
+        private boolean isInFlight;
+        /** Final state if the attempt under way fails; null if another attempt follows. */
+        private MessageState stateOnFailure;
 
-    private static final class Waiting {
-        final long place;
-        final Envelope envelope;
-        final Attempts attempts = new Attempts();
-        Timer expiry;
-        boolean isInFlight;
-        boolean isGone;
-        /** How it ends if the attempt under way fails. */
-        MessageState lateState;
-
-        Waiting(long place, Envelope envelope) {
-            this.place = place;
+        private Entry(Envelope envelope) {
             this.envelope = envelope;
+        }
+
+        Envelope envelope() {
+            return envelope;
+        }
+
+        /** Removes the entry as DELETED; false if an attempt is under way. */
+        boolean cancel() {
+            if (!isInFlight) {
+                remove(this, MessageState.DELETED);
+            }
+            return !isInFlight;
+        }
+
+        MessageHistory history() {
+            WaitReason reason = waitReason(this);
+            boolean isScheduled = reason == WaitReason.AWAITING_RETRY || reason == WaitReason.AWAITING_MEMORY;
+            Optional<Instant> nextTry = isScheduled
+                    ? Optional.ofNullable(retry).map(timer -> startedAt.plusNanos(timer.deadlineNanos()))
+                    : Optional.empty();
+            return new MessageHistory(
+                    envelope.message(),
+                    MessageState.ACCEPTED,
+                    reason,
+                    attempts,
+                    attemptCount,
+                    nextTry,
+                    Optional.empty());
+        }
+
+        MessageHistory endedHistory(MessageState state) {
+            return new MessageHistory(
+                    envelope.message(),
+                    state,
+                    WaitReason.ENDED,
+                    attempts,
+                    attemptCount,
+                    Optional.empty(),
+                    Optional.of(now()));
+        }
+
+        private void attempted(DeliveryOutcome outcome) {
+            attemptCount++;
+            attempts = Stream.concat(
+                            attempts.stream().skip(attempts.size() / MessageHistory.MAX_ATTEMPTS),
+                            Stream.of(new DeliveryAttempt(now(), outcome)))
+                    .toList();
         }
     }
 
-    /** @param startedAt the civil time at which {@code timers} stood at 0 */
-    ReceiverQueue(Recipient receiver, Instant startedAt, Timers timers, DeliveryPort port, Ends ends) {
-        this.receiver = receiver;
+    /**
+     * @param startedAt the civil time at which {@code timers} stood at 0
+     * @param ready an empty map
+     * @param ended is called with each entry that leaves the queue and its final state
+     */
+    ReceiverQueue(
+            Destination destination,
+            Instant startedAt,
+            Timers timers,
+            DeliveryPort port,
+            NavigableMap<Long, Entry> ready,
+            BiConsumer<Entry, MessageState> ended) {
+        this.destination = destination;
         this.startedAt = startedAt;
         this.timers = timers;
         this.port = port;
-        this.ends = ends;
+        this.ready = ready;
+        this.ended = ended;
     }
 
-    boolean isEmpty() {
-        return waiting.isEmpty();
-    }
-
+    /** Entries held, those under way and the reserved places included. */
     int size() {
-        return waiting.size();
+        return ready.size() + inFlight + reserved;
     }
 
-    /** Adds the messages that wait here, until the list holds {@code most}. */
-    void addMessagesTo(List<ShortMessage> found, int most) {
-        addTo(found, most, each -> each.envelope.message());
+    /** Reserves places for messages that are being stored; a negative count gives them back. */
+    void reserve(int count) {
+        reserved += count;
     }
 
-    /** Adds their histories, until the list holds {@code most}. */
-    void addHistoriesTo(List<MessageHistory> found, int most) {
-        skipGone();
-        addTo(found, most, this::history);
+    /** Adds an envelope; {@link #attempt} then begins its delivery. */
+    Entry add(Envelope envelope) {
+        Entry added = new Entry(envelope);
+        ready.put(added.place, added);
+        Duration lifetime = Duration.between(now(), envelope.expiresAt());
+        added.expiry = timers.start(lifetime.toNanos(), () -> expire(added));
+        return added;
     }
 
-    private <T> void addTo(List<T> found, int most, Function<Waiting, T> view) {
-        for (Waiting each : waiting.values()) {
-            if (found.size() >= most) {
-                return;
-            }
-            if (each.envelope instanceof Envelope.Delivery) {
-                found.add(view.apply(each));
-            }
-        }
-    }
-
-    Optional<MessageHistory> history(long id) {
-        skipGone();
-        return find(id).map(this::history);
-    }
-
-    private Optional<Waiting> find(long id) {
-        return waiting.values().stream()
-                .filter(each -> each.envelope instanceof Envelope.Delivery
-                        && each.envelope.message().id() == id)
-                .findFirst();
-    }
-
-    private MessageHistory history(Waiting each) {
-        Standing standing = standing(each);
-        boolean isScheduled = standing == Standing.AWAITING_RETRY || standing == Standing.AWAITING_MEMORY;
-        return new MessageHistory(
-                each.envelope.message(),
-                MessageState.ACCEPTED,
-                standing,
-                each.attempts.latest(),
-                each.attempts.count(),
-                isScheduled && retry != null ? Optional.of(startedAt.plusNanos(retryNanos)) : Optional.empty(),
-                Optional.empty());
-    }
-
-    private Standing standing(Waiting each) {
-        if (each.isInFlight) {
-            return Standing.UNDER_WAY;
-        }
-        if (inFlight > 0 || each != ready.peek()) {
-            return Standing.BEHIND_OTHERS;
-        }
-        if (isMemoryFull) {
-            return Standing.AWAITING_MEMORY;
-        }
-        return retry == null ? Standing.AWAITING_RECEIVER : Standing.AWAITING_RETRY;
-    }
-
-    void add(Envelope envelope, long lifetimeNanos) {
-        Waiting added = new Waiting(nextPlace++, envelope);
-        waiting.put(added.place, added);
-        ready.add(added);
-        added.expiry = timers.start(lifetimeNanos, () -> expire(added));
-        attempt();
-    }
-
-    /** The receiver has come, or has memory again: whatever stood against delivery is over. */
+    /** The receiver has registered, or has memory again: the retry schedule begins anew. */
     void receiverAvailable() {
-        isMemoryFull = false;
         failures = 0;
         refusals = 0;
+        endPause();
+        attempt();
+    }
+
+    private void endPause() {
+        isMemoryFull = false;
         timers.cancel(retry);
         retry = null;
-        attempt();
     }
 
     /** Begins as many attempts as can be made now. */
     void attempt() {
-        while (!isMemoryFull && retry == null && inFlight < port.window(receiver) && skipGone() && isReachable()) {
-            Waiting first = ready.remove();
+        while (retry == null
+                && !ready.isEmpty()
+                && inFlight < port.window(destination)
+                && port.isReachable(destination)) {
+            Entry first = ready.pollFirstEntry().getValue();
             first.isInFlight = true;
             inFlight++;
-            port.deliver(first.envelope, waiting.size() > 1, outcome -> ended(first, outcome));
+            port.deliver(first.envelope, ready.size() + inFlight > 1, outcome -> attempted(first, outcome));
         }
     }
 
-    private boolean isReachable() {
-        return port.isReachable(receiver);
-    }
-
-    /** @return whether anything is ready after that */
-    private boolean skipGone() {
-        while (!ready.isEmpty() && ready.peek().isGone) {
-            ready.remove();
-        }
-        return !ready.isEmpty();
-    }
-
-    private void ended(Waiting attempted, DeliveryOutcome outcome) {
+    private void attempted(Entry entry, DeliveryOutcome outcome) {
         inFlight--;
-        attempted.isInFlight = false;
-        attempted.attempts.add(new Attempt(startedAt.plusNanos(timers.nowNanos()), outcome));
+        entry.isInFlight = false;
+        entry.attempted(outcome);
         switch (outcome) {
-            case DELIVERED -> remove(attempted, MessageState.DELIVERED);
-            case REFUSED -> remove(attempted, MessageState.REJECTED);
-            case MEMORY_FULL -> {
-                isMemoryFull = true;
-                failed(attempted, false);
-            }
-            case BUSY -> failed(attempted, true);
-            case ABSENT, FAILED -> failed(attempted, false);
+            case DELIVERED -> answered(entry, MessageState.DELIVERED);
+            case REFUSED -> answered(entry, MessageState.REJECTED);
+            case MEMORY_FULL, BUSY, ABSENT, FAILED -> failed(entry, outcome);
         }
         attempt();
     }
 
-    private void remove(Waiting gone, MessageState state) {
+    private void answered(Entry entry, MessageState state) {
         failures = 0;
         refusals = 0;
-        gone.isGone = true;
-        timers.cancel(gone.expiry);
-        waiting.remove(gone.place);
-        if (waiting.isEmpty()) {
-            timers.cancel(retry);
-            retry = null;
-        }
-        ends.ended(gone.envelope, state, gone.attempts);
+        remove(entry, state);
     }
 
-    private void failed(Waiting attempted, boolean isBusy) {
-        if (attempted.lateState != null) {
-            remove(attempted, attempted.lateState);
-            return;
+    private void failed(Entry entry, DeliveryOutcome outcome) {
+        if (entry.stateOnFailure == null) {
+            ready.put(entry.place, entry);
+        } else {
+            remove(entry, entry.stateOnFailure);
         }
-        ready.add(attempted);
-        if (retry != null) {
-            return;
-        }
-        Duration pause = isBusy ? RetrySchedule.pauseWhenBusy(++refusals) : RetrySchedule.pauseAfter(++failures);
-        retryNanos = timers.nowNanos() + pause.toNanos();
-        retry = timers.start(pause.toNanos(), () -> {
-            retry = null;
-            isMemoryFull = false;
-            attempt();
-        });
-    }
-
-    private void expire(Waiting late) {
-        end(late, MessageState.EXPIRED);
-    }
-
-    private void end(Waiting early, MessageState state) {
-        early.lateState = state;
-        if (!early.isInFlight) {
-            remove(early, state);
+        if (retry == null && !ready.isEmpty()) {
+            isMemoryFull = outcome == DeliveryOutcome.MEMORY_FULL;
+            Duration pause = outcome == DeliveryOutcome.BUSY
+                    ? RetrySchedule.pauseWhenBusy(++refusals)
+                    : RetrySchedule.pauseAfter(++failures);
+            retry = timers.start(pause.toNanos(), () -> {
+                endPause();
+                attempt();
+            });
         }
     }
 
-    /** @return false if there is no such message here, or if it is just being delivered */
-    boolean cancel(long id) {
-        Optional<Waiting> found = find(id).filter(each -> !each.isInFlight);
-        found.ifPresent(each -> end(each, MessageState.DELETED));
-        return found.isPresent();
+    private void expire(Entry entry) {
+        if (entry.isInFlight) {
+            entry.stateOnFailure = MessageState.EXPIRED;
+        } else {
+            remove(entry, MessageState.EXPIRED);
+        }
+    }
+
+    private void remove(Entry entry, MessageState state) {
+        ready.remove(entry.place);
+        timers.cancel(entry.expiry);
+        if (ready.isEmpty() && inFlight == 0) {
+            endPause();
+        }
+        ended.accept(entry, state);
+    }
+
+    private WaitReason waitReason(Entry entry) {
+        if (entry.isInFlight) {
+            return WaitReason.UNDER_WAY;
+        }
+        if (inFlight > 0 || ready.firstKey() != entry.place) {
+            return WaitReason.BEHIND_OTHERS;
+        }
+        if (isMemoryFull) {
+            return WaitReason.AWAITING_MEMORY;
+        }
+        return retry == null ? WaitReason.AWAITING_RECEIVER : WaitReason.AWAITING_RETRY;
+    }
+
+    private Instant now() {
+        return startedAt.plusNanos(timers.nowNanos());
     }
 }

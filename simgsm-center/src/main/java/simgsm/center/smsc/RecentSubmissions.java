@@ -2,59 +2,45 @@ package simgsm.center.smsc;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.UserData;
 
 /**
- * What has lately been handed in, so that a sender who lost the acknowledgement may send again without the message
- * arriving twice (TP-RD of TS 23.040, 9.2.3.25). The standard asks this only for messages still held; but a robot must
- * not drive an order twice because the first copy was delivered too fast.
+ * The latest submissions of mobiles, so that one repeated after a lost acknowledgement is not stored twice (TP-RD,
+ * TS 23.040, 9.2.3.25). The standard compares with messages still held; this compares with delivered ones too, because an
+ * order to a robot must not be executed twice.
  */
 final class RecentSubmissions {
     static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
     static final int MAX_REMEMBERED = 20_000;
 
-    /** Whoever has sent so many others since means a new message: references come round after 256. */
+    /** After this number of further messages of its sender a submission is new: references repeat after 256. */
     static final int MOST_SINCE = 128;
 
-    /** The ticket of a submission that was answered in an earlier life. */
+    /** The ticket of a submission that was stored before the centre started. */
     private static final long STORED = 0;
 
     private record Key(Msisdn from, Msisdn to, int reference, UserData userData) {}
 
-    /** @param place how many its sender had sent before it */
+    /** @param place the sender's number of submissions up to this one */
     private record Remembered(long ticket, long submittedNanos, long place) {}
 
-    private final Map<Key, Remembered> recent = new LinkedHashMap<>() {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Key, Remembered> eldest) {
-            return size() > MAX_REMEMBERED;
-        }
-    };
-
-    /** How many messages each sender has sent. */
-    private final Map<Msisdn, Long> sent = new LinkedHashMap<>() {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Msisdn, Long> eldest) {
-            return size() > MAX_REMEMBERED;
-        }
-    };
+    private final BoundedMap<Key, Remembered> recent = new BoundedMap<>(MAX_REMEMBERED);
+    /** Number of submissions by sender. */
+    private final BoundedMap<Msisdn, Long> sent = new BoundedMap<>(MAX_REMEMBERED);
 
     /** The ticket of the submission that this one repeats, if it is a repetition. */
     Optional<Long> original(Msisdn from, Msisdn to, SubmitTpdu submit, long nowNanos) {
-        Remembered found = recent.get(key(from, to, submit));
-        boolean isTooOld = found == null
-                || nowNanos - found.submittedNanos > REMEMBERED_NANOS
-                || sent.getOrDefault(from, 0L) - found.place > MOST_SINCE;
-        return isTooOld ? Optional.empty() : Optional.of(found.ticket);
+        return Optional.ofNullable(recent.get(key(from, to, submit)))
+                .filter(found -> nowNanos - found.submittedNanos <= REMEMBERED_NANOS
+                        && sent.getOrDefault(from, 0L) - found.place <= MOST_SINCE)
+                .map(Remembered::ticket);
     }
 
-    /** @param messages accepted in an earlier life, oldest first */
+    /** @param messages accepted before the centre started, oldest first */
     void restore(List<ShortMessage> messages, Instant now, long nowNanos) {
         for (ShortMessage message : messages) {
             if (message.esme().isEmpty()) {
@@ -65,13 +51,11 @@ final class RecentSubmissions {
     }
 
     void remember(Msisdn from, Msisdn to, SubmitTpdu submit, long ticket, long nowNanos) {
-        Key key = key(from, to, submit);
         long place = sent.merge(from, 1L, Long::sum);
-        recent.remove(key);
-        recent.put(key, new Remembered(ticket, nowNanos, place));
+        recent.putNewest(key(from, to, submit), new Remembered(ticket, nowNanos, place));
     }
 
-    /** The submission came to nothing; a repetition is welcome. */
+    /** The submission was not stored; a repetition is accepted. */
     void forget(Msisdn from, Msisdn to, SubmitTpdu submit) {
         recent.remove(key(from, to, submit));
     }

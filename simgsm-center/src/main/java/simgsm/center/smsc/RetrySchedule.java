@@ -3,10 +3,7 @@ package simgsm.center.smsc;
 import java.time.Duration;
 import java.util.List;
 
-/**
- * When to try again what failed, unless the receiver appears or has memory before. One for all messages of a receiver,
- * since what stands against one stands against the others.
- */
+/** Pauses between the attempts to reach a receiver; one schedule for all messages that wait for it. */
 public final class RetrySchedule {
     /** The pauses after 1, 2, 3 ... failures in a row; the last holds for all further ones. */
     public static final List<Duration> PAUSES = List.of(
@@ -19,7 +16,7 @@ public final class RetrySchedule {
             Duration.ofHours(6),
             Duration.ofHours(12));
 
-    /** Who is merely busy is asked again after 1, 2, 4 ... seconds, and then as often as after a first failure. */
+    /** A busy receiver is tried again after 1, 2, 4 ... 32 s, then after the pause of a first failure. */
     private static final int MOST_DOUBLINGS = 6;
 
     private RetrySchedule() {}

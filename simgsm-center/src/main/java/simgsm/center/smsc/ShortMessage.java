@@ -8,12 +8,12 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.UserData;
 
 /**
- * An accepted message, all that a store must keep of it.
+ * An accepted message, with all fields that a store keeps.
  *
- * @param id given by the centre, unique and rising
- * @param from the number that the network vouches for
- * @param submit the SUBMIT as it came (TS 23.040, 9.2.2.2)
- * @param acceptedAt the service centre time stamp; a few seconds late where many messages alike came at once
+ * @param id unique, rising in the order of acceptance
+ * @param from the sender's number as authenticated by the network
+ * @param submit the SUBMIT as received (TS 23.040, 9.2.2.2)
+ * @param acceptedAt the service centre time stamp; see {@link TimeStamps} for equal messages
  * @param expiresAt end of the validity period
  * @param esme empty for a message from a mobile
  */
@@ -34,17 +34,17 @@ public record ShortMessage(
         return new ShortMessage(id, from, to, submit, stamp, expiresAt, esme);
     }
 
-    /** What the receiver is shown as the sender. */
+    /** The originator address that the receiver gets. */
     public SmsAddress sender() {
         return esme.map(EsmeOrigin::source).orElseGet(() -> SmsAddress.of(from));
     }
 
-    /** What the message says; for data, its octets in hexadecimal. */
+    /** The text; for 8-bit data, the octets in hexadecimal. */
     public String text() {
         return TransferUnits.text(this);
     }
 
-    /** The user part as it was submitted. */
+    /** The user data as submitted. */
     public UserData userData() {
         return TransferUnits.submitOf(this).userData();
     }

@@ -3,14 +3,21 @@ package simgsm.center.smsc;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
@@ -19,7 +26,10 @@ import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.timer.Timers;
 
-/** Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. */
+/**
+ * Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. The work of each
+ * method is independent of the number of messages that wait.
+ */
 public final class ShortMessageCenter {
     /** The centre's own number, in RP addresses. */
     public static final Msisdn ADDRESS = new Msisdn("3003");
@@ -28,68 +38,111 @@ public final class ShortMessageCenter {
     public static final int MAX_WAITING = 500_000;
     /** Receipts for one application. */
     public static final int MAX_WAITING_RECEIPTS = 100_000;
-    /** So many submissions may wait for the store; a disk that is slower is congested. */
+    /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
     static final int MAX_UNCOMMITTED = 50_000;
 
-    /** When to ask a store again that has failed. */
+    static final int MAX_ENDED_HISTORIES = 1_000;
+
+    /** Receivers that {@link #available(Predicate)} looks at in one go, and the pause before the next ones. */
+    static final int SCANNED_AT_ONCE = 1_000;
+
+    private static final long SCAN_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
+
+    /** Pause before the end of a message is stored again after a failure. */
     private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
     private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
 
-    /** How long a message without a validity period is kept, and every report. */
+    /** Validity of a message without a validity period, and of every report. */
     private static final Duration DEFAULT_VALIDITY = Duration.ofDays(7);
 
     private final Instant startedAt;
     private final Timers timers;
     private final MessageStore store;
     private final DeliveryPort port;
-    private final MessageListener listener;
-    private final Map<Recipient, ReceiverQueue> queues = new LinkedHashMap<>();
+    private final BiConsumer<ShortMessage, MessageState> listener;
+    private final Containers containers;
+    private final NavigableMap<Destination, ReceiverQueue> queues;
+    /** Messages that wait, by id; ids rise in the order of acceptance. */
+    private final Map<Long, ReceiverQueue.Entry> waiting;
+
     private final Map<Long, Submission> submissions = new HashMap<>();
-    /** Reports whose messages' ends are not yet durable: a report that has once been sent never changes. */
-    private final Map<Long, Envelope.Report> reports = new HashMap<>();
+    /** Reports on ends that are not yet durable, by ticket: a report that was sent once must not change. */
+    private final Map<Long, Envelope.Report> unstoredReports = new HashMap<>();
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
-    private final EndedMessages endedMessages = new EndedMessages();
+    private final Map<Long, MessageHistory> endedHistories = new BoundedMap<>(MAX_ENDED_HISTORIES);
+    private final Deque<Predicate<Destination>> scans = new ArrayDeque<>();
     private int waitingCount;
+    private int uncommitted;
     private long nextId = 1;
     private long nextTicket = 1;
 
-    private record Submission(ShortMessage message, Consumer<Optional<RpCause>> answer) {}
+    /** One or several messages that are stored and acknowledged together. */
+    private record Submission(List<ShortMessage> messages, Consumer<Optional<RpCause>> answer) {}
 
-    /** @param startedAt the civil time at which {@code timers} stood at 0 */
+    /** Makes the collections that grow with the number of messages; a test counts the accesses to them. */
+    interface Containers {
+        Containers STANDARD = new Containers() {};
+
+        default <K, V> Map<K, V> inOrderOfInsertion() {
+            return new LinkedHashMap<>();
+        }
+
+        default <K, V> NavigableMap<K, V> sorted() {
+            return new TreeMap<>();
+        }
+    }
+
+    /**
+     * @param startedAt the civil time at which {@code timers} stood at 0
+     * @param listener is given every change of state of every message
+     */
     public ShortMessageCenter(
-            Instant startedAt, Timers timers, MessageStore store, DeliveryPort port, MessageListener listener) {
+            Instant startedAt,
+            Timers timers,
+            MessageStore store,
+            DeliveryPort port,
+            BiConsumer<ShortMessage, MessageState> listener) {
+        this(startedAt, timers, store, port, listener, Containers.STANDARD);
+    }
+
+    ShortMessageCenter(
+            Instant startedAt,
+            Timers timers,
+            MessageStore store,
+            DeliveryPort port,
+            BiConsumer<ShortMessage, MessageState> listener,
+            Containers containers) {
         this.startedAt = startedAt;
         this.timers = timers;
         this.store = store;
         this.port = port;
         this.listener = listener;
+        this.containers = containers;
+        this.queues = containers.sorted();
+        this.waiting = containers.inOrderOfInsertion();
     }
 
-    /** Goes on where an earlier life of this centre ended. To be called once, before anything else. */
-    public void restore(Restored restored) {
-        nextId = restored.lastId() + 1;
-        recent.restore(restored.recent(), now(), timers.nowNanos());
-        stamps.restore(restored.recent());
-        restored.waiting().forEach(message -> enqueue(new Envelope.Delivery(message)));
-        for (Restored.Unreported each : restored.unreported()) {
+    /** Takes over what the store held at the start. To be called once, before all other methods. */
+    public void restore(StoredState stored) {
+        nextId = stored.lastId() + 1;
+        recent.restore(stored.recent(), now(), timers.nowNanos());
+        stamps.restore(stored.recent());
+        stored.waiting().forEach(message -> enqueue(new Envelope.Delivery(message)));
+        for (StoredState.Unreported each : stored.unreported()) {
             report(reportOf(each.message(), each.ended().state(), each.ended().at()));
         }
     }
 
     /**
-     * Takes a message from a sender.
+     * Accepts a message from a mobile.
      *
      * @param submit a SUBMIT
-     * @param answer told once: empty when the message is stored, else the reason for which it is refused
+     * @param isRepeated whether it may repeat an accepted message although TP-RD is not set
+     * @param answer called once: empty when the message is stored, else the cause of its refusal
      */
-    public void submit(Msisdn from, OctetString submit, Consumer<Optional<RpCause>> answer) {
-        submit(from, submit, false, answer);
-    }
-
-    /** @param isRepeated whether it may be one that was taken already, even if it does not say so (TP-RD) */
     public void submit(Msisdn from, OctetString submit, boolean isRepeated, Consumer<Optional<RpCause>> answer) {
         ShortMessage message;
         try {
@@ -102,172 +155,224 @@ public final class ShortMessageCenter {
         Optional<Long> original = isRepeated || unit.rejectDuplicates()
                 ? recent.original(from, message.to(), unit, timers.nowNanos())
                 : Optional.empty();
+        Optional<RpCause> refusal = original.isPresent() ? Optional.empty() : refusal(message.to(), 1);
         if (original.isPresent()) {
             answerAs(original.get(), answer);
-        } else if (!port.isServed(message.to())) {
-            answer.accept(Optional.of(RpCause.UNASSIGNED_NUMBER));
-        } else if (hasRoomFor(message.to())) {
-            recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
-            commit(message.stampedAt(stamps.stamp(message.sender(), message.to(), unit, now())), answer);
+        } else if (refusal.isPresent()) {
+            answer.accept(refusal);
         } else {
-            answer.accept(Optional.of(RpCause.CONGESTION));
+            recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
+            Instant stamp = stamps.stamp(message.sender(), message.to(), unit, now());
+            commit(List.of(message.stampedAt(stamp)), answer);
         }
     }
 
-    /** The id of the message that is taken next. */
+    /** The id of the next accepted message; the parts of a message have consecutive ids. */
     public long nextId() {
         return nextId;
     }
 
-    /** Takes a message from an application, under {@link #nextId}. */
+    /**
+     * Accepts a message from an application: all of its parts, from {@link #nextId} on, or none. A receipt is sent for the
+     * last part.
+     *
+     * @param answer called once: empty when all parts are stored, else the cause of their refusal
+     */
     public void submit(
             EsmeOrigin origin,
             Msisdn from,
             Msisdn to,
-            SubmitTpdu submit,
+            List<SubmitTpdu> parts,
             Optional<Instant> expiresAt,
             Consumer<Optional<RpCause>> answer) {
-        if (!port.isServed(to)) {
-            answer.accept(Optional.of(RpCause.UNASSIGNED_NUMBER));
-        } else if (hasRoomFor(to)) {
-            Instant now = now();
-            commit(
-                    new ShortMessage(
-                            nextId,
-                            from,
-                            to,
-                            TpduCodec.encode(submit),
-                            stamps.stamp(origin.source(), to, submit, now),
-                            expiresAt.orElse(now.plus(DEFAULT_VALIDITY)),
-                            Optional.of(origin)),
-                    answer);
-        } else {
-            answer.accept(Optional.of(RpCause.CONGESTION));
+        Optional<RpCause> refusal = refusal(to, parts.size());
+        if (refusal.isPresent()) {
+            answer.accept(refusal);
+            return;
         }
+        List<ShortMessage> messages = new ArrayList<>(parts.size());
+        for (SubmitTpdu part : parts) {
+            boolean isLast = messages.size() == parts.size() - 1;
+            messages.add(new ShortMessage(
+                    nextId + messages.size(),
+                    from,
+                    to,
+                    TpduCodec.encode(part),
+                    stamps.stamp(origin.source(), to, part, now()),
+                    expiresAt.orElse(now().plus(DEFAULT_VALIDITY)),
+                    Optional.of(isLast ? origin : origin.withoutReceipts())));
+        }
+        commit(messages, answer);
     }
 
-    /** A repeated submission: stored already, or answered together with the first one. */
+    /** Answers a repeated submission like the original: at once if that is stored, else together with it. */
     private void answerAs(long ticket, Consumer<Optional<RpCause>> answer) {
         Submission pending = submissions.get(ticket);
         if (pending == null) {
             answer.accept(Optional.empty());
         } else {
-            submissions.put(ticket, new Submission(pending.message, pending.answer.andThen(answer)));
+            submissions.put(ticket, new Submission(pending.messages, pending.answer.andThen(answer)));
         }
     }
 
-    private void commit(ShortMessage message, Consumer<Optional<RpCause>> answer) {
-        nextId++;
+    private void commit(List<ShortMessage> messages, Consumer<Optional<RpCause>> answer) {
+        nextId += messages.size();
+        uncommitted += messages.size();
+        queue(new Destination.Number(messages.get(0).to())).reserve(messages.size());
         long ticket = nextTicket++;
-        submissions.put(ticket, new Submission(message, answer));
-        store.commit(ticket, new StoreEntry.Accepted(message));
+        submissions.put(ticket, new Submission(messages, answer));
+        store.commit(
+                ticket,
+                messages.stream().<StoreEntry>map(StoreEntry.Accepted::new).toList());
     }
 
-    private boolean hasRoomFor(Msisdn receiver) {
-        ReceiverQueue queue = queues.get(new Recipient.Number(receiver));
-        return submissions.size() < MAX_UNCOMMITTED
-                && waitingCount + submissions.size() < MAX_WAITING
-                && (queue == null || queue.size() < MAX_WAITING_PER_RECEIVER);
+    /** Why this number of messages cannot be accepted; empty if they can. */
+    private Optional<RpCause> refusal(Msisdn receiver, int count) {
+        if (!port.isServed(receiver)) {
+            return Optional.of(RpCause.UNASSIGNED_NUMBER);
+        }
+        ReceiverQueue queue = queues.get(new Destination.Number(receiver));
+        boolean hasRoom = uncommitted + count <= MAX_UNCOMMITTED
+                && waitingCount + uncommitted + count <= MAX_WAITING
+                && (queue == null ? 0 : queue.size()) + count <= MAX_WAITING_PER_RECEIVER;
+        return hasRoom ? Optional.empty() : Optional.of(RpCause.CONGESTION);
     }
 
     /** The store's answer to an earlier commit. */
     public void committed(long ticket, boolean isDurable) {
         Submission submission = submissions.remove(ticket);
-        Envelope.Report report = reports.remove(ticket);
-        if (report != null) {
-            endStored(report, isDurable);
-        } else if (submission != null) {
-            answer(submission, isDurable);
+        Envelope.Report report = unstoredReports.remove(ticket);
+        if (submission != null) {
+            submissionStored(submission, isDurable);
+        } else if (report != null && isDurable) {
+            report(report);
+        } else if (report != null) {
+            // After a crash its message would wait again, and might end in another state.
+            timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
         }
     }
 
-    private void answer(Submission submission, boolean isDurable) {
+    private void submissionStored(Submission submission, boolean isDurable) {
+        List<ShortMessage> messages = submission.messages;
+        uncommitted -= messages.size();
+        Destination destination = new Destination.Number(messages.get(0).to());
+        queue(destination).reserve(-messages.size());
         if (isDurable) {
             submission.answer.accept(Optional.empty());
-            listener.changed(submission.message, MessageState.ACCEPTED);
-            enqueue(new Envelope.Delivery(submission.message));
+            for (ShortMessage message : messages) {
+                listener.accept(message, MessageState.ACCEPTED);
+                enqueue(new Envelope.Delivery(message));
+            }
         } else {
-            ShortMessage lost = submission.message;
-            if (lost.esme().isEmpty()) {
-                recent.forget(lost.from(), lost.to(), TransferUnits.submitOf(lost));
+            removeIfEmpty(destination);
+            for (ShortMessage message : messages) {
+                if (message.esme().isEmpty()) {
+                    recent.forget(message.from(), message.to(), TransferUnits.submitOf(message));
+                }
             }
             submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
-            listener.changed(submission.message, MessageState.REJECTED);
+            messages.forEach(message -> listener.accept(message, MessageState.REJECTED));
         }
     }
 
-    /** A receiver has registered, or has memory for messages again. */
+    /** A mobile has registered, or has memory for messages again. */
     public void available(Msisdn receiver) {
-        available(new Recipient.Number(receiver));
+        available(new Destination.Number(receiver));
     }
 
-    /** The same for any receiver. */
-    public void available(Recipient receiver) {
-        ReceiverQueue queue = queues.get(receiver);
+    /** A receiver has become available. */
+    public void available(Destination destination) {
+        ReceiverQueue queue = queues.get(destination);
         if (queue != null) {
             queue.receiverAvailable();
         }
     }
 
-    /** All receivers of a kind have become available, as when an application comes that serves them. */
-    public void available(Predicate<Recipient> receivers) {
-        List<Recipient> found = queues.keySet().stream().filter(receivers).toList();
-        found.forEach(this::available);
+    /**
+     * All destinations of a kind have become available. The first {@link #SCANNED_AT_ONCE} are looked at now, the same
+     * number every further millisecond.
+     */
+    public void available(Predicate<Destination> destinations) {
+        scans.add(destinations);
+        if (scans.size() == 1) {
+            scan(queues.firstEntry());
+        }
     }
 
-    /** There is room again on the way to a receiver; nothing else has changed. */
-    public void roomFor(Recipient receiver) {
-        ReceiverQueue queue = queues.get(receiver);
+    /** Looks at the queues from this entry on for the oldest scan. */
+    private void scan(Map.Entry<Destination, ReceiverQueue> from) {
+        Map.Entry<Destination, ReceiverQueue> next = from;
+        for (int i = 0; i < SCANNED_AT_ONCE && next != null; i++) {
+            if (scans.element().test(next.getKey())) {
+                next.getValue().receiverAvailable();
+            }
+            next = queues.higherEntry(next.getKey());
+        }
+        if (next != null) {
+            Destination rest = next.getKey();
+            timers.start(SCAN_PAUSE_NANOS, () -> scan(queues.ceilingEntry(rest)));
+            return;
+        }
+        scans.remove();
+        if (!scans.isEmpty()) {
+            timers.start(SCAN_PAUSE_NANOS, () -> scan(queues.firstEntry()));
+        }
+    }
+
+    /** There is room again on the way to a destination; nothing else has changed. */
+    public void roomFor(Destination destination) {
+        ReceiverQueue queue = queues.get(destination);
         if (queue != null) {
             queue.attempt();
         }
     }
 
     /**
-     * Takes a message back that waits and is not just being delivered.
+     * Removes a message that waits.
      *
-     * @return whether it was so
+     * @return false if no message with this id waits, or an attempt at it is under way
      */
-    public boolean cancel(Msisdn receiver, long id) {
-        ReceiverQueue queue = queues.get(new Recipient.Number(receiver));
-        return queue != null && queue.cancel(id);
+    public boolean cancel(long id) {
+        ReceiverQueue.Entry entry = waiting.get(id);
+        return entry != null && entry.cancel();
     }
 
-    /** Messages that wait, by receiver and in order; reports are not among them. */
+    /** Messages that wait, in the order of acceptance; reports are not among them. */
     public List<ShortMessage> waiting() {
         return waiting(Integer.MAX_VALUE);
     }
 
-    /** The same, but no more than the first so many. */
-    public List<ShortMessage> waiting(int most) {
-        List<ShortMessage> found = new ArrayList<>();
-        for (ReceiverQueue queue : queues.values()) {
-            queue.addMessagesTo(found, most);
-        }
-        return found;
+    /** The first messages that wait, at most {@code limit}. */
+    public List<ShortMessage> waiting(int limit) {
+        return entries(limit).map(entry -> entry.envelope().message()).toList();
     }
 
-    /** What has happened to the messages that wait, by receiver and in order, no more than so many. */
-    public List<MessageHistory> waitingHistories(int most) {
-        List<MessageHistory> found = new ArrayList<>();
-        for (ReceiverQueue queue : queues.values()) {
-            queue.addHistoriesTo(found, most);
-        }
-        return found;
+    /** The histories of the first messages that wait, at most {@code limit}. */
+    public List<MessageHistory> waitingHistories(int limit) {
+        return entries(limit).map(ReceiverQueue.Entry::history).toList();
     }
 
-    /** What has happened to those that have ended lately, the newest first, no more than so many. */
-    public List<MessageHistory> endedHistories(int most) {
-        return endedMessages.newest(most);
+    private Stream<ReceiverQueue.Entry> entries(int limit) {
+        return waiting.values().stream().limit(limit);
     }
 
-    /** What has happened to this message; empty if it is not known, or has ended too long ago. */
+    /** The histories of the messages that ended last, the newest first, at most {@code limit}. */
+    public List<MessageHistory> endedHistories(int limit) {
+        List<MessageHistory> newest = new ArrayList<>(endedHistories.values());
+        Collections.reverse(newest);
+        return newest.subList(0, Math.min(limit, newest.size()));
+    }
+
+    /** The message with this id, if it waits. */
+    public Optional<ShortMessage> waitingMessage(long id) {
+        return Optional.ofNullable(waiting.get(id))
+                .map(entry -> entry.envelope().message());
+    }
+
+    /** A message's history; empty if the id is unknown, or {@link #MAX_ENDED_HISTORIES} have ended since. */
     public Optional<MessageHistory> history(long id) {
-        return queues.values().stream()
-                .map(queue -> queue.history(id))
-                .flatMap(Optional::stream)
-                .findFirst()
-                .or(() -> endedMessages.find(id));
+        ReceiverQueue.Entry entry = waiting.get(id);
+        return Optional.ofNullable(entry == null ? endedHistories.get(id) : entry.history());
     }
 
     /** Messages and reports that wait. */
@@ -275,77 +380,81 @@ public final class ShortMessageCenter {
         return waitingCount;
     }
 
-    private void enqueue(Envelope envelope) {
-        waitingCount++;
-        Duration lifetime = Duration.between(now(), envelope.expiresAt());
-        queues.computeIfAbsent(
-                        envelope.receiver(),
-                        receiver -> new ReceiverQueue(receiver, startedAt, timers, port, this::ended))
-                .add(envelope, lifetime.toNanos());
+    private ReceiverQueue queue(Destination destination) {
+        return queues.computeIfAbsent(
+                destination,
+                absent -> new ReceiverQueue(absent, startedAt, timers, port, containers.sorted(), this::ended));
     }
 
-    private void ended(Envelope envelope, MessageState state, Attempts attempts) {
-        waitingCount--;
-        if (queues.get(envelope.receiver()).isEmpty()) {
-            queues.remove(envelope.receiver());
+    private void removeIfEmpty(Destination destination) {
+        ReceiverQueue queue = queues.get(destination);
+        if (queue.size() == 0) {
+            queues.remove(destination);
+            port.emptied(destination);
         }
+    }
+
+    private void enqueue(Envelope envelope) {
+        waitingCount++;
+        ReceiverQueue queue = queue(envelope.destination());
+        ReceiverQueue.Entry entry = queue.add(envelope);
         if (envelope instanceof Envelope.Delivery) {
-            endedMessages.add(new MessageHistory(
-                    envelope.message(),
-                    state,
-                    Standing.ENDED,
-                    attempts.latest(),
-                    attempts.count(),
-                    Optional.empty(),
-                    Optional.of(now())));
-            deliveryEnded(envelope.message(), state);
+            waiting.put(envelope.message().id(), entry);
+        }
+        queue.attempt();
+    }
+
+    private void ended(ReceiverQueue.Entry entry, MessageState state) {
+        waitingCount--;
+        removeIfEmpty(entry.envelope().destination());
+        ShortMessage message = entry.envelope().message();
+        if (entry.envelope() instanceof Envelope.Delivery) {
+            waiting.remove(message.id());
+            endedHistories.put(message.id(), entry.endedHistory(state));
+            deliveryEnded(message, state);
         } else {
-            reported(envelope.message());
+            reported(message);
         }
     }
 
     private void deliveryEnded(ShortMessage message, MessageState state) {
-        boolean reportFollows = TransferUnits.wantsReport(message, state);
-        if (reportFollows) {
+        if (TransferUnits.wantsReport(message, state)) {
             storeEnd(reportOf(message, state, now()));
         } else {
-            store.commit(MessageStore.NO_TICKET, new StoreEntry.Ended(message.id(), state, now(), false));
+            store(new StoreEntry.Ended(message.id(), state, now(), false));
         }
-        listener.changed(message, state);
+        listener.accept(message, state);
     }
 
     private void storeEnd(Envelope.Report report) {
         long ticket = nextTicket++;
-        reports.put(ticket, report);
-        store.commit(ticket, new StoreEntry.Ended(report.message().id(), report.state(), report.at(), true));
-    }
-
-    /** After a crash the message of an end that was not stored waits again, and may end in another way. */
-    private void endStored(Envelope.Report report, boolean isDurable) {
-        if (isDurable) {
-            report(report);
-        } else {
-            timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
-        }
+        unstoredReports.put(ticket, report);
+        store.commit(ticket, List.of(new StoreEntry.Ended(report.message().id(), report.state(), report.at(), true)));
     }
 
     private static Envelope.Report reportOf(ShortMessage message, MessageState state, Instant at) {
         return new Envelope.Report(message, state, at, at.plus(DEFAULT_VALIDITY));
     }
 
-    /** Reports for somebody who never fetches them must not take the room of messages. */
+    /** Queues a report; receipts that an application does not fetch are dropped above {@link #MAX_WAITING_RECEIPTS}. */
     private void report(Envelope.Report report) {
-        ReceiverQueue queue = queues.get(report.receiver());
-        if (report.receiver() instanceof Recipient.Number || queue == null || queue.size() < MAX_WAITING_RECEIPTS) {
+        ReceiverQueue queue = queues.get(report.destination());
+        if (report.destination() instanceof Destination.Number
+                || queue == null
+                || queue.size() < MAX_WAITING_RECEIPTS) {
             enqueue(report);
         } else {
-            LOG.log(Level.DEBUG, "{0}: fetches no receipts, one more is lost", report.receiver());
+            LOG.log(Level.DEBUG, "{0}: {1} receipts wait, one more is dropped", report.destination(), queue.size());
             reported(report.message());
         }
     }
 
     private void reported(ShortMessage message) {
-        store.commit(MessageStore.NO_TICKET, new StoreEntry.Reported(message.id()));
+        store(new StoreEntry.Reported(message.id()));
+    }
+
+    private void store(StoreEntry entry) {
+        store.commit(MessageStore.NO_TICKET, List.of(entry));
     }
 
     /** Civil time. */

@@ -17,14 +17,14 @@ import simgsm.sms.Timestamp;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 
-/** Accepted messages to transfer units and back (TS 23.040, 9.2.2). */
+/** Converts accepted messages to transfer protocol data units and back (TS 23.040, 9.2.2). */
 final class TransferUnits {
     private TransferUnits() {}
 
     /**
-     * Makes a message of a SUBMIT.
+     * Decodes a SUBMIT into a message.
      *
-     * @throws ProtocolViolation if it is none, or is not addressed to a number
+     * @throws ProtocolViolation if the octets are no SUBMIT, or the destination is no telephone number
      */
     static ShortMessage accept(long id, Msisdn from, OctetString octets, Instant now, Duration defaultValidity)
             throws ProtocolViolation {
@@ -44,7 +44,7 @@ final class TransferUnits {
         throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "a SUBMIT was expected");
     }
 
-    /** The SUBMIT of a message that was accepted, and so can be read. */
+    /** The SUBMIT of an accepted message; it was decoded once already. */
     static SubmitTpdu submitOf(ShortMessage message) {
         try {
             return decode(message.submit());
@@ -92,13 +92,13 @@ final class TransferUnits {
         };
     }
 
-    /** What the message says; for data, its octets in hexadecimal. */
+    /** The text; for 8-bit data, the octets in hexadecimal. */
     static String text(ShortMessage message) {
         UserData data = submitOf(message).userData();
         return data.coding().alphabet() == Alphabet.OCTETS ? data.body().toString() : data.text();
     }
 
-    /** In universal time, which the zone octet says. */
+    /** In UTC; the zone octet is 0. */
     private static Timestamp timestamp(Instant instant) {
         return Timestamp.of(instant.atOffset(ZoneOffset.UTC));
     }

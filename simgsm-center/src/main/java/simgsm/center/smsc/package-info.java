@@ -1,8 +1,8 @@
 /**
- * Store and forward of short messages: what a sender hands in is stored, only then acknowledged, and kept until its
- * receiver has taken it or its validity ends. Knows neither links nor disks; both are behind ports.
+ * The short message centre: stores each submitted message, then acknowledges it, and keeps it until it is delivered or its
+ * validity ends. Links, applications and disks are behind {@link simgsm.center.smsc.DeliveryPort} and {@link
+ * simgsm.center.smsc.MessageStore}.
  *
- * <p>Read first: {@link simgsm.center.smsc.ShortMessageCenter}, then {@link simgsm.center.smsc.MessageStore} and {@link
- * simgsm.center.smsc.DeliveryPort}.
+ * <p>Read first: {@link simgsm.center.smsc.ShortMessageCenter}.
  */
 package simgsm.center.smsc;

@@ -8,11 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
-import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.DeliveryAttempt;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
-import simgsm.center.smsc.Standing;
+import simgsm.center.smsc.WaitReason;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
@@ -30,14 +30,14 @@ final class HistoryWords {
     /** Where it stands; a message that has ended, how. */
     static StateWord state(MessageRow row, TextBundle texts) {
         MessageHistory history = row.history();
-        if (history.standing() == Standing.ENDED) {
+        if (history.waitReason() == WaitReason.ENDED) {
             String word = texts.of("window.message." + lower(history.state()));
             return history.state() == MessageState.DELIVERED
                     ? new StateWord(StatusMark.DISC, Ink.GOOD, word)
                     : new StateWord(StatusMark.BURST, Ink.DANGER, word);
         }
-        String word = texts.of("window.standing." + lower(history.standing()));
-        return switch (history.standing()) {
+        String word = texts.of("window.standing." + lower(history.waitReason()));
+        return switch (history.waitReason()) {
             case UNDER_WAY -> new StateWord(StatusMark.ARROW, Ink.GOOD, word);
             case BEHIND_OTHERS -> new StateWord(StatusMark.SQUARE, Ink.QUIET, word);
             case AWAITING_RECEIVER -> new StateWord(StatusMark.RING, Ink.QUIET, word);
@@ -64,7 +64,7 @@ final class HistoryWords {
         if (forgotten > 0) {
             lines.add(texts.of("window.history.forgotten", forgotten));
         }
-        for (Attempt attempt : history.attempts()) {
+        for (DeliveryAttempt attempt : history.attempts()) {
             lines.add(texts.of(
                     "window.history.tried",
                     clock(attempt.at(), message.acceptedAt()),
@@ -77,7 +77,7 @@ final class HistoryWords {
                     clock(history.endedAt().get(), message.acceptedAt()),
                     texts.of("window.message." + lower(history.state()))));
         } else {
-            lines.add(texts.of("window.standing." + lower(history.standing()) + ".why"));
+            lines.add(texts.of("window.standing." + lower(history.waitReason()) + ".why"));
             lines.add(texts.of("window.history.expires", DAY.format(message.expiresAt())));
         }
         return lines;

@@ -20,9 +20,9 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.smsc.StoredState;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 
@@ -50,17 +50,17 @@ class JournalTest {
         return new StoreEntry.Ended(id, MessageState.DELIVERED, NOW, reportFollows);
     }
 
-    private static List<Long> ids(Restored restored) {
+    private static List<Long> ids(StoredState restored) {
         return restored.waiting().stream().map(ShortMessage::id).toList();
     }
 
-    private Restored reopened() throws IOException {
-        return Journal.open(disk).restored();
+    private StoredState reopened() throws IOException {
+        return Journal.open(disk).stored();
     }
 
     @Test
     void anEmptyDirectoryIsTheFirstLife() throws IOException {
-        assertEquals(Restored.NOTHING, reopened());
+        assertEquals(StoredState.EMPTY, reopened());
         assertTrue(disk.names().isEmpty());
     }
 
@@ -86,7 +86,7 @@ class JournalTest {
         assertTrue(journal.commit(List.of(accepted(3), accepted(1), accepted(2))));
         assertTrue(journal.commit(List.of(ended(1, false), accepted(4))));
         disk.crash();
-        Restored restored = reopened();
+        StoredState restored = reopened();
         assertEquals(List.of(2L, 3L, 4L), ids(restored));
         assertEquals(message(2), restored.waiting().get(0));
         assertEquals(4, restored.lastId());
@@ -101,9 +101,9 @@ class JournalTest {
             other.dieAfter(3);
             assertThrows(SimulatedDisk.MachineDied.class, () -> killed.commit(List.of(accepted(1))));
             other.restart();
-            assertEquals(List.of(1L), ids(Journal.open(other).restored()), "read from the cache");
+            assertEquals(List.of(1L), ids(Journal.open(other).stored()), "read from the cache");
             other.crash();
-            assertEquals(List.of(1L), ids(Journal.open(other).restored()), "seed " + seed);
+            assertEquals(List.of(1L), ids(Journal.open(other).stored()), "seed " + seed);
         }
     }
 
@@ -111,10 +111,11 @@ class JournalTest {
     void aMessageIsKeptUntilItsSenderHasBeenTold() throws IOException {
         Journal journal = Journal.open(disk);
         journal.commit(List.of(accepted(1), ended(1, true)));
-        Restored restored = reopened();
+        StoredState restored = reopened();
         assertTrue(restored.waiting().isEmpty());
         assertEquals(
-                List.of(new Restored.Unreported(message(1), (StoreEntry.Ended) ended(1, true))), restored.unreported());
+                List.of(new StoredState.Unreported(message(1), (StoreEntry.Ended) ended(1, true))),
+                restored.unreported());
         journal.commit(List.of(new StoreEntry.Reported(1)));
         assertTrue(reopened().unreported().isEmpty());
     }
@@ -213,7 +214,7 @@ class JournalTest {
         int last = trafficUntilCompacted(journal);
         assertFalse(disk.names().contains(FIRST_SEGMENT));
         disk.crash();
-        Restored restored = reopened();
+        StoredState restored = reopened();
         assertEquals(List.of(1L), ids(restored));
         assertEquals(1, restored.unreported().size());
         assertEquals(1, restored.subscribers().size());
@@ -235,7 +236,7 @@ class JournalTest {
                     // As ordered.
                 }
                 dying.crash();
-                Restored restored = Journal.open(dying).restored();
+                StoredState restored = Journal.open(dying).stored();
                 assertTrue(ids(restored).contains(1L), "death at operation " + steps);
                 assertTrue(ids(restored).size() <= 2, "only the one that was being written may be there besides");
             }
@@ -270,6 +271,6 @@ class JournalTest {
         trafficUntilCompacted(journal);
         journal.commit(List.of(accepted(2)));
         journal.close();
-        assertTrue(ids(Journal.open(new FileDisk(directory)).restored()).containsAll(List.of(1L, 2L)));
+        assertTrue(ids(Journal.open(new FileDisk(directory)).stored()).containsAll(List.of(1L, 2L)));
     }
 }

@@ -45,7 +45,7 @@ final class SimulatedCenter {
     /** TP-MMS may change from one attempt to the next. */
     private static final int MORE_MESSAGES = 0x04;
 
-    private record Order(long ticket, StoreEntry entry) {}
+    private record Order(long ticket, List<StoreEntry> entries) {}
 
     private record Answer(List<Long> tickets, boolean isDurable) {}
 
@@ -114,7 +114,7 @@ final class SimulatedCenter {
                 new ExchangeSettings("SimGSM", random.split(), START.plusNanos(nowNanos), home, Optional.empty()),
                 this::order,
                 this::happened);
-        exchange.restore(journal.restored());
+        exchange.restore(journal.stored());
     }
 
     /** @param isPowerCut what the disk has not synchronised is lost in part; else only the process dies */
@@ -133,7 +133,7 @@ final class SimulatedCenter {
 
     private void checkRestored() {
         Set<Long> waiting = new HashSet<>();
-        journal.restored().waiting().stream().map(ShortMessage::id).forEach(waiting::add);
+        journal.stored().waiting().stream().map(ShortMessage::id).forEach(waiting::add);
         for (long id : durable) {
             Invariant.holds(waiting.contains(id) || ended.contains(id), () -> "message " + id + " is lost");
         }
@@ -152,7 +152,12 @@ final class SimulatedCenter {
         }
     }
 
-    private void order(long ticket, StoreEntry entry) {
+    private void order(long ticket, List<StoreEntry> entries) {
+        entries.forEach(this::note);
+        orders.add(new Order(ticket, entries));
+    }
+
+    private void note(StoreEntry entry) {
         if (entry instanceof StoreEntry.Accepted accepted) {
             accepted(accepted.message());
         } else if (entry instanceof StoreEntry.Ended end) {
@@ -162,7 +167,6 @@ final class SimulatedCenter {
             }
         }
         Invariant.tell(() -> "to be stored: " + entry);
-        orders.add(new Order(ticket, entry));
     }
 
     private void accepted(ShortMessage message) {
@@ -211,10 +215,11 @@ final class SimulatedCenter {
         while (!orders.isEmpty() && group.size() < count) {
             group.add(orders.remove());
         }
-        boolean isDurable = journal.commit(group.stream().map(Order::entry).toList());
+        boolean isDurable = journal.commit(
+                group.stream().flatMap(order -> order.entries().stream()).toList());
         Invariant.tell(() -> (isDurable ? "stored: " : "not stored: ") + group);
         for (Order order : group) {
-            note(order.entry(), isDurable);
+            order.entries().forEach(entry -> note(entry, isDurable));
         }
         answers.add(new Answer(group.stream().map(Order::ticket).toList(), isDurable));
         journal.compact();
@@ -263,7 +268,7 @@ final class SimulatedCenter {
         Invariant.holds(exchange.nextDeadlineNanos().isEmpty(), () -> "a timer is forgotten");
         Invariant.holds(
                 Journal.open(disk, COMPACTED_OCTETS, MAX_RECENT)
-                        .restored()
+                        .stored()
                         .waiting()
                         .isEmpty(),
                 () -> "the journal still holds a message");

@@ -48,6 +48,9 @@ final class TestMobile implements LinkPort {
 
     Optional<String> closedFor = Optional.empty();
     boolean answersPings = true;
+    /** A message of this kind meets an error of the centre's own while it is sent. */
+    Class<?> failsOn = Void.class;
+
     private int nextSequence;
 
     TestMobile(TestNetwork network, String number, Imei imei) {
@@ -82,6 +85,9 @@ final class TestMobile implements LinkPort {
             }
             if (layer3 instanceof MobilityManagement.AuthenticationRequest request) {
                 challenge = Optional.of(request.rand());
+            }
+            if (failsOn.isInstance(layer3)) {
+                throw new IllegalStateException("a made-up error of our own");
             }
             received.add(layer3);
         } else {

@@ -71,10 +71,8 @@ final class TestNetwork {
                 .orElseThrow();
     }
 
-    private void store(long ticket, StoreEntry entry) {
-        if (!(entry instanceof StoreEntry.Known)) {
-            stored.add(entry);
-        }
+    private void store(long ticket, List<StoreEntry> entries) {
+        entries.stream().filter(entry -> !(entry instanceof StoreEntry.Known)).forEach(stored::add);
         uncommitted.add(ticket);
     }
 

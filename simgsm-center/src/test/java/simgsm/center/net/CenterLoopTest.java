@@ -32,7 +32,7 @@ import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.Link;
 import simgsm.center.msc.LinkPort;
-import simgsm.center.smsc.MemoryStore;
+import simgsm.center.smsc.MessageStore;
 
 /** What real sockets do to frames: split them, join them, break off in the middle, and send nonsense. */
 @Timeout(60)
@@ -47,8 +47,8 @@ class CenterLoopTest {
     @BeforeEach
     void open() throws IOException {
         loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
-        MemoryStore store =
-                new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
+        MessageStore store =
+                (ticket, entries) -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true));
         loop.start(
                 new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, events::add),
                 cause -> failure.complete(cause));

@@ -1,6 +1,8 @@
 package simgsm.center.smpp;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static simgsm.center.smpp.SmppClient.message;
 import static simgsm.center.smpp.SmppClient.text;
@@ -10,6 +12,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.air.Msisdn;
+import simgsm.center.smsc.Destination;
+import simgsm.octets.OctetString;
 
 /** Messages in, and out again. */
 class SmppDeliveryTest extends SmppStage {
@@ -186,6 +191,82 @@ class SmppDeliveryTest extends SmppStage {
         assertEquals(List.of("5553100"), texts(prefix));
         assertEquals(List.of("5553311"), texts(longer));
         assertEquals(List.of("5553399"), texts(exact));
+    }
+
+    @Test
+    void aWindowThatTheResponseTimerHasFreedServesTheOtherReceiversAtOnce() {
+        TestCenter.Application receiver = receiver("555*");
+        TestCenter.Application sender = sender();
+        for (int i = 0; i < DeliveryWindow.SIZE; i++) {
+            sender.submit(i + 1, text("1", "5550301", "unanswered"));
+        }
+        sender.submit(1_000, text("1", "5550302", "one"));
+        network.commit();
+        assertFalse(texts(receiver).contains("one"), "the window is full");
+        network.passSeconds(30);
+        assertTrue(texts(receiver).contains("one"));
+    }
+
+    private static SmppMessage threeParts() {
+        return with(
+                text("1", SERVICE, ""),
+                "",
+                1,
+                List.of(new Tlv(
+                        Tlv.MESSAGE_PAYLOAD, OctetString.of("a".repeat(400).getBytes(US_ASCII)))));
+    }
+
+    @Test
+    void aLongMessageForWhichThereIsNoRoomInFullIsRefusedInFull() {
+        TestCenter.Application sender = sender();
+        for (int i = 0; i < 49_998; i++) {
+            sender.submit(i + 1, text("1", SERVICE, "x"));
+        }
+        sender.submit(50_000, threeParts());
+        assertEquals(
+                new SmppPdu.MessageResponse(SmppCommand.SUBMIT_SM, SmppStatus.QUEUE_FULL, 50_000, ""),
+                sender.last(SmppPdu.MessageResponse.class));
+        network.commit();
+        assertEquals(49_998, network.center.waitingCount(), "no part of it waits");
+        sender.submit(50_001, threeParts());
+        network.commit();
+        assertEquals(50_001, network.center.waitingCount());
+    }
+
+    @Test
+    void theStoreTakesALongMessageInFullOrNotAtAll() {
+        TestCenter.Application sender = sender();
+        sender.submit(1, threeParts());
+        assertEquals(1, network.tickets.size());
+        network.center.committed(network.tickets.remove(), false);
+        assertEquals(
+                SmppStatus.SYSTEM_ERROR,
+                sender.last(SmppPdu.MessageResponse.class).status());
+        assertEquals(0, network.center.waitingCount());
+        sender.submit(2, threeParts());
+        network.commit();
+        assertEquals(
+                new SmppPdu.MessageResponse(SmppCommand.SUBMIT_SM, SmppStatus.OK, 2, "6"),
+                sender.last(SmppPdu.MessageResponse.class));
+        assertEquals(3, network.center.waitingCount());
+    }
+
+    @Test
+    void aReceiverWhoseMessagesAreAllCancelledIsNotRememberedAsBlocked() {
+        receiver("555*");
+        TestCenter.Application sender = sender();
+        for (int i = 0; i < DeliveryWindow.SIZE; i++) {
+            sender.submit(i + 1, text("1", "5550301", "unanswered"));
+        }
+        network.commit();
+        for (int i = 0; i < 1_000; i++) {
+            sender.submit(1, text("1", "555" + i, "x"));
+            network.commit();
+            String id = sender.last(SmppPdu.MessageResponse.class).messageId();
+            sender.say(new SmppPdu.Cancel(2, id, SmppAddress.NONE, SmppAddress.NONE));
+            assertEquals(SmppStatus.OK, sender.last(SmppPdu.PlainResponse.class).status());
+        }
+        assertEquals(0, network.server.routes().blocked(new Destination.Number(new Msisdn("5550301"))));
     }
 
     @Test

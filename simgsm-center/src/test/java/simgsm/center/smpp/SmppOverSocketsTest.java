@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.net.CenterLoop;
-import simgsm.center.smsc.MemoryStore;
+import simgsm.center.smsc.MessageStore;
 import simgsm.octets.OctetString;
 
 /** The whole way over loopback sockets, as a client of another house would try it. */
@@ -44,8 +44,8 @@ class SmppOverSocketsTest {
     void open() throws IOException {
         loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
         port = loop.openSmpp(InetAddress.getLoopbackAddress(), 0);
-        MemoryStore store =
-                new MemoryStore(ticket -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true)));
+        MessageStore store =
+                (ticket, entries) -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true));
         loop.start(new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, event -> {}), cause -> {});
     }
 

@@ -123,7 +123,7 @@ class SmppSessionTest extends SmppStage {
         bind(far, "far", "");
         TestCenter.Application near = network.open(true);
         bind(near, "near", "");
-        for (int i = 0; i <= Throttle.MAX_UNANSWERED; i++) {
+        for (int i = 0; i <= SubmissionLimits.MAX_UNANSWERED; i++) {
             far.submit(i, text("1", SERVICE, "x"));
             near.submit(i, text("1", SERVICE, "x"));
         }

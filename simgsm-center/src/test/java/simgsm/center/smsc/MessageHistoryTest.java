@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
@@ -34,25 +35,25 @@ class MessageHistoryTest {
     private static final Msisdn RECEIVER = new Msisdn("5550200");
 
     private final Timers timers = new Timers();
-    private final Deque<DeliveryReceipt> underWay = new ArrayDeque<>();
+    private final Deque<Consumer<DeliveryOutcome>> underWay = new ArrayDeque<>();
     private final List<Tpdu> sent = new ArrayList<>();
     private final List<Long> tickets = new ArrayList<>();
     private boolean isThere = true;
 
     private final DeliveryPort port = new DeliveryPort() {
         @Override
-        public boolean isReachable(Recipient receiver) {
+        public boolean isReachable(Destination receiver) {
             return isThere;
         }
 
         @Override
-        public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
+        public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
             try {
                 sent.add(TpduCodec.decode(envelope.tpdu(moreWaiting), Direction.DOWNLINK));
             } catch (ProtocolViolation violation) {
                 throw new AssertionError(violation);
             }
-            underWay.add(receipt);
+            underWay.add(ended);
         }
     };
 
@@ -66,7 +67,7 @@ class MessageHistoryTest {
     private void submit(String text, Optional<ValidityPeriod> validity) {
         OctetString submit = TpduCodec.encode(
                 new SubmitTpdu(false, true, false, 7, SmsAddress.of(RECEIVER), 0, validity, UserData.of(text)));
-        center.submit(SENDER, submit, refusal -> assertEquals(Optional.empty(), refusal));
+        center.submit(SENDER, submit, false, refusal -> assertEquals(Optional.empty(), refusal));
         store();
     }
 
@@ -82,7 +83,7 @@ class MessageHistoryTest {
     }
 
     private void end(DeliveryOutcome outcome) {
-        underWay.remove().ended(outcome);
+        underWay.remove().accept(outcome);
         store();
     }
 
@@ -94,8 +95,8 @@ class MessageHistoryTest {
     void aMessageUnderWayAndTheOnesBehindIt() {
         submit("first");
         submit("second");
-        assertEquals(Standing.UNDER_WAY, history(1).standing());
-        assertEquals(Standing.BEHIND_OTHERS, history(2).standing());
+        assertEquals(WaitReason.UNDER_WAY, history(1).waitReason());
+        assertEquals(WaitReason.BEHIND_OTHERS, history(2).waitReason());
         assertEquals(0, history(1).attemptCount());
     }
 
@@ -103,7 +104,7 @@ class MessageHistoryTest {
     void aReceiverThatIsAwayIsWaitedFor() {
         isThere = false;
         submit("first");
-        assertEquals(Standing.AWAITING_RECEIVER, history(1).standing());
+        assertEquals(WaitReason.AWAITING_RECEIVER, history(1).waitReason());
         assertEquals(Optional.empty(), history(1).nextTry());
     }
 
@@ -112,13 +113,13 @@ class MessageHistoryTest {
         submit("first");
         passSeconds(10);
         end(DeliveryOutcome.FAILED);
-        assertEquals(Standing.AWAITING_RETRY, history(1).standing());
+        assertEquals(WaitReason.AWAITING_RETRY, history(1).waitReason());
         assertEquals(
-                List.of(new Attempt(START.plusSeconds(10), DeliveryOutcome.FAILED)),
+                List.of(new DeliveryAttempt(START.plusSeconds(10), DeliveryOutcome.FAILED)),
                 history(1).attempts());
         assertEquals(Optional.of(START.plusSeconds(70)), history(1).nextTry());
         passSeconds(60);
-        assertEquals(Standing.UNDER_WAY, history(1).standing());
+        assertEquals(WaitReason.UNDER_WAY, history(1).waitReason());
         end(DeliveryOutcome.ABSENT);
         assertEquals(Optional.of(START.plusSeconds(70 + 300)), history(1).nextTry());
         assertEquals(2, history(1).attemptCount());
@@ -128,10 +129,10 @@ class MessageHistoryTest {
     void aFullReceiverIsWaitedForAndTriedAtOnceWhenItHasRoom() {
         submit("first");
         end(DeliveryOutcome.MEMORY_FULL);
-        assertEquals(Standing.AWAITING_MEMORY, history(1).standing());
+        assertEquals(WaitReason.AWAITING_MEMORY, history(1).waitReason());
         assertEquals(Optional.of(START.plusSeconds(60)), history(1).nextTry());
         center.available(RECEIVER);
-        assertEquals(Standing.UNDER_WAY, history(1).standing());
+        assertEquals(WaitReason.UNDER_WAY, history(1).waitReason());
         assertEquals(2, sent.size());
     }
 
@@ -153,8 +154,8 @@ class MessageHistoryTest {
         submit("first");
         submit("second");
         end(DeliveryOutcome.FAILED);
-        assertEquals(Standing.AWAITING_RETRY, history(1).standing());
-        assertEquals(Standing.BEHIND_OTHERS, history(2).standing());
+        assertEquals(WaitReason.AWAITING_RETRY, history(1).waitReason());
+        assertEquals(WaitReason.BEHIND_OTHERS, history(2).waitReason());
     }
 
     @Test
@@ -165,17 +166,17 @@ class MessageHistoryTest {
         end(DeliveryOutcome.DELIVERED);
         MessageHistory ended = history(1);
         assertEquals(MessageState.DELIVERED, ended.state());
-        assertEquals(Standing.ENDED, ended.standing());
+        assertEquals(WaitReason.ENDED, ended.waitReason());
         assertEquals(
                 List.of(DeliveryOutcome.FAILED, DeliveryOutcome.DELIVERED),
-                ended.attempts().stream().map(Attempt::outcome).toList());
+                ended.attempts().stream().map(DeliveryAttempt::outcome).toList());
         assertEquals(Optional.of(START.plusSeconds(60)), ended.endedAt());
         assertEquals(List.of(ended), center.endedHistories(10));
     }
 
     @Test
     void theEndedAreRememberedUpToALimitAndTheNewestComesFirst() {
-        for (int i = 0; i < EndedMessages.MAX_REMEMBERED + 5; i++) {
+        for (int i = 0; i < ShortMessageCenter.MAX_ENDED_HISTORIES + 5; i++) {
             submit("m" + i);
             end(DeliveryOutcome.DELIVERED);
             while (!underWay.isEmpty()) {
@@ -185,19 +186,19 @@ class MessageHistoryTest {
         assertEquals(Optional.empty(), center.history(5));
         assertTrue(center.history(6).isPresent());
         assertEquals(
-                EndedMessages.MAX_REMEMBERED + 5,
+                ShortMessageCenter.MAX_ENDED_HISTORIES + 5,
                 center.endedHistories(1).get(0).message().id());
     }
 
     @Test
     void onlyTheLatestAttemptsAreRememberedAndAllAreCounted() {
         submit("first");
-        for (int i = 0; i < Attempts.MAX_REMEMBERED + 3; i++) {
+        for (int i = 0; i < MessageHistory.MAX_ATTEMPTS + 3; i++) {
             end(DeliveryOutcome.FAILED);
             center.available(RECEIVER);
         }
-        assertEquals(Attempts.MAX_REMEMBERED, history(1).attempts().size());
-        assertEquals(Attempts.MAX_REMEMBERED + 3, history(1).attemptCount());
+        assertEquals(MessageHistory.MAX_ATTEMPTS, history(1).attempts().size());
+        assertEquals(MessageHistory.MAX_ATTEMPTS + 3, history(1).attemptCount());
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
@@ -31,21 +32,21 @@ class ShortMessageCenterTest {
     private final Timers timers = new Timers();
     private final Set<Msisdn> reachable = new HashSet<>();
     private final List<OctetString> delivered = new ArrayList<>();
-    private final List<DeliveryReceipt> receipts = new ArrayList<>();
+    private final List<Consumer<DeliveryOutcome>> receipts = new ArrayList<>();
     private final List<Long> tickets = new ArrayList<>();
     private final List<MessageState> states = new ArrayList<>();
     private final List<Optional<RpCause>> answers = new ArrayList<>();
 
     private final DeliveryPort port = new DeliveryPort() {
         @Override
-        public boolean isReachable(Recipient receiver) {
-            return reachable.contains(((Recipient.Number) receiver).number());
+        public boolean isReachable(Destination receiver) {
+            return reachable.contains(((Destination.Number) receiver).number());
         }
 
         @Override
-        public void deliver(Envelope envelope, boolean moreWaiting, DeliveryReceipt receipt) {
+        public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
             delivered.add(envelope.tpdu(moreWaiting));
-            receipts.add(receipt);
+            receipts.add(ended);
         }
     };
 
@@ -57,7 +58,7 @@ class ShortMessageCenterTest {
     }
 
     private void submit(String text) {
-        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), text), answers::add);
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), text), false, answers::add);
         List<Long> done = List.copyOf(tickets);
         tickets.clear();
         done.forEach(ticket -> center.committed(ticket, true));
@@ -71,7 +72,7 @@ class ShortMessageCenterTest {
     }
 
     private void end(DeliveryOutcome outcome) {
-        receipts.get(receipts.size() - 1).ended(outcome);
+        receipts.get(receipts.size() - 1).accept(outcome);
     }
 
     @Test
@@ -102,7 +103,7 @@ class ShortMessageCenterTest {
         assertTrue(answers.stream().allMatch(Optional::isEmpty));
         submit("one too many");
         assertEquals(Optional.of(RpCause.CONGESTION), answers.get(answers.size() - 1));
-        center.submit(SENDER, submit(SmsAddress.of(SENDER), "to another"), answers::add);
+        center.submit(SENDER, submit(SmsAddress.of(SENDER), "to another"), false, answers::add);
         center.committed(tickets.get(0), true);
         assertEquals(Optional.empty(), answers.get(answers.size() - 1));
     }
@@ -175,7 +176,7 @@ class ShortMessageCenterTest {
     @Test
     void aRepetitionOfAStoredMessageIsAcknowledgedAndNotStoredAgain() {
         submit("** #**20 **");
-        center.submit(SENDER, repeated(1, "** #**20 **"), answers::add);
+        center.submit(SENDER, repeated(1, "** #**20 **"), false, answers::add);
         assertEquals(List.of(Optional.empty(), Optional.empty()), answers);
         assertTrue(tickets.isEmpty());
         assertEquals(1, center.waitingCount());
@@ -186,14 +187,14 @@ class ShortMessageCenterTest {
         reachable.add(RECEIVER);
         submit("** #**20 **");
         end(DeliveryOutcome.DELIVERED);
-        center.submit(SENDER, repeated(1, "** #**20 **"), answers::add);
+        center.submit(SENDER, repeated(1, "** #**20 **"), false, answers::add);
         assertEquals(1, delivered.size(), "a robot must not drive an order twice");
     }
 
     @Test
     void aRepetitionOfAMessageStillBeingStoredWaitsForTheStore() {
-        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
-        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), false, answers::add);
+        center.submit(SENDER, repeated(1, "hello"), false, answers::add);
         assertEquals(1, tickets.size());
         assertTrue(answers.isEmpty());
         center.committed(tickets.get(0), true);
@@ -202,9 +203,9 @@ class ShortMessageCenterTest {
 
     @Test
     void aRepetitionOfAMessageThatWasNotStoredIsStored() {
-        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
+        center.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), false, answers::add);
         center.committed(tickets.remove(0), false);
-        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hello"), false, answers::add);
         assertEquals(1, tickets.size());
     }
 
@@ -212,12 +213,12 @@ class ShortMessageCenterTest {
     void whatOnlyLooksLikeARepetitionIsStored() {
         submit("hello");
         submit("hello");
-        center.submit(SENDER, repeated(2, "hello"), answers::add);
-        center.submit(SENDER, repeated(1, "hullo"), answers::add);
-        center.submit(RECEIVER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, repeated(2, "hello"), false, answers::add);
+        center.submit(SENDER, repeated(1, "hullo"), false, answers::add);
+        center.submit(RECEIVER, repeated(1, "hello"), false, answers::add);
         assertEquals(3, tickets.size(), "another reference, another text, another sender");
         timers.advance(RecentSubmissions.REMEMBERED_NANOS + 1);
-        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hello"), false, answers::add);
         assertEquals(4, tickets.size(), "too long ago");
     }
 
@@ -227,10 +228,10 @@ class ShortMessageCenterTest {
         for (int i = 0; i < RecentSubmissions.MOST_SINCE; i++) {
             submit("other");
         }
-        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hello"), false, answers::add);
         assertTrue(tickets.isEmpty(), "a repetition, if barely");
         submit("one more");
-        center.submit(SENDER, repeated(1, "hello"), answers::add);
+        center.submit(SENDER, repeated(1, "hello"), false, answers::add);
         assertEquals(1, tickets.size());
     }
 
@@ -242,15 +243,15 @@ class ShortMessageCenterTest {
         ShortMessage first = center.waiting().get(0);
         ShortMessageCenter again = new ShortMessageCenter(
                 Instant.EPOCH, new Timers(), (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
-        again.restore(new Restored(1, List.of(), List.of(), List.of(first), List.of()));
-        again.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), answers::add);
+        again.restore(new StoredState(1, List.of(), List.of(), List.of(first), List.of()));
+        again.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), false, answers::add);
         again.committed(tickets.get(0), true);
         assertEquals(2, Set.copyOf(delivered).size(), "the receiver can tell them apart");
     }
 
     @Test
     void aMessageToLettersIsRefusedWithCause1() {
-        center.submit(SENDER, submit(SmsAddress.ofLetters("Nobody"), "hello"), answers::add);
+        center.submit(SENDER, submit(SmsAddress.ofLetters("Nobody"), "hello"), false, answers::add);
         assertEquals(List.of(Optional.of(RpCause.UNASSIGNED_NUMBER)), answers);
         assertTrue(tickets.isEmpty());
     }

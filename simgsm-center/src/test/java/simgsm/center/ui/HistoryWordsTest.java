@@ -13,11 +13,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
-import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.DeliveryAttempt;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.Standing;
+import simgsm.center.smsc.WaitReason;
 import simgsm.console.TextBundle;
 
 class HistoryWordsTest {
@@ -26,16 +26,16 @@ class HistoryWordsTest {
         return new TextBundle(ResourceBundle.getBundle("simgsm.center.app.messages", locale), locale);
     }
 
-    private static MessageHistory history(MessageState state, Standing standing, DeliveryOutcome outcome) {
+    private static MessageHistory history(MessageState state, WaitReason standing, DeliveryOutcome outcome) {
         MessageHistory waiting = Scene.waiting();
         return new MessageHistory(
                 waiting.message(),
                 state,
                 standing,
-                List.of(new Attempt(Scene.NOON, outcome)),
+                List.of(new DeliveryAttempt(Scene.NOON, outcome)),
                 30,
                 waiting.nextTry(),
-                standing == Standing.ENDED ? Optional.of(Scene.NOON) : Optional.empty());
+                standing == WaitReason.ENDED ? Optional.of(Scene.NOON) : Optional.empty());
     }
 
     @Test
@@ -52,8 +52,8 @@ class HistoryWordsTest {
 
     @Test
     void aMessageThatHasEndedSaysHowAndWhatIsForgottenOfIt() {
-        List<String> lines =
-                HistoryWords.lines(history(MessageState.EXPIRED, Standing.ENDED, DeliveryOutcome.FAILED), texts("en"));
+        List<String> lines = HistoryWords.lines(
+                history(MessageState.EXPIRED, WaitReason.ENDED, DeliveryOutcome.FAILED), texts("en"));
         assertEquals("... 29 earlier attempts", lines.get(2));
         assertTrue(lines.get(lines.size() - 1).endsWith(" ended: expired"), lines.toString());
     }
@@ -63,17 +63,17 @@ class HistoryWordsTest {
     void everyOutcomeHasWords(String language) {
         for (DeliveryOutcome outcome : DeliveryOutcome.values()) {
             String all = HistoryWords.lines(
-                            history(MessageState.ACCEPTED, Standing.AWAITING_RETRY, outcome), texts(language))
+                            history(MessageState.ACCEPTED, WaitReason.AWAITING_RETRY, outcome), texts(language))
                     .toString();
             assertFalse(all.contains("window."), all);
         }
     }
 
     @ParameterizedTest
-    @EnumSource(Standing.class)
-    void everyStandingHasAWordAndAMark(Standing standing) {
+    @EnumSource(WaitReason.class)
+    void everyStandingHasAWordAndAMark(WaitReason standing) {
         for (MessageState state : MessageState.values()) {
-            if (standing == Standing.ENDED && state == MessageState.ACCEPTED) {
+            if (standing == WaitReason.ENDED && state == MessageState.ACCEPTED) {
                 continue;
             }
             for (String language : List.of("en", "es")) {

@@ -23,12 +23,12 @@ import simgsm.center.msc.CallProgress;
 import simgsm.center.msc.CallView;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.LadderEntry;
-import simgsm.center.smsc.Attempt;
+import simgsm.center.smsc.DeliveryAttempt;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
-import simgsm.center.smsc.Standing;
+import simgsm.center.smsc.WaitReason;
 import simgsm.octets.OctetString;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
@@ -149,8 +149,8 @@ final class Scene {
         return new MessageHistory(
                 new ShortMessage(1, PHONE, ABSENT, submit, NOON, NOON.plusSeconds(86_400)),
                 MessageState.ACCEPTED,
-                Standing.AWAITING_MEMORY,
-                List.of(new Attempt(NOON.plusSeconds(3), DeliveryOutcome.MEMORY_FULL)),
+                WaitReason.AWAITING_MEMORY,
+                List.of(new DeliveryAttempt(NOON.plusSeconds(3), DeliveryOutcome.MEMORY_FULL)),
                 1,
                 Optional.of(NOON.plusSeconds(63)),
                 Optional.empty());

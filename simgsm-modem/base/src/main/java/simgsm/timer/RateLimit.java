@@ -2,18 +2,16 @@ package simgsm.timer;
 
 import java.time.Duration;
 
-/**
- * How much of something somebody may do: so many a second in the long run, and a number of them at once after a rest.
- */
+/** Limits a rate: a number of acts per second in the long run, and a larger number at once after a pause. */
 public final class RateLimit {
     private static final long SECOND_NANOS = Duration.ofSeconds(1).toNanos();
 
     private final long nanosEach;
     private final long burstNanos;
-    /** When all that was done so far would have been done at the even pace. */
+    /** When the acts so far would end if they were evenly spaced. */
     private long paidUntilNanos;
 
-    /** @param burst how many may be done at once, 1 at least */
+    /** @param burst acts at once after a pause, at least 1 */
     public RateLimit(int perSecond, int burst) {
         if (perSecond < 1 || burst < 1) {
             throw new IllegalArgumentException(
@@ -23,7 +21,7 @@ public final class RateLimit {
         burstNanos = burst * nanosEach;
     }
 
-    /** Does one more if that is allowed now. */
+    /** Counts one act; false if it is not allowed now. */
     public boolean take(long nowNanos) {
         if (!isLeft(nowNanos)) {
             return false;

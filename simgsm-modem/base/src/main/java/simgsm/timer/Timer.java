@@ -1,11 +1,11 @@
 package simgsm.timer;
 
-/** One deadline in a {@link Timers}; owned by whoever started it. */
+/** One running timer of {@link Timers}. */
 public final class Timer {
     final long deadlineNanos;
     final long order;
     final Runnable action;
-    /** Position in the heap; {@link Timers#GONE} once expired or cancelled. */
+    /** Position in the heap; {@link TimerHeap#GONE} once expired or cancelled. */
     int position;
 
     Timer(long deadlineNanos, long order, Runnable action) {
@@ -19,7 +19,7 @@ public final class Timer {
     }
 
     public boolean isRunning() {
-        return position != Timers.GONE;
+        return position != TimerHeap.GONE;
     }
 
     boolean isBefore(Timer other) {

@@ -1,110 +1,72 @@
 package simgsm.timer;
 
-import java.util.Arrays;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 
 /**
- * All running timers in a binary heap: start, cancel and expiry cost O(log n), so ten thousand idle links cost nothing
- * between their deadlines. Equal deadlines expire in the order in which they were started.
- *
- * <p>This is also the cores' only notion of "now": the driver moves it with {@link #advance}.
+ * Running timers, and the only clock of a core: the driver moves it with {@link #advance}. Start, cancel and expiry cost
+ * O(log n). Equal deadlines expire in the order in which they were started.
  */
 public final class Timers {
-    static final int GONE = -1;
-    private static final int INITIAL_CAPACITY = 64;
+    private final TimerHeap heap;
+    /** Null when exceptions go to the caller of {@link #advance}. */
+    private final Consumer<RuntimeException> failed;
 
-    private Timer[] heap = new Timer[INITIAL_CAPACITY];
-    private int size;
-    private long started;
-    private long nowNanos;
-
-    /** At time 0, nothing running. */
-    public Timers() {}
-
-    /** Nanoseconds since the centre's start, as last advanced. */
-    public long nowNanos() {
-        return nowNanos;
+    /** At time 0, without running timers. */
+    public Timers() {
+        this(new TimerHeap(), null);
     }
 
-    public int size() {
-        return size;
-    }
-
-    /** The earliest deadline; empty when nothing runs. */
-    public OptionalLong nextDeadlineNanos() {
-        return size == 0 ? OptionalLong.empty() : OptionalLong.of(heap[0].deadlineNanos);
-    }
-
-    public Timer start(long delayNanos, Runnable action) {
-        Timer timer = new Timer(nowNanos + Math.max(0, delayNanos), started++, action);
-        if (size == heap.length) {
-            heap = Arrays.copyOf(heap, size * 2);
-        }
-        place(timer, size++);
-        siftUp(timer);
-        return timer;
-    }
-
-    /** Stops a timer; null and timers that have ended are left alone, so owners need not keep count. */
-    public void cancel(Timer timer) {
-        if (timer == null || timer.position == GONE) {
-            return;
-        }
-        int hole = timer.position;
-        timer.position = GONE;
-        Timer last = heap[--size];
-        heap[size] = null;
-        if (last != timer) {
-            place(last, hole);
-            siftDown(last);
-            siftUp(last);
-        }
+    private Timers(TimerHeap heap, Consumer<RuntimeException> failed) {
+        this.heap = heap;
+        this.failed = failed;
     }
 
     /**
-     * Moves time forward and runs what has fallen due, each at its own deadline. Time never goes back: an earlier
-     * moment than the present one is taken as the present one.
+     * The same clock and timers for one owner, such as a connection: an exception in an action that is started here goes
+     * to the owner's handler, and not to the caller of {@link #advance}, which may act for another owner.
+     */
+    public Timers ownedBy(Consumer<RuntimeException> handler) {
+        return new Timers(heap, handler);
+    }
+
+    /** Nanoseconds since the start, as last advanced. */
+    public long nowNanos() {
+        return heap.nowNanos();
+    }
+
+    /** Number of running timers. */
+    public int size() {
+        return heap.size();
+    }
+
+    /** The earliest deadline; empty when no timer runs. */
+    public OptionalLong nextDeadlineNanos() {
+        return heap.nextDeadlineNanos();
+    }
+
+    public Timer start(long delayNanos, Runnable action) {
+        return heap.start(delayNanos, failed == null ? action : () -> runOwned(action));
+    }
+
+    private void runOwned(Runnable action) {
+        try {
+            action.run();
+        } catch (RuntimeException e) {
+            failed.accept(e);
+        }
+    }
+
+    /** Stops a timer; null and timers that have ended are ignored. */
+    public void cancel(Timer timer) {
+        heap.cancel(timer);
+    }
+
+    /**
+     * Moves the time forward and runs the actions that fall due, each at its own deadline. Time never goes back: an earlier
+     * time counts as the current one.
      */
     public void advance(long toNanos) {
-        while (size > 0 && heap[0].deadlineNanos <= toNanos) {
-            Timer due = heap[0];
-            cancel(due);
-            nowNanos = Math.max(nowNanos, due.deadlineNanos);
-            due.action.run();
-        }
-        nowNanos = Math.max(nowNanos, toNanos);
-    }
-
-    private void siftUp(Timer timer) {
-        while (timer.position > 0 && timer.isBefore(heap[(timer.position - 1) / 2])) {
-            swapWithParent(timer);
-        }
-    }
-
-    private void siftDown(Timer timer) {
-        for (Timer child = smallerChild(timer); child != null && child.isBefore(timer); child = smallerChild(timer)) {
-            swapWithParent(child);
-        }
-    }
-
-    private Timer smallerChild(Timer timer) {
-        int left = 2 * timer.position + 1;
-        if (left >= size) {
-            return null;
-        }
-        boolean rightIsSmaller = left + 1 < size && heap[left + 1].isBefore(heap[left]);
-        return rightIsSmaller ? heap[left + 1] : heap[left];
-    }
-
-    private void swapWithParent(Timer timer) {
-        int position = timer.position;
-        Timer parent = heap[(position - 1) / 2];
-        place(timer, parent.position);
-        place(parent, position);
-    }
-
-    private void place(Timer timer, int position) {
-        heap[position] = timer;
-        timer.position = position;
+        heap.advance(toNanos);
     }
 }

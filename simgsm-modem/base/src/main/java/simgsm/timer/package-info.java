@@ -1,5 +1,5 @@
 /**
- * Deadlines of the program's cores. Time is handed in as nanoseconds since the program's start; nobody here reads a clock.
+ * Timers of the cores. The driver hands the time in, as nanoseconds since the start.
  * Read {@link simgsm.timer.Timers}.
  */
 package simgsm.timer;

@@ -10,20 +10,20 @@ import java.util.Map;
 import java.util.TreeMap;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.Restored;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.center.smsc.StoredState;
 
 /**
- * What the entries so far amount to: everything that would be needed after a restart, and no more. Messages are shared
- * with the short message centre, so a waiting one costs little more here than its place in a map.
+ * The sum of all entries so far: what a restart needs. Messages are shared with the short message centre, so a waiting one
+ * costs only a map entry here.
  */
-final class Ledger {
-    /** What was accepted longer ago, or before so many others, need not be recognised when it is sent again. */
+final class JournalState {
+    /** Repetitions are recognised for this time, and among the latest {@link #MAX_RECENT} messages. */
     private static final Duration RECENT = Duration.ofHours(1);
 
     static final int MAX_RECENT = 20_000;
-    /** What an accepted message takes on disk beyond its SUBMIT, about. */
+    /** Approximate octets of an accepted message on disk besides its SUBMIT. */
     private static final int MESSAGE_OCTETS = 100;
 
     private record Kept(ShortMessage message, StoreEntry.Ended ended) {}
@@ -35,7 +35,7 @@ final class Ledger {
     private long lastId;
     private long octets;
 
-    Ledger(int maxRecent) {
+    JournalState(int maxRecent) {
         this.maxRecent = maxRecent;
     }
 
@@ -82,12 +82,12 @@ final class Ledger {
         return MESSAGE_OCTETS + message.submit().length();
     }
 
-    /** What {@link #image} takes on disk, about. */
+    /** Approximate octets of {@link #image} on disk. */
     long octets() {
         return octets + (long) (recent.size() + known.size()) * 2 * MESSAGE_OCTETS;
     }
 
-    /** Entries that amount to the same. */
+    /** The shortest sequence of entries with the same sum. */
     List<StoreEntry> image() {
         List<StoreEntry> image = new ArrayList<>(1 + known.size() + 2 * recent.size() + kept.size());
         image.add(new StoreEntry.Numbered(lastId));
@@ -107,16 +107,16 @@ final class Ledger {
         return image;
     }
 
-    Restored restored() {
+    StoredState stored() {
         List<ShortMessage> waiting = new ArrayList<>();
-        List<Restored.Unreported> unreported = new ArrayList<>();
+        List<StoredState.Unreported> unreported = new ArrayList<>();
         for (Kept each : kept.values()) {
             if (each.ended() == null) {
                 waiting.add(each.message());
             } else {
-                unreported.add(new Restored.Unreported(each.message(), each.ended()));
+                unreported.add(new StoredState.Unreported(each.message(), each.ended()));
             }
         }
-        return new Restored(lastId, waiting, unreported, List.copyOf(recent), List.copyOf(known.values()));
+        return new StoredState(lastId, waiting, unreported, List.copyOf(recent), List.copyOf(known.values()));
     }
 }

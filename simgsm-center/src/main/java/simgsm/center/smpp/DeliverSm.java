@@ -1,7 +1,9 @@
 package simgsm.center.smpp;
 
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import simgsm.center.smsc.Envelope;
+import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.octets.OctetString;
@@ -10,16 +12,36 @@ import simgsm.sms.DeliveryStatus;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.UserData;
 
-/** What became of a message, in the words of SMPP (5.2.28, appendix B). */
-final class Receipts {
+/** The content of deliver_sm: messages, and delivery receipts (appendix B). */
+final class DeliverSm {
     static final int ENROUTE = 1;
 
+    /** Characters of the message that its receipt quotes. */
     private static final int TEXT_LENGTH = 20;
 
-    private Receipts() {}
+    private static final int NO_DATA_CODING = -1;
 
-    /** message_state. */
-    static int code(MessageState state) {
+    private DeliverSm() {}
+
+    static SmppMessage of(Envelope envelope) {
+        return envelope instanceof Envelope.Report report ? receipt(report) : message(envelope.message());
+    }
+
+    private static SmppMessage message(ShortMessage message) {
+        MessageContent.Translated content = MessageContent.translate(
+                message.userData(), message.esme().map(EsmeOrigin::dataCoding).orElse(NO_DATA_CODING));
+        return SmppMessage.of(
+                SmppAddress.of(message.sender()),
+                SmppAddress.of(SmsAddress.of(message.to())),
+                content.hasHeader() ? SmppMessage.HAS_HEADER : 0,
+                0,
+                content.dataCoding(),
+                content.octets(),
+                List.of(Tlv.ofTwoOctets(Tlv.USER_MESSAGE_REFERENCE, (int) (message.id() & 0xffff))));
+    }
+
+    /** message_state (5.2.28). */
+    static int messageState(MessageState state) {
         return switch (state) {
             case ACCEPTED -> ENROUTE;
             case DELIVERED -> 2;
@@ -39,7 +61,7 @@ final class Receipts {
         };
     }
 
-    /** TP-ST of the status report that a mobile would get. */
+    /** The value of TP-ST in a status report to a mobile, three digits. */
     private static String error(MessageState state) {
         int status = switch (state) {
             case ACCEPTED, DELIVERED -> DeliveryStatus.DELIVERED;
@@ -50,8 +72,8 @@ final class Receipts {
         return String.valueOf(1_000 + status).substring(1);
     }
 
-    /** From the receiver of the message to its sender. */
-    static SmppMessage of(Envelope.Report report) {
+    /** Its source is the destination of the message, and the other way round. */
+    private static SmppMessage receipt(Envelope.Report report) {
         ShortMessage message = report.message();
         String text =
                 "id:" + message.id() + " sub:001 dlvrd:" + (report.state() == MessageState.DELIVERED ? "001" : "000")
@@ -64,10 +86,10 @@ final class Receipts {
                 SmppMessage.RECEIPT,
                 0,
                 0,
-                OctetString.of(ascii(text)),
+                OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
                 List.of(
                         Tlv.ofText(Tlv.RECEIPTED_MESSAGE_ID, Long.toString(message.id())),
-                        Tlv.ofOctet(Tlv.MESSAGE_STATE, code(report.state()))));
+                        Tlv.ofOctet(Tlv.MESSAGE_STATE, messageState(report.state()))));
     }
 
     private static String excerpt(UserData data) {
@@ -77,21 +99,13 @@ final class Receipts {
         String text = data.text();
         StringBuilder excerpt = new StringBuilder(TEXT_LENGTH);
         for (int i = 0; i < Math.min(TEXT_LENGTH, text.length()); i++) {
-            excerpt.append(isTheSameInBoth(text.charAt(i)) ? text.charAt(i) : '.');
+            excerpt.append(isSameInAsciiAndGsm(text.charAt(i)) ? text.charAt(i) : '.');
         }
         return excerpt.toString();
     }
 
-    /** Receipts are read as ASCII and as the GSM alphabet; only what both know alike goes in. */
-    private static boolean isTheSameInBoth(char c) {
+    /** Some applications read receipts as ASCII, others in the GSM alphabet. */
+    private static boolean isSameInAsciiAndGsm(char c) {
         return c >= ' ' && c <= '?' && c != '$' || c >= 'A' && c <= 'Z' || c >= 'a' && c <= 'z';
-    }
-
-    private static byte[] ascii(String text) {
-        byte[] octets = new byte[text.length()];
-        for (int i = 0; i < octets.length; i++) {
-            octets[i] = (byte) text.charAt(i);
-        }
-        return octets;
     }
 }

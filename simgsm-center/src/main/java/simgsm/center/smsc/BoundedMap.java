@@ -1,0 +1,26 @@
+package simgsm.center.smsc;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A map of limited size: beyond it, each new key removes the oldest one. */
+public final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
+    private static final long serialVersionUID = 1;
+
+    private final int maxSize;
+
+    public BoundedMap(int maxSize) {
+        this.maxSize = maxSize;
+    }
+
+    /** Puts a value under a key that counts as new from now on, even if it was there before. */
+    public void putNewest(K key, V value) {
+        remove(key);
+        put(key, value);
+    }
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
+        return size() > maxSize;
+    }
+}

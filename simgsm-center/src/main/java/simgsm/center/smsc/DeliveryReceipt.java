@@ -1,6 +1,0 @@
-package simgsm.center.smsc;
-
-/** Told once when a delivery attempt has ended. */
-public interface DeliveryReceipt {
-    void ended(DeliveryOutcome outcome);
-}

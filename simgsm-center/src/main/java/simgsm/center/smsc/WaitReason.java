@@ -1,0 +1,17 @@
+package simgsm.center.smsc;
+
+/** What a message waits for. */
+public enum WaitReason {
+    /** An attempt is under way. */
+    UNDER_WAY,
+    /** Another message to the same receiver goes first. */
+    BEHIND_OTHERS,
+    /** The receiver is absent; tried when it registers. */
+    AWAITING_RECEIVER,
+    /** The receiver's memory is full (RP cause 22); tried after RP-SMMA, or by the schedule. */
+    AWAITING_MEMORY,
+    /** The last attempt failed; tried by the schedule, or when the receiver registers. */
+    AWAITING_RETRY,
+    /** The message has ended and waits for nothing. */
+    ENDED
+}
