@@ -1,22 +1,13 @@
 package simgsm.dtmf;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Locale;
+import java.util.ResourceBundle;
 
 /**
- * Log odds that two tones are a key's: a constant and one curve for each of the {@link KeyMeasures}, added. The curves are
- * steps; {@code key-likelihood.txt} holds them as the tests' program {@code LikelihoodFit} fitted them to labelled
+ * Log odds that two tones are a key's: a constant and one curve of steps for each of the {@link KeyMeasures}, added. The table
+ * {@code key-likelihood.properties} holds them as {@code LikelihoodFit}, a program among the tests, fitted them to labelled
  * recordings.
- *
- * <pre>
- *   bias VALUE
- *   KIND unknown VALUE  first VALUE  EDGE VALUE  EDGE VALUE ...     (from EDGE upward VALUE holds)
- * </pre>
  */
 final class KeyLikelihood {
     /** Two tones with larger log odds (base e) are a key's. */
@@ -25,7 +16,6 @@ final class KeyLikelihood {
     /** Of an earlier window so much does not count towards the sum. */
     static final double LEAST = 1.5;
 
-    private static final String TABLE = "key-likelihood.txt";
     private static final KeyLikelihood FITTED = read();
 
     private final double bias;
@@ -96,32 +86,24 @@ final class KeyLikelihood {
     }
 
     private static KeyLikelihood read() {
-        double bias = 0;
+        ResourceBundle table = ResourceBundle.getBundle("simgsm.dtmf.key-likelihood", Locale.ROOT);
         double[][] edges = new double[KeyMeasures.COUNT][];
         double[][] steps = new double[KeyMeasures.COUNT][];
         double[] unknown = new double[KeyMeasures.COUNT];
-        try (InputStream in = KeyLikelihood.class.getResourceAsStream(TABLE);
-                BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.US_ASCII))) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                String[] words = line.split(" +");
-                if (words[0].equals("bias")) {
-                    bias = Double.parseDouble(words[1]);
-                } else if (!words[0].startsWith("#")) {
-                    int kind = KeyMeasures.Kind.valueOf(words[0]).ordinal();
-                    int count = (words.length - 5) / 2;
-                    unknown[kind] = Double.parseDouble(words[2]);
-                    edges[kind] = new double[count];
-                    steps[kind] = new double[count + 1];
-                    steps[kind][0] = Double.parseDouble(words[4]);
-                    for (int i = 0; i < count; i++) {
-                        edges[kind][i] = Double.parseDouble(words[5 + 2 * i]);
-                        steps[kind][i + 1] = Double.parseDouble(words[6 + 2 * i]);
-                    }
-                }
+        for (KeyMeasures.Kind kind : KeyMeasures.Kind.values()) {
+            double[] numbers = Arrays.stream(table.getString(kind.name()).split(" +"))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+            int count = numbers.length / 2 - 1;
+            unknown[kind.ordinal()] = numbers[0];
+            edges[kind.ordinal()] = new double[count];
+            steps[kind.ordinal()] = new double[count + 1];
+            steps[kind.ordinal()][0] = numbers[1];
+            for (int i = 0; i < count; i++) {
+                edges[kind.ordinal()][i] = numbers[2 + 2 * i];
+                steps[kind.ordinal()][i + 1] = numbers[3 + 2 * i];
             }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         }
-        return new KeyLikelihood(bias, edges, steps, unknown);
+        return new KeyLikelihood(Double.parseDouble(table.getString("BIAS")), edges, steps, unknown);
     }
 }

@@ -151,12 +151,14 @@ final class LikelihoodFit {
 
     private void write(Path table) throws Exception {
         try (PrintWriter out = new PrintWriter(table.toFile(), "US-ASCII")) {
-            out.println("# Log odds of a key by measure (KeyMeasures.Kind), written by LikelihoodFit");
-            out.printf(Locale.ROOT, "bias %.3f%n", bias);
+            out.println(
+                    "# Log odds of a key by measure (KeyMeasures.Kind), written by LikelihoodFit: value if unknown; value"
+                            + " below the first edge;");
+            out.println("# then pairs of an edge and the value from that edge upward.");
+            out.printf(Locale.ROOT, "BIAS = %.3f%n", bias);
             for (int kind = 0; kind < KeyMeasures.COUNT; kind++) {
                 double[] curve = curves[kind];
-                out.printf(
-                        Locale.ROOT, "%s unknown %.3f first %.3f", KeyMeasures.Kind.values()[kind], curve[0], curve[1]);
+                out.printf(Locale.ROOT, "%s = %.3f %.3f", KeyMeasures.Kind.values()[kind], curve[0], curve[1]);
                 for (int i = 0; i < edges[kind].length; i++) {
                     if (curve[i + 2] != curve[i + 1]) {
                         out.printf(Locale.ROOT, " %s %.3f", Double.toString(edges[kind][i]), curve[i + 2]);
