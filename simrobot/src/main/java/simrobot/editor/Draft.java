@@ -7,89 +7,86 @@ import java.util.Optional;
 import simrobot.world.World;
 
 /**
- * A world that is being edited: its present state, what came before and after, and what is selected. While the mouse drags,
- * the draft shows a try; only what it is at the end becomes one step that can be undone.
+ * A world that is being edited: its current state, the steps that can be undone and redone, and the selected item. During a
+ * drag the draft has a preview; only its last state becomes a step.
  */
 public final class Draft {
-    /** Worlds share what they have in common, so this costs little. */
+    /** Worlds share their unchanged parts, so a step costs little memory. */
     private static final int MOST_UNDONE = 500;
 
     private final Deque<World> before = new ArrayDeque<>();
     private final Deque<World> after = new ArrayDeque<>();
     private World world;
     private World saved;
-    private World tried;
+    private World preview;
     private Item selected;
-    private World still;
-    private World stillOf;
-    private Item stillWithout;
+    private World background;
+    private World backgroundOf;
+    private Item backgroundWithout;
 
     public Draft(World world) {
         this.world = Objects.requireNonNull(world);
         saved = world;
     }
 
-    /** As it is now, the present try included. */
+    /** The preview, or the world when there is none. */
     public World world() {
-        return tried == null ? world : tried;
+        return preview == null ? world : preview;
     }
 
-    /** As it was before the present try. */
-    public World settled() {
+    /** The world without the preview. */
+    public World committed() {
         return world;
     }
 
-    /** The item that the present try makes or changes; none without a try. */
+    /** The item that the preview makes or changes; none without a preview. */
     public Optional<Item> moving() {
-        if (tried == null || tried == world) {
+        if (preview == null || preview == world) {
             return Optional.empty();
         }
         for (Item.Kind kind : Item.Kind.values()) {
-            if (Edits.count(tried, kind) > Edits.count(world, kind)) {
-                return Optional.of(Edits.last(tried, kind));
+            if (Edits.count(preview, kind) > Edits.count(world, kind)) {
+                return Optional.of(Edits.last(preview, kind));
             }
         }
         return selected();
     }
 
-    /** All but what moves; the same object while the same item moves, so that it may be painted once. */
-    public World still() {
+    /** The world without {@link #moving}; the same object while the same item moves, so that its picture can be kept. */
+    public World background() {
         Item item = moving().filter(it -> Edits.has(world, it)).orElse(null);
         if (item == null) {
             return world;
         }
-        if (stillOf != world || !item.equals(stillWithout)) {
-            still = Edits.without(world, item);
-            stillOf = world;
-            stillWithout = item;
+        if (backgroundOf != world || !item.equals(backgroundWithout)) {
+            background = Edits.without(world, item);
+            backgroundOf = world;
+            backgroundWithout = item;
         }
-        return still;
+        return background;
     }
 
     // ---- steps -----------------------------------------------------------------------------------------------------
 
-    /** Shows what it would be like. */
-    public void attempt(World attempt) {
-        tried = attempt;
+    public void preview(World newPreview) {
+        preview = newPreview;
     }
 
-    /** The present try becomes a step; a try that changes nothing does not. */
-    public void settle() {
-        World next = tried;
-        tried = null;
-        if (next != null) {
-            change(next);
+    /** Makes the preview a step; a preview that changes nothing is discarded. */
+    public void commit() {
+        if (preview != null) {
+            change(preview);
         }
     }
 
-    /** The present try is forgotten. */
-    public void forget() {
-        tried = null;
+    /** Drops the preview. */
+    public void discard() {
+        preview = null;
     }
 
-    /** One step that can be undone. */
+    /** Makes a step that can be undone; drops the preview. */
     public void change(World next) {
-        tried = null;
+        preview = null;
         if (!next.equals(world)) {
             before.push(world);
             if (before.size() > MOST_UNDONE) {
@@ -97,7 +94,7 @@ public final class Draft {
             }
             after.clear();
             world = next;
-            keepSelection();
+            select(selected);
         }
     }
 
@@ -110,30 +107,29 @@ public final class Draft {
     }
 
     public void undo() {
-        tried = null;
-        if (canUndo()) {
-            after.push(world);
-            world = before.pop();
-            keepSelection();
-        }
+        step(before, after);
     }
 
     public void redo() {
-        tried = null;
-        if (canRedo()) {
-            before.push(world);
-            world = after.pop();
-            keepSelection();
+        step(after, before);
+    }
+
+    private void step(Deque<World> from, Deque<World> to) {
+        preview = null;
+        if (!from.isEmpty()) {
+            to.push(world);
+            world = from.pop();
+            select(selected);
         }
     }
 
-    /** Whether it differs from what was saved or loaded last. */
+    /** Whether it differs from the world that was saved or loaded last. */
     public boolean isChanged() {
         return world != saved && !world.equals(saved);
     }
 
-    /** This very world is on the disk now; the draft may have gone on meanwhile. */
-    public void saved(World written) {
+    /** This world is on the disk now; the draft may have been changed since it was written. */
+    public void markSaved(World written) {
         saved = written;
     }
 
@@ -143,20 +139,16 @@ public final class Draft {
         return Optional.ofNullable(selected);
     }
 
-    /** @param item null for none */
+    /** Selects an item; one that the world does not have, or null, ends the selection. */
     public void select(Item item) {
         selected = item == null || Edits.has(world(), item) ? item : null;
     }
 
     public void deleteSelected() {
         if (selected != null) {
-            Item gone = selected;
+            Item deleted = selected;
             selected = null;
-            change(Edits.without(world, gone));
+            change(Edits.without(world, deleted));
         }
-    }
-
-    private void keepSelection() {
-        select(selected);
     }
 }

@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import simgsm.console.TextBundle;
 import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
+import simrobot.drawing.StatusLook;
 import vericommand.RobotStatus;
 
 /** The five statuses, each with its own shape and word; the present one is lit. */

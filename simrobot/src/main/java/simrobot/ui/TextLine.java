@@ -4,33 +4,36 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.function.Supplier;
+import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** A line of text that takes what room there is, or two, and ends in an ellipsis when that is too little. */
+/** A text in one row or two, with an ellipsis where it does not fit. */
 public final class TextLine extends PaintedComponent {
     private final Supplier<Font> font;
     private String text = "";
     private Ink ink;
     private int rows = 1;
-    private boolean modest;
+    private boolean shrinking;
 
     public TextLine(String name, Supplier<Font> font, Ink ink) {
-        super(name);
+        super(AccessibleRole.LABEL);
+        setName(name);
         this.font = font;
         this.ink = ink;
     }
 
-    /** Keeps room for a second row, into which it breaks at a blank. */
+    /** Two rows high; a text that is too wide for one breaks at a blank. */
     public TextLine overTwoRows() {
         rows = 2;
         return this;
     }
 
-    /** It takes what room there is, and asks for none; what does not fit is in its tool tip. */
-    public TextLine modest() {
-        modest = true;
+    /** Prefers a width of 24 units whatever its text; the tool tip has the whole text. */
+    public TextLine shrinking() {
+        shrinking = true;
         return this;
     }
 
@@ -40,9 +43,8 @@ public final class TextLine extends PaintedComponent {
 
     public void show(String newText, Ink newInk) {
         boolean changed = newInk != ink || !newText.equals(text);
-        text = newText;
+        change(() -> text = newText);
         ink = newInk;
-        say(text);
         if (changed) {
             setToolTipText(text.isEmpty() ? null : text);
             revalidate();
@@ -50,20 +52,21 @@ public final class TextLine extends PaintedComponent {
         }
     }
 
-    String text() {
+    @Override
+    protected String spoken() {
         return text;
     }
 
     @Override
-    protected Dimension preferred() {
+    public Dimension getPreferredSize() {
         Font face = font.get();
-        int width = modest ? Theme.px(24) : Drawing.width(face, text) + 1;
+        int width = shrinking ? Theme.px(24) : Drawing.width(face, text) + 1;
         return new Dimension(width, rows * getFontMetrics(face).getHeight());
     }
 
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(Theme.px(24), preferred().height);
+        return new Dimension(Theme.px(24), getPreferredSize().height);
     }
 
     @Override
@@ -83,7 +86,7 @@ public final class TextLine extends PaintedComponent {
         }
     }
 
-    /** How much of a text stands in the first row: all, or as many whole words as fit, one at least. */
+    /** The length of the part that stands in the first row: all, or the whole words that fit, at least one. */
     static int firstRow(Font face, String text, double width) {
         int end = text.length();
         while (Drawing.width(face, text.substring(0, end)) > width) {

@@ -2,35 +2,47 @@ package simrobot.ui;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
+import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** A name at the left, a number with its unit at the right: one line of an instrument. */
+/** A row with a name at the left and a number with its unit at the right. */
 public final class ValueRow extends PaintedComponent {
     private final String label;
     private final String unit;
     private String value = "";
 
     public ValueRow(String name, String label, String unit) {
-        super(name);
+        super(AccessibleRole.LABEL);
+        setName(name);
         this.label = label;
         this.unit = unit;
         show("\u2013");
     }
 
     public void show(String newValue) {
-        value = newValue;
-        say(label + ": " + value + " " + unit);
+        change(() -> value = newValue);
     }
 
     @Override
-    protected Dimension preferred() {
+    protected String spoken() {
+        return label + ": " + value + " " + unit;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
         int width = Drawing.width(Theme.base(), label)
                 + Drawing.width(Theme.mono(), "-00.000 ")
                 + Drawing.width(Theme.small(), unit)
                 + Theme.px(8);
         return new Dimension(width, Theme.px(19));
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
     }
 
     @Override

@@ -47,31 +47,31 @@ class DraftTest {
     @Test
     void whatStandsStillWhileSomethingIsMadeOrMovedIsOneWorld() {
         World bare = draft.world();
-        draft.attempt(with(draft.settled(), WALL));
+        draft.preview(with(draft.committed(), WALL));
         assertEquals(Optional.of(new Item(Item.Kind.WALL, 0)), draft.moving());
-        assertSame(bare, draft.still());
-        draft.settle();
+        assertSame(bare, draft.background());
+        draft.commit();
         assertEquals(Optional.empty(), draft.moving());
-        assertSame(draft.world(), draft.still());
+        assertSame(draft.world(), draft.background());
         Item wall = new Item(Item.Kind.WALL, 0);
         draft.select(wall);
-        draft.attempt(Edits.moved(draft.settled(), wall, 1, 0));
-        World still = draft.still();
+        draft.preview(Edits.moved(draft.committed(), wall, 1, 0));
+        World still = draft.background();
         assertEquals(List.of(), still.segments());
-        draft.attempt(Edits.moved(draft.settled(), wall, 2, 0));
-        assertSame(still, draft.still());
+        draft.preview(Edits.moved(draft.committed(), wall, 2, 0));
+        assertSame(still, draft.background());
         assertEquals(Optional.of(wall), draft.moving());
-        draft.forget();
-        assertSame(draft.world(), draft.still());
+        draft.discard();
+        assertSame(draft.world(), draft.background());
     }
 
     @Test
     void aDragIsOneStepHoweverManyTriesItTook() {
         for (int i = 1; i < 20; i++) {
-            draft.attempt(with(draft.settled(), new Segment(0, 0, i, 0)));
+            draft.preview(with(draft.committed(), new Segment(0, 0, i, 0)));
             assertEquals(i, draft.world().segments().get(0).x2Meters());
         }
-        draft.settle();
+        draft.commit();
         assertEquals(1, draft.world().segments().size());
         draft.undo();
         assertEquals(0, draft.world().segments().size());
@@ -79,11 +79,11 @@ class DraftTest {
 
     @Test
     void aTryThatIsForgottenOrChangesNothingLeavesNoStep() {
-        draft.attempt(with(draft.settled(), WALL));
-        draft.forget();
-        draft.settle();
-        draft.attempt(draft.settled().named(draft.settled().name()));
-        draft.settle();
+        draft.preview(with(draft.committed(), WALL));
+        draft.discard();
+        draft.commit();
+        draft.preview(draft.committed().named(draft.committed().name()));
+        draft.commit();
         assertFalse(draft.canUndo());
         assertFalse(draft.isChanged());
     }
@@ -92,7 +92,7 @@ class DraftTest {
     void itIsChangedUntilItIsSavedAndAgainAfterUndo() {
         draft.change(with(draft.world(), WALL));
         assertTrue(draft.isChanged());
-        draft.saved(draft.world());
+        draft.markSaved(draft.world());
         assertFalse(draft.isChanged());
         draft.undo();
         assertTrue(draft.isChanged());

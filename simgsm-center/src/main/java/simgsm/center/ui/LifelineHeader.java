@@ -1,17 +1,16 @@
 package simgsm.center.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.center.msc.LadderEntry;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
-import simgsm.ui.SpokenComponent;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
 /** The heads of the lifelines, above the ladder. */
-final class LifelineHeader extends SpokenComponent {
+final class LifelineHeader extends PaintedComponent {
     private static final double HEIGHT_UNITS = 36;
     private static final double BOX_UNITS = 24;
 
@@ -33,19 +32,14 @@ final class LifelineHeader extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            g.setColor(Theme.color(Ink.CARD));
-            g.fillRect(0, 0, getWidth(), getHeight());
-            for (String name : lifelines.names()) {
-                paintHead(g, name, lifelines.x(name, getWidth()));
-            }
-            g.setColor(Theme.color(Ink.LINE));
-            Drawing.horizontal(g, 0, getWidth(), getHeight() - 1);
-        } finally {
-            g.dispose();
+    protected void paint(Graphics2D g, double width, double height) {
+        g.setColor(Theme.color(Ink.CARD));
+        g.fillRect(0, 0, getWidth(), getHeight());
+        for (String name : lifelines.names()) {
+            paintHead(g, name, lifelines.x(name, getWidth()));
         }
+        g.setColor(Theme.color(Ink.LINE));
+        Drawing.horizontal(g, 0, getWidth(), getHeight() - 1);
     }
 
     private void paintHead(Graphics2D g, String name, double x) {

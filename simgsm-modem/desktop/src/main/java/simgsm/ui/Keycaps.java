@@ -1,14 +1,13 @@
 package simgsm.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
-/** A run of telephone keys as keycaps, newest at the right; a fault is underlined at its position. */
-public final class Keycaps extends SpokenComponent {
+/** A sequence of telephone keys as keycaps, the newest at the right; a fault is underlined at its position. */
+public final class Keycaps extends PaintedComponent {
     private static final double CAP_UNITS = 22;
     private static final double STEP_UNITS = 25;
     private static final double HEIGHT_UNITS = 34;
@@ -25,11 +24,11 @@ public final class Keycaps extends SpokenComponent {
 
     /**
      * @param newKeys telephone keys without blanks
-     * @param newFaultPosition counted from 1, or 0 for none; one behind the last key marks what is missing there
+     * @param newFaultPosition counted from 1, or 0 for none; one after the last key marks a missing key
      */
     public void show(String newKeys, int newFaultPosition) {
         if (!newKeys.equals(keys) || newFaultPosition != faultPosition) {
-            keys = newKeys;
+            change(() -> keys = newKeys);
             faultPosition = newFaultPosition;
             revalidate();
             repaint();
@@ -56,25 +55,20 @@ public final class Keycaps extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            int places = Math.max(keys.length(), faultPosition);
-            double gap = Theme.exact(STEP_UNITS - CAP_UNITS);
-            int fits = Math.max(1, (int) ((getWidth() + gap) / Theme.exact(STEP_UNITS)));
-            int first = Math.max(0, places - fits);
-            double top = (getHeight() - Theme.exact(HEIGHT_UNITS)) / 2;
-            for (int i = first; i < places; i++) {
-                double x = (i - first) * Theme.exact(STEP_UNITS);
-                if (i < keys.length()) {
-                    paintCap(g, String.valueOf(keys.charAt(i)), x, top, i + 1 == faultPosition);
-                }
-                if (i + 1 == faultPosition) {
-                    underline(g, x, top + Theme.exact(CAP_UNITS + 6));
-                }
+    protected void paint(Graphics2D g, double width, double height) {
+        int places = Math.max(keys.length(), faultPosition);
+        double gap = Theme.exact(STEP_UNITS - CAP_UNITS);
+        int fits = Math.max(1, (int) ((width + gap) / Theme.exact(STEP_UNITS)));
+        int first = Math.max(0, places - fits);
+        double top = (height - Theme.exact(HEIGHT_UNITS)) / 2;
+        for (int i = first; i < places; i++) {
+            double x = (i - first) * Theme.exact(STEP_UNITS);
+            if (i < keys.length()) {
+                paintCap(g, String.valueOf(keys.charAt(i)), x, top, i + 1 == faultPosition);
             }
-        } finally {
-            g.dispose();
+            if (i + 1 == faultPosition) {
+                underline(g, x, top + Theme.exact(CAP_UNITS + 6));
+            }
         }
     }
 

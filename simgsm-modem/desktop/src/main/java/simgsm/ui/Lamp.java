@@ -2,16 +2,14 @@ package simgsm.ui;
 
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
-import java.util.Objects;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** A status lamp: a shape and a word, in that order of importance; the colour only helps. */
-public final class Lamp extends SpokenComponent {
+/** A status lamp: a mark and a word; each state has both of its own, so that nothing hangs on its colour. */
+public final class Lamp extends PaintedComponent {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
 
@@ -21,7 +19,7 @@ public final class Lamp extends SpokenComponent {
     private String word = "";
     private boolean lit = true;
 
-    /** @param subject what the lamp tells about, for assistive technology: "Link to the centre" */
+    /** @param subject for assistive technology: "Link to the centre" */
     public Lamp(String subject) {
         super(AccessibleRole.LABEL);
         this.subject = subject;
@@ -29,15 +27,13 @@ public final class Lamp extends SpokenComponent {
         setToolTipText(subject);
     }
 
-    /** Shows a state. A lamp that is not lit shows its shape as an outline of quiet colour. */
+    /** Shows a state. */
     public void show(StatusMark newMark, Ink newInk, String newWord) {
         if (newMark != mark || newInk != ink || !newWord.equals(word)) {
-            String before = spoken();
             mark = newMark;
             ink = newInk;
             boolean resized = !newWord.equals(word);
-            word = Objects.requireNonNull(newWord);
-            tellSpoken(before, spoken());
+            change(() -> word = newWord);
             if (resized) {
                 revalidate();
             }
@@ -50,7 +46,7 @@ public final class Lamp extends SpokenComponent {
         show(link.mark(), link.ink(), link.word(language));
     }
 
-    /** The lamp that every window has: the link to the centre. */
+    /** A lamp for the link to the centre, as every window has one. */
     public static Lamp ofLink(Locale language) {
         Lamp lamp = new Lamp(DesktopTexts.in(language).of("link.name"));
         lamp.setName("lamp.link");
@@ -58,7 +54,7 @@ public final class Lamp extends SpokenComponent {
         return lamp;
     }
 
-    /** For rows of lamps of which one is on. */
+    /** A lamp that is not lit has a grey mark; of a row of lamps one is lit. */
     public void setLit(boolean nowLit) {
         if (lit != nowLit) {
             lit = nowLit;
@@ -70,7 +66,7 @@ public final class Lamp extends SpokenComponent {
         return lit;
     }
 
-    /** The word beside the shape. */
+    /** The word after the mark. */
     public String word() {
         return word;
     }
@@ -100,19 +96,14 @@ public final class Lamp extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            double r = Theme.exact(RADIUS_UNITS);
-            double middle = getHeight() / 2.0;
-            mark.draw(new GraphicsCanvas(g), r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
-            g.setFont(getFont());
-            g.setColor(Theme.color(lit ? Ink.TEXT : Ink.QUIET));
-            double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
-            String fitted = Drawing.fitted(getFont(), word, getWidth() - x);
-            g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
-        } finally {
-            g.dispose();
-        }
+    protected void paint(Graphics2D g, double width, double height) {
+        double r = Theme.exact(RADIUS_UNITS);
+        double middle = height / 2;
+        mark.draw(new GraphicsCanvas(g), r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
+        g.setFont(getFont());
+        g.setColor(Theme.color(lit ? Ink.TEXT : Ink.QUIET));
+        double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
+        String fitted = Drawing.fitted(getFont(), word, width - x);
+        g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
     }
 }

@@ -1,13 +1,14 @@
 package simgsm.ui;
 
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
-/** A small numbered token with its word: a reply tone, a count. The number stands on the ink, the word beside it. */
-public final class NumberedLabel extends SpokenComponent {
+/** A number on a coloured ground and a word after it: a reply tone with its meaning. */
+public final class NumberedLabel extends PaintedComponent {
+    private static final double HEIGHT_UNITS = 24;
+
     private final String number;
     private final String word;
     private final Ink ink;
@@ -20,7 +21,7 @@ public final class NumberedLabel extends SpokenComponent {
         this.ink = ink;
     }
 
-    /** The colour family in which the suite shows a reply tone, 1 to 8. */
+    /** The colour of a reply tone, 1 to 8. */
     public static Ink inkOfTone(char tone) {
         return switch (tone) {
             case '1', '3' -> Ink.GOOD;
@@ -37,7 +38,7 @@ public final class NumberedLabel extends SpokenComponent {
         if (!word.isEmpty()) {
             width += Drawing.width(Theme.base(), word) + Theme.px(18);
         }
-        return new Dimension(width, Theme.px(24));
+        return new Dimension(width, Theme.px(HEIGHT_UNITS));
     }
 
     @Override
@@ -51,34 +52,28 @@ public final class NumberedLabel extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            paint(g, 0, (getHeight() - Theme.exact(24)) / 2, getWidth(), Theme.exact(24));
-        } finally {
-            g.dispose();
-        }
-    }
-
-    private void paint(Graphics2D g, double x, double y, double width, double height) {
+    protected void paint(Graphics2D g, double width, double height) {
         double radius = Theme.exact(Theme.CONTROL_RADIUS);
-        var outline = Drawing.round(x + 0.5, y + 0.5, width - 1, height - 1, radius);
+        double tall = Theme.exact(HEIGHT_UNITS);
+        double top = (height - tall) / 2;
+        double middle = height / 2;
+        var outline = Drawing.round(0.5, top + 0.5, width - 1, tall - 1, radius);
         double numberWidth = Drawing.width(Theme.monoStrong(), number) + Theme.exact(14);
         g.setColor(Theme.color(Ink.CARD));
         g.fill(outline);
         g.setColor(Theme.color(ink));
         g.setStroke(Theme.hairline());
         g.draw(outline);
-        g.fill(Drawing.round(x, y, Math.min(width, numberWidth), height, radius));
+        g.fill(Drawing.round(0, top, Math.min(width, numberWidth), tall, radius));
         g.setColor(Theme.color(Ink.ON_SIGNAL));
-        Drawing.centred(g, number, Theme.monoStrong(), x + numberWidth / 2, y + height / 2);
+        Drawing.centred(g, number, Theme.monoStrong(), numberWidth / 2, middle);
         if (!word.isEmpty()) {
             g.setFont(Theme.base());
             g.setColor(Theme.color(Ink.TEXT));
             double room = width - numberWidth - Theme.exact(12);
             String fitted = Drawing.fitted(Theme.base(), word, room);
             double cap = Drawing.capHeight(g, Theme.base());
-            g.drawString(fitted, (float) (x + numberWidth + Theme.exact(8)), (float) (y + height / 2 + cap / 2));
+            g.drawString(fitted, (float) (numberWidth + Theme.exact(8)), (float) (middle + cap / 2));
         }
     }
 

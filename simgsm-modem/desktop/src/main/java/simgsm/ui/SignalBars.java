@@ -2,13 +2,12 @@ package simgsm.ui;
 
 import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
-/** Signal strength as bars of growing height; the painter serves the phone's display, too. */
-public final class SignalBars extends SpokenComponent {
+/** Signal strength as bars of growing height; the phone's display uses the same painter. */
+public final class SignalBars extends PaintedComponent {
     public static final int BARS = 5;
 
     private final String subject;
@@ -27,10 +26,7 @@ public final class SignalBars extends SpokenComponent {
             throw new IllegalArgumentException("signal level " + newLevel + " is not 0 to " + BARS);
         }
         if (newLevel != level) {
-            String before = spoken();
-            level = newLevel;
-            tellSpoken(before, spoken());
-            repaint();
+            change(() -> level = newLevel);
         }
     }
 
@@ -49,22 +45,10 @@ public final class SignalBars extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            double height = Math.min(getHeight(), Theme.exact(14));
-            paint(
-                    g,
-                    0,
-                    (getHeight() - height) / 2,
-                    Math.min(getWidth(), Theme.exact(24)),
-                    height,
-                    level,
-                    Theme.color(Ink.TEXT),
-                    Theme.color(Ink.LINE));
-        } finally {
-            g.dispose();
-        }
+    protected void paint(Graphics2D g, double width, double height) {
+        double tall = Math.min(height, Theme.exact(14));
+        double wide = Math.min(width, Theme.exact(24));
+        paint(g, 0, (height - tall) / 2, wide, tall, level, Theme.color(Ink.TEXT), Theme.color(Ink.LINE));
     }
 
     /** Paints the bars into a box, edges on device pixels. */

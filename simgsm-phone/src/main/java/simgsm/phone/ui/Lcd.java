@@ -1,6 +1,5 @@
 package simgsm.phone.ui;
 
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
@@ -8,11 +7,10 @@ import java.util.Locale;
 import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.ui.Drawing;
-import simgsm.ui.SpokenComponent;
+import simgsm.ui.PaintedComponent;
 
 /** The phone's display. */
-final class Lcd extends SpokenComponent {
+final class Lcd extends PaintedComponent {
     private final LcdPainter painter;
     private final LcdSpoken spoken;
     private final Clock clock;
@@ -29,7 +27,6 @@ final class Lcd extends SpokenComponent {
     }
 
     void show(HandsetSnapshot snapshot) {
-        String before = spoken();
         boolean sameLook = snapshot.screen().equals(phone.screen())
                 && snapshot.call().equals(phone.call())
                 && snapshot.typed().equals(phone.typed())
@@ -37,10 +34,8 @@ final class Lcd extends SpokenComponent {
                 && snapshot.inbox() == phone.inbox()
                 && snapshot.outbox() == phone.outbox()
                 && snapshot.broadcasts() == phone.broadcasts();
-        phone = snapshot;
+        change(() -> phone = snapshot);
         if (!sameLook) {
-            String after = spoken();
-            tellSpoken(before, after);
             repaint();
         }
     }
@@ -58,14 +53,9 @@ final class Lcd extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            LocalTime now = LocalTime.now(clock);
-            shownMinute = now.getMinute();
-            painter.paint(g, phone, now, getWidth(), getHeight());
-        } finally {
-            g.dispose();
-        }
+    protected void paint(Graphics2D g, double width, double height) {
+        LocalTime now = LocalTime.now(clock);
+        shownMinute = now.getMinute();
+        painter.paint(g, phone, now, getWidth(), getHeight());
     }
 }

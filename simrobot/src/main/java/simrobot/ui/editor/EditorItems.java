@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simgsm.console.TextBundle;
+import simrobot.drawing.NumberTexts;
 import simrobot.editor.Edits;
 import simrobot.editor.Item;
-import simrobot.ui.PoseTexts;
 import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Home;
@@ -75,7 +75,7 @@ final class EditorItems {
                 Treadmill belt = world.treadmills().get(item.index());
                 yield texts.of(
                         "editor.item.treadmill",
-                        PoseTexts.fixed(belt.speedMetersPerSecond(), 2),
+                        NumberTexts.fixed(belt.speedMetersPerSecond(), 2),
                         place(belt.area().center()));
             }
         };
@@ -86,6 +86,6 @@ final class EditorItems {
     }
 
     private static String place(double x, double y) {
-        return PoseTexts.fixed(x, 2) + " " + PoseTexts.fixed(y, 2);
+        return NumberTexts.fixed(x, 2) + " " + NumberTexts.fixed(y, 2);
     }
 }

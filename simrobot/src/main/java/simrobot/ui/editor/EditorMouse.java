@@ -1,229 +1,203 @@
 package simrobot.ui.editor;
 
-import java.awt.event.FocusEvent;
-import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import simrobot.drawing.NumberTexts;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
 import simrobot.editor.Handle;
 import simrobot.editor.Item;
 import simrobot.editor.Picking;
-import simrobot.ui.PoseTexts;
 import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * The mouse on the floor of the editor: with the arrow it selects, moves, and pulls handles; with the other tools it draws from
- * where it is pressed to where it is let go. Shift keeps walls straight. The wheel zooms; the right button pans.
+ * The mouse on the floor of the editor. The arrow tool selects, moves, and pulls handles; the other tools draw from the place of
+ * the press to the place of the release. Shift keeps walls straight. The right button pans. A drag ends without effect when
+ * the draft is changed by other means meanwhile, such as undo.
  */
 final class EditorMouse extends MouseAdapter {
-    private static final double ZOOM_PER_NOTCH = 1.15;
     private static final double LEAST_METERS = 0.005;
 
-    private enum Drag {
-        NONE,
-        PAN,
-        DRAW,
-        MOVE,
-        PULL
-    }
+    private final EditorView view;
+    /** What a movement does while a button is pressed; null for nothing. */
+    private Consumer<MouseEvent> drag;
+    /** The draft as it was when the drag began. */
+    private World before;
 
-    private final EditorView floor;
-    private Drag drag = Drag.NONE;
-    private Position from;
-    private Handle handle;
+    private boolean draws;
     private double lastX;
     private double lastY;
 
-    EditorMouse(EditorView floor) {
-        this.floor = floor;
+    EditorMouse(EditorView view) {
+        this.view = view;
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
-        floor.requestFocusInWindow();
+        view.requestFocusInWindow();
         lastX = event.getX();
         lastY = event.getY();
-        if (!SwingUtilities.isLeftMouseButton(event)) {
-            drag = Drag.PAN;
-        } else if (floor.tool() == EditorTool.SELECT) {
-            grasp(event);
+        before = view.draft().committed();
+        draws = SwingUtilities.isLeftMouseButton(event) && view.tool() != EditorTool.SELECT;
+        if (draws) {
+            Position from = snapped(event);
+            drag = to -> draw(from, to);
+        } else if (SwingUtilities.isLeftMouseButton(event)) {
+            drag = grasp(event);
+            view.fireChanged();
         } else {
-            drag = Drag.DRAW;
-            from = snapped(event);
+            drag = this::pan;
         }
     }
 
-    private void grasp(MouseEvent event) {
-        Draft draft = floor.draft();
-        double x = worldX(event);
-        double y = worldY(event);
-        Optional<Handle> grasped =
-                draft.selected().flatMap(item -> Picking.handleAt(draft.world(), item, x, y, floor.reach()));
-        Optional<Item> hit = Picking.itemAt(draft.world(), x, y, floor.reach());
-        if (grasped.isPresent()) {
-            handle = grasped.get();
-            drag = Drag.PULL;
-        } else if (hit.isPresent()) {
-            draft.select(hit.get());
-            from = new Position(x, y);
-            drag = Drag.MOVE;
-        } else {
-            draft.select(null);
-            drag = Drag.PAN;
+    /** Selects what is under the pointer. @return what a drag does with it */
+    private Consumer<MouseEvent> grasp(MouseEvent event) {
+        Draft draft = view.draft();
+        Position from = at(event);
+        Optional<Handle> handle = draft.selected()
+                .flatMap(item -> Picking.handleAt(before, item, from.xMeters(), from.yMeters(), view.reach()));
+        if (handle.isPresent()) {
+            return to -> pull(handle.get(), to);
         }
-        floor.tell();
+        Optional<Item> hit = Picking.itemAt(before, from.xMeters(), from.yMeters(), view.reach());
+        draft.select(hit.orElse(null));
+        return hit.isEmpty() ? this::pan : to -> move(hit.get(), from, to);
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        switch (drag) {
-            case PAN -> floor.look(floor.viewport().draggedBy(event.getX() - lastX, event.getY() - lastY));
-            case DRAW -> draw(event);
-            case MOVE -> move(event);
-            case PULL -> pull(event);
-            case NONE -> {
-                // a drag that began elsewhere
-            }
+        endIfChanged();
+        if (drag != null) {
+            drag.accept(event);
         }
         lastX = event.getX();
         lastY = event.getY();
     }
 
-    private void draw(MouseEvent event) {
-        Position to = end(event, from);
-        World before = floor.draft().settled();
-        boolean something = Math.hypot(to.xMeters() - from.xMeters(), to.yMeters() - from.yMeters()) > LEAST_METERS;
-        if (something || floor.tool() == EditorTool.HOME) {
-            floor.draft()
-                    .attempt(EditorItems.made(
-                            before, floor.tool(), from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
-        } else {
-            floor.draft().forget();
-        }
-        floor.point(to, measure(from, to));
-    }
-
-    private Position end(MouseEvent event, Position begin) {
-        boolean straight = event.isShiftDown() && floor.tool() != EditorTool.BOX;
-        if (floor.tool() == EditorTool.HOME) {
-            return new Position(worldX(event), worldY(event));
-        }
-        return straight ? floor.snap().straight(begin, worldX(event), worldY(event)) : snapped(event);
-    }
-
-    private void move(MouseEvent event) {
-        double dx = floor.snap().of(worldX(event) - from.xMeters());
-        double dy = floor.snap().of(worldY(event) - from.yMeters());
-        Draft draft = floor.draft();
-        draft.selected().ifPresent(item -> draft.attempt(Edits.moved(draft.settled(), item, dx, dy)));
-        floor.point(new Position(worldX(event), worldY(event)), reading(dx, dy));
-    }
-
-    private void pull(MouseEvent event) {
-        Draft draft = floor.draft();
-        Item item = handle.item();
-        Position to;
-        if (item.kind() == Item.Kind.HOME) {
-            to = new Position(worldX(event), worldY(event));
-        } else if (item.kind() == Item.Kind.WALL) {
-            Handle other = Edits.handles(draft.settled(), item).get(1 - handle.number());
-            Position fixed = new Position(other.xMeters(), other.yMeters());
-            to = event.isShiftDown()
-                    ? floor.snap().straight(fixed, worldX(event), worldY(event))
-                    : floor.snap().of(without(item), worldX(event), worldY(event), floor.reach());
-            floor.point(to, measure(fixed, to));
-        } else {
-            to = snapped(event);
-            floor.point(to, reading(to.xMeters(), to.yMeters()));
-        }
-        draft.attempt(Edits.pulled(draft.settled(), handle, to.xMeters(), to.yMeters()));
-        floor.repaint();
-    }
-
-    /** A wall's end is not to stick to where it was. */
-    private World without(Item item) {
-        return Edits.without(floor.draft().settled(), item);
-    }
-
     @Override
     public void mouseReleased(MouseEvent event) {
-        Draft draft = floor.draft();
-        if (drag == Drag.DRAW && floor.tool() == EditorTool.HOME) {
-            draw(event);
+        endIfChanged();
+        if (drag == null) {
+            return;
         }
-        if (drag == Drag.DRAW && draft.world() != draft.settled()) {
-            draft.settle();
-            draft.select(Edits.last(draft.world(), floor.tool().kind()));
-        } else if (drag == Drag.MOVE || drag == Drag.PULL) {
-            draft.settle();
+        Draft draft = view.draft();
+        if (draws && view.tool() == EditorTool.HOME) {
+            drag.accept(event);
         }
-        drag = Drag.NONE;
-        floor.tell();
+        drag = null;
+        boolean made = draws && draft.world() != draft.committed();
+        draft.commit();
+        if (made) {
+            draft.select(Edits.last(draft.world(), view.tool().kind()));
+        }
+        view.fireChanged();
     }
 
-    /** Whatever is being dragged stays as it was. */
+    private void endIfChanged() {
+        if (view.draft().committed() != before) {
+            cancel();
+        }
+    }
+
+    /** Ends a drag without effect. @return whether there was one */
     boolean cancel() {
-        boolean dragging = drag != Drag.NONE;
-        drag = Drag.NONE;
-        floor.draft().forget();
+        boolean dragging = drag != null;
+        drag = null;
+        view.draft().discard();
         return dragging;
     }
 
+    // ---- drags -----------------------------------------------------------------------------------------------------
+
+    private void pan(MouseEvent event) {
+        view.look(view.viewport().draggedBy(event.getX() - lastX, event.getY() - lastY));
+    }
+
+    private void draw(Position from, MouseEvent event) {
+        EditorTool tool = view.tool();
+        Position to = tool == EditorTool.HOME
+                ? at(event)
+                : event.isShiftDown() && tool != EditorTool.BOX ? straight(from, event) : snapped(event);
+        if (tool == EditorTool.HOME || distance(from, to) > LEAST_METERS) {
+            view.draft()
+                    .preview(
+                            EditorItems.made(before, tool, from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
+        } else {
+            view.draft().discard();
+        }
+        view.point(to, measure(from, to));
+    }
+
+    private void move(Item item, Position from, MouseEvent event) {
+        double dx = view.snap().of(view.worldX(event) - from.xMeters());
+        double dy = view.snap().of(view.worldY(event) - from.yMeters());
+        view.draft().preview(Edits.moved(before, item, dx, dy));
+        view.point(at(event), reading(dx, dy));
+    }
+
+    private void pull(Handle handle, MouseEvent event) {
+        Item item = handle.item();
+        Position to = at(event);
+        if (item.kind() == Item.Kind.WALL) {
+            Handle other = Edits.handles(before, item).get(1 - handle.number());
+            Position fixed = new Position(other.xMeters(), other.yMeters());
+            // without the wall itself, so that its end does not snap to where it was
+            to = event.isShiftDown() ? straight(fixed, event) : snapped(event, Edits.without(before, item));
+            view.point(to, measure(fixed, to));
+        } else if (item.kind() != Item.Kind.HOME) {
+            to = snapped(event);
+            view.point(to, reading(to.xMeters(), to.yMeters()));
+        }
+        view.draft().preview(Edits.pulled(before, handle, to.xMeters(), to.yMeters()));
+        view.repaint();
+    }
+
+    // ---- without a button ------------------------------------------------------------------------------------------
+
     @Override
     public void mouseMoved(MouseEvent event) {
-        Position at = floor.tool() == EditorTool.SELECT ? new Position(worldX(event), worldY(event)) : snapped(event);
-        floor.point(at, floor.tool() == EditorTool.SELECT ? "" : reading(at.xMeters(), at.yMeters()));
+        boolean selects = view.tool() == EditorTool.SELECT;
+        Position at = selects ? at(event) : snapped(event);
+        view.point(at, selects ? "" : reading(at.xMeters(), at.yMeters()));
     }
 
     @Override
     public void mouseExited(MouseEvent event) {
-        floor.point(null, "");
+        view.point(null, "");
     }
 
-    @Override
-    public void mouseWheelMoved(MouseWheelEvent event) {
-        double factor = Math.pow(ZOOM_PER_NOTCH, -event.getPreciseWheelRotation());
-        floor.look(floor.viewport().zoomedAt(event.getX(), event.getY(), factor));
+    // ---- places ----------------------------------------------------------------------------------------------------
+
+    private Position at(MouseEvent event) {
+        return new Position(view.worldX(event), view.worldY(event));
+    }
+
+    private Position straight(Position from, MouseEvent event) {
+        return view.snap().straight(from, view.worldX(event), view.worldY(event));
     }
 
     private Position snapped(MouseEvent event) {
-        return floor.snap().of(floor.draft().settled(), worldX(event), worldY(event), floor.reach());
+        return snapped(event, view.draft().committed());
+    }
+
+    private Position snapped(MouseEvent event, World world) {
+        return view.snap().of(world, view.worldX(event), view.worldY(event), view.reach());
+    }
+
+    private static double distance(Position from, Position to) {
+        return Math.hypot(to.xMeters() - from.xMeters(), to.yMeters() - from.yMeters());
     }
 
     private static String reading(double x, double y) {
-        return PoseTexts.fixed(x, 2) + "  " + PoseTexts.fixed(y, 2) + " m";
+        return NumberTexts.fixed(x, 2) + "  " + NumberTexts.fixed(y, 2) + " m";
     }
 
     private static String measure(Position from, Position to) {
-        double dx = to.xMeters() - from.xMeters();
-        double dy = to.yMeters() - from.yMeters();
-        return PoseTexts.fixed(Math.hypot(dx, dy), 2) + " m  " + PoseTexts.degrees(Math.atan2(dy, dx)) + "\u00b0";
-    }
-
-    private double worldX(MouseEvent event) {
-        return floor.viewport().worldX(event.getX());
-    }
-
-    private double worldY(MouseEvent event) {
-        return floor.viewport().worldY(event.getY());
-    }
-
-    FocusListener repaintOnFocus() {
-        return new FocusListener() {
-            @Override
-            public void focusGained(FocusEvent event) {
-                floor.repaint();
-            }
-
-            @Override
-            public void focusLost(FocusEvent event) {
-                floor.repaint();
-            }
-        };
+        double direction = Math.atan2(to.yMeters() - from.yMeters(), to.xMeters() - from.xMeters());
+        return NumberTexts.fixed(distance(from, to), 2) + " m  " + NumberTexts.degrees(direction) + "\u00b0";
     }
 }

@@ -1,41 +1,53 @@
 package simrobot.ui.editor;
 
-import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.List;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
 import simgsm.draw.Ink;
-import simgsm.ui.Drawing;
-import simgsm.ui.Theme;
+import simgsm.draw.Outline;
+import simrobot.drawing.FloorPainter;
+import simrobot.drawing.Viewport;
+import simrobot.drawing.WorldPainter;
 import simrobot.editor.Edits;
 import simrobot.editor.Handle;
 import simrobot.editor.Item;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.floor.Viewport;
 import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** Paints what the editor adds to a floor: the raster, the selected item's handles, where the tool points. */
+/** Paints what the editor adds to a floor: the raster, the selected item's handles, the pointer. */
 final class EditorPainter {
-    private final Graphics2D g;
+    private final Canvas g;
     private final Viewport view;
 
-    EditorPainter(Graphics2D g, Viewport view) {
+    EditorPainter(Canvas g, Viewport view) {
         this.g = g;
         this.view = view;
     }
 
-    /** A dot at each place of the raster, while there is room between them. */
+    /** One item by itself; treadmills are painted with all others. */
+    void item(World world, Item item) {
+        FloorPainter floor = new FloorPainter(g, view);
+        switch (item.kind()) {
+            case WALL -> floor.walls(List.of(world.segments().get(item.index())));
+            case BOX -> floor.box(world.boxes().get(item.index()));
+            case HOME -> floor.home(world.homes().get(item.index()));
+            case TREADMILL -> {
+                // see above
+            }
+        }
+    }
+
+    /** A dot at each place of the raster, while they are at least 7 units apart. */
     void raster(double stepMeters) {
         double gap = stepMeters * view.pixelsPerMeter();
-        if (gap < Theme.exact(7)) {
+        if (gap < g.px(7)) {
             return;
         }
-        g.setColor(Theme.color(Ink.CONTROL_LINE, 0.55));
-        double dot = Theme.exact(1.2);
+        double dot = g.px(1.2);
+        Outline dots = new Outline();
         for (double row = Math.ceil(view.worldY(view.height()) / stepMeters);
                 row * stepMeters <= view.worldY(0);
                 row++) {
@@ -44,86 +56,73 @@ final class EditorPainter {
                     column++) {
                 double x = view.screenX(column * stepMeters);
                 double y = view.screenY(row * stepMeters);
-                g.fill(new Rectangle2D.Double(x - dot / 2, y - dot / 2, dot, dot));
+                dots.addBox(x - dot / 2, y - dot / 2, dot, dot);
             }
         }
+        g.ink(Ink.CONTROL_LINE, 0.55);
+        g.fill(dots);
     }
 
-    /** Where robots stand, as mere circles. */
+    /** Robots as dashed circles with their names. */
     void robots(List<RobotSnapshot> robots) {
-        g.setColor(Theme.color(Ink.ROBOT, 0.6));
-        g.setStroke(Theme.dashed(1.4, 4));
+        g.pen(1.4, 4);
         double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
         for (RobotSnapshot robot : robots) {
             double x = view.screenX(robot.xMeters());
             double y = view.screenY(robot.yMeters());
-            g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
-            g.setColor(Theme.color(Ink.QUIET));
-            Drawing.centred(g, robot.name(), Theme.small(), x, y - r - Theme.exact(8));
-            g.setColor(Theme.color(Ink.ROBOT, 0.6));
+            g.ink(Ink.ROBOT, 0.6);
+            g.draw(Outline.circle(x, y, r));
+            g.ink(Ink.QUIET);
+            g.text(robot.name(), Face.SMALL, x, y - r - g.px(8));
         }
     }
 
     void selection(World world, Item item) {
         List<Handle> handles = Edits.handles(world, item);
-        g.setColor(Theme.color(Ink.ACCENT));
-        g.setStroke(Theme.stroke(2.4));
-        Path2D outline = new Path2D.Double();
+        g.ink(Ink.ACCENT);
+        g.pen(2.4);
+        double[] xy = new double[2 * handles.size()];
+        for (int i = 0; i < handles.size(); i++) {
+            xy[2 * i] = view.screenX(handles.get(i).xMeters());
+            xy[2 * i + 1] = view.screenY(handles.get(i).yMeters());
+        }
         if (item.kind() == Item.Kind.HOME) {
             Home home = world.homes().get(item.index());
             double x = view.screenX(home.position().xMeters());
             double y = view.screenY(home.position().yMeters());
-            double r = Math.max(Theme.exact(7), 0.34 * view.pixelsPerMeter());
-            g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
-            outline.moveTo(x, y);
+            g.draw(Outline.circle(x, y, Math.max(g.px(7), 0.34 * view.pixelsPerMeter())));
+            g.line(x, y, xy[0], xy[1]);
+        } else {
+            g.draw(handles.size() > 2 ? Outline.polygon(xy) : Outline.polyline(xy));
         }
-        for (Handle handle : handles) {
-            double x = view.screenX(handle.xMeters());
-            double y = view.screenY(handle.yMeters());
-            if (outline.getCurrentPoint() == null) {
-                outline.moveTo(x, y);
-            } else {
-                outline.lineTo(x, y);
-            }
+        g.pen(1.6);
+        for (int i = 0; i < handles.size(); i++) {
+            Outline knob = Outline.circle(xy[2 * i], xy[2 * i + 1], g.px(5));
+            g.ink(Ink.CARD);
+            g.fill(knob);
+            g.ink(Ink.ACCENT);
+            g.draw(knob);
         }
-        if (handles.size() > 2) {
-            outline.closePath();
-        }
-        g.draw(outline);
-        handles.forEach(this::handle);
     }
 
-    private void handle(Handle handle) {
-        double r = Theme.exact(5);
-        double x = view.screenX(handle.xMeters());
-        double y = view.screenY(handle.yMeters());
-        Ellipse2D knob = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
-        g.setColor(Theme.color(Ink.CARD));
-        g.fill(knob);
-        g.setColor(Theme.color(Ink.ACCENT));
-        g.setStroke(Theme.stroke(1.6));
-        g.draw(knob);
-    }
-
-    /** @param crossed whether the place is marked by itself, and not only told */
-    void cursor(Position at, String text, boolean crossed) {
+    /** @param crossed whether a cross marks the place */
+    void pointer(Position at, String text, boolean crossed) {
         double x = view.screenX(at.xMeters());
         double y = view.screenY(at.yMeters());
         if (crossed) {
-            double arm = Theme.exact(7);
-            g.setColor(Theme.color(Ink.ACCENT));
-            g.setStroke(Theme.stroke(1.4));
-            Drawing.line(g, x - arm, y, x + arm, y);
-            Drawing.line(g, x, y - arm, x, y + arm);
+            double arm = g.px(7);
+            g.ink(Ink.ACCENT);
+            g.pen(1.4);
+            g.line(x - arm, y, x + arm, y);
+            g.line(x, y - arm, x, y + arm);
         }
         if (!text.isEmpty()) {
-            double width = Drawing.width(Theme.monoSmall(), text) + Theme.exact(16);
-            double left = Math.min(x + Theme.exact(14), view.width() - width - Theme.exact(4));
-            double top = Math.max(Theme.exact(4), y - Theme.exact(30));
-            g.setColor(Theme.color(Ink.CARD, 0.92));
-            g.fill(Drawing.round(left, top, width, Theme.exact(20), Theme.exact(Theme.CONTROL_RADIUS)));
-            g.setColor(Theme.color(Ink.TEXT));
-            Drawing.centred(g, text, Theme.monoSmall(), left + width / 2, top + Theme.exact(10));
+            double width = g.width(text, Face.MONO_SMALL) + g.px(16);
+            double left = Math.min(x + g.px(14), view.width() - width - g.px(4));
+            double top = Math.max(g.px(4), y - g.px(30));
+            WorldPainter.textGround(g, Ink.CARD, 0.92, left, top, width, g.px(20));
+            g.ink(Ink.TEXT);
+            g.text(text, Face.MONO_SMALL, left + width / 2, top + g.px(10));
         }
     }
 }

@@ -88,7 +88,7 @@ public final class EditorPanel extends JPanel {
             String name = texts.of("editor.tool." + tool.id());
             JToggleButton button = new JToggleButton();
             UserAction act = new UserAction("editor.tool." + tool.id(), name, () -> {
-                floor.take(tool);
+                floor.setTool(tool);
                 floor.requestFocusInWindow();
             });
             act.bindInWindow(this, KeyStroke.getKeyStroke(tool.key(), InputEvent.ALT_DOWN_MASK));
@@ -121,7 +121,7 @@ public final class EditorPanel extends JPanel {
             box.addItem(meters == 0 ? texts.of("editor.raster.none") : texts.of("editor.raster.of", meters));
         }
         box.setSelectedIndex(1);
-        box.addActionListener(event -> floor.snapBy(RASTERS_METERS[box.getSelectedIndex()]));
+        box.addActionListener(event -> floor.setRaster(RASTERS_METERS[box.getSelectedIndex()]));
         box.setToolTipText(texts.of("editor.raster"));
         return ComponentNames.name(box, "editor.raster", texts.of("editor.raster"));
     }
@@ -177,7 +177,7 @@ public final class EditorPanel extends JPanel {
         applied = isThere ? world : null;
         say("", false);
         floor.edit(new Draft(world), robots);
-        floor.take(isThere ? EditorTool.SELECT : EditorTool.WALL);
+        floor.setTool(isThere ? EditorTool.SELECT : EditorTool.WALL);
         floor.requestFocusInWindow();
     }
 
@@ -187,7 +187,7 @@ public final class EditorPanel extends JPanel {
 
     private void step(Runnable deed) {
         deed.run();
-        floor.tell();
+        floor.fireChanged();
     }
 
     private void say(String words, boolean failure) {
@@ -204,7 +204,7 @@ public final class EditorPanel extends JPanel {
         undo.setEnabled(draft.canUndo());
         redo.setEnabled(draft.canRedo());
         delete.setEnabled(draft.selected().isPresent());
-        apply.setEnabled(draft.settled() != applied);
+        apply.setEnabled(draft.committed() != applied);
         boolean changed = draft.isChanged() || !named;
         title.show(texts.of(changed ? "editor.file.changed" : "editor.file", file.getFileName()));
         tools.get(floor.tool()).setSelected(true);
@@ -216,8 +216,8 @@ public final class EditorPanel extends JPanel {
     // ---- apply, save, close ----------------------------------------------------------------------------------------
 
     private void apply() {
-        World world = floor.draft().settled().named(file.getFileName().toString());
-        World draft = floor.draft().settled();
+        World world = floor.draft().committed().named(file.getFileName().toString());
+        World draft = floor.draft().committed();
         operator.apply(world, file, EventThread.onEventThread(refusal -> {
             if (refusal.isEmpty()) {
                 applied = draft;
@@ -240,12 +240,12 @@ public final class EditorPanel extends JPanel {
 
     /** @param done run when it is on the disk */
     void write(Path target, Runnable done) {
-        World world = floor.draft().settled();
+        World world = floor.draft().committed();
         operator.save(world, target, EventThread.onEventThread(refusal -> {
             if (refusal.isEmpty()) {
                 file = target;
                 named = true;
-                floor.draft().saved(world);
+                floor.draft().markSaved(world);
                 done.run();
             }
             say(refusal.orElse(texts.of("editor.saved", target)), refusal.isPresent());
@@ -265,7 +265,7 @@ public final class EditorPanel extends JPanel {
 
     /** What was saved is what the robots are to have, too. */
     private void leave() {
-        leave(Optional.of(floor.draft().settled()));
+        leave(Optional.of(floor.draft().committed()));
     }
 
     private void leave(Optional<World> world) {

@@ -1,72 +1,58 @@
 package simrobot.ui.editor;
 
 import java.awt.Cursor;
-import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
-import java.util.Optional;
-import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
-import simgsm.draw.Ink;
-import simgsm.ui.Drawing;
-import simgsm.ui.SpokenComponent;
-import simgsm.ui.Theme;
+import simgsm.draw.Canvas;
+import simgsm.ui.GraphicsCanvas;
+import simrobot.drawing.FloorPainter;
+import simrobot.drawing.Layers;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
-import simrobot.editor.Item;
 import simrobot.editor.Snap;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.floor.FloorCache;
-import simrobot.ui.floor.FloorPainter;
-import simrobot.ui.floor.Layers;
-import simrobot.ui.floor.Viewport;
+import simrobot.ui.floor.FloorView;
 import simrobot.world.Area;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** The floor that is being edited: the draft, its selected item with its handles, and what the tool is about to make. */
-final class EditorView extends SpokenComponent {
+/**
+ * The floor that is edited: the draft, its selected item with its handles, and the place at which the tool works. By keyboard
+ * the arrows move the selected item by a step of the raster, or pan; Insert makes an item in the centre; Delete deletes;
+ * Escape ends a drag, else the selection and the tool.
+ */
+final class EditorView extends FloorView {
     private static final double MARGIN_UNITS = 48;
     private static final double REACH_UNITS = 8;
+    private static final double STEP_WITHOUT_RASTER_METERS = 0.01;
 
     private final TextBundle texts;
     private final Runnable changed;
     private final FloorCache cache = new FloorCache();
+    private final EditorMouse mouse = new EditorMouse(this);
     private Draft draft = new Draft(World.bare());
     private List<RobotSnapshot> robots = List.of();
-    private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
     private EditorTool tool = EditorTool.SELECT;
     private Snap snap = new Snap(0.1);
-    private boolean fitted = true;
-    private Position cursor;
+    private Position pointer;
     private String measure = "";
 
-    /** @param changed run when the draft, its selection or the tool is another one */
+    /** @param changed run when the draft, its selection or the tool has changed */
     EditorView(TextBundle texts, Runnable changed) {
-        super(AccessibleRole.CANVAS);
+        super("editor.floor", "editor", MARGIN_UNITS);
         this.texts = texts;
         this.changed = changed;
-        setName("editor.floor");
-        setFocusable(true);
-        setOpaque(true);
-        EditorMouse mouse = new EditorMouse(this);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        addMouseWheelListener(mouse);
-        addFocusListener(mouse.repaintOnFocus());
-        EditorKeys.install(this, mouse);
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                viewport = viewport.sized(getWidth(), getHeight());
-                if (fitted) {
-                    fit();
-                }
-            }
-        });
+        bindArrows("arrow", this::arrow, 0);
+        bindArrows("pan", this::pan, InputEvent.CTRL_DOWN_MASK);
+        bind("insert", this::makeInTheCentre, 0, KeyEvent.VK_INSERT, KeyEvent.VK_ENTER);
+        bind("erase", () -> step(draft::deleteSelected), 0, KeyEvent.VK_DELETE, KeyEvent.VK_BACK_SPACE);
+        bind("letGo", this::escape, 0, KeyEvent.VK_ESCAPE);
     }
 
     // ---- what is edited --------------------------------------------------------------------------------------------
@@ -75,136 +61,124 @@ final class EditorView extends SpokenComponent {
         return draft;
     }
 
-    /** @param standing the robots, for orientation */
-    void edit(Draft newDraft, List<RobotSnapshot> standing) {
+    /** @param newRobots shown as circles, for orientation */
+    void edit(Draft newDraft, List<RobotSnapshot> newRobots) {
         draft = newDraft;
-        robots = standing;
+        robots = newRobots;
         fit();
-        tell();
+        fireChanged();
     }
 
-    void showRobots(List<RobotSnapshot> standing) {
-        robots = standing;
+    @Override
+    protected Area floorArea() {
+        return draft.committed().bounds();
+    }
+
+    void showRobots(List<RobotSnapshot> newRobots) {
+        robots = newRobots;
         repaint();
     }
 
-    /** Something about the draft is different now. */
-    void tell() {
-        String before = spoken();
-        changed.run();
-        tellSpoken(before, spoken());
+    /** To be called when the draft, its selection or the tool has changed. */
+    void fireChanged() {
+        change(changed);
         repaint();
+    }
+
+    void step(Runnable change) {
+        change.run();
+        fireChanged();
     }
 
     EditorTool tool() {
         return tool;
     }
 
-    void take(EditorTool newTool) {
+    void setTool(EditorTool newTool) {
+        mouse.cancel();
         tool = newTool;
         setCursor(Cursor.getPredefinedCursor(
                 tool == EditorTool.SELECT ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
-        tell();
+        fireChanged();
     }
 
     Snap snap() {
         return snap;
     }
 
-    void snapBy(double stepMeters) {
+    /** @param stepMeters of the raster, 0 for none */
+    void setRaster(double stepMeters) {
         snap = new Snap(stepMeters);
         repaint();
     }
 
-    /** Makes an item of the tool's kind in the middle of the view; for who has no mouse. */
-    void makeInTheMiddle() {
+    /** How near the pointer must be to an item to mean it, metres. */
+    double reach() {
+        return meters(REACH_UNITS);
+    }
+
+    // ---- keys ------------------------------------------------------------------------------------------------------
+
+    /** Makes an item of the tool's kind in the centre of the view. */
+    private void makeInTheCentre() {
         if (tool.kind() != null) {
-            double x = snap.of(viewport.centerX());
-            double y = snap.of(viewport.centerY());
-            World next = EditorItems.made(draft.settled(), tool, x, y, x + 1, y + (tool == EditorTool.WALL ? 0 : 1));
+            double x = snap.of(viewport().centerX());
+            double y = snap.of(viewport().centerY());
+            World next = EditorItems.made(draft.committed(), tool, x, y, x + 1, y + (tool == EditorTool.WALL ? 0 : 1));
             draft.change(next);
             draft.select(Edits.last(next, tool.kind()));
-            tell();
+            fireChanged();
         }
     }
 
-    // ---- where one looks -------------------------------------------------------------------------------------------
-
-    Viewport viewport() {
-        return viewport;
+    private void arrow(int dx, int dy) {
+        draft.selected()
+                .ifPresentOrElse(
+                        item -> {
+                            double step = snap.stepMeters() == 0 ? STEP_WITHOUT_RASTER_METERS : snap.stepMeters();
+                            draft.change(Edits.moved(draft.committed(), item, dx * step, dy * step));
+                            fireChanged();
+                        },
+                        () -> pan(dx, dy));
     }
 
-    void look(Viewport elsewhere) {
-        viewport = elsewhere;
-        fitted = false;
-        repaint();
-    }
-
-    void zoom(double factor) {
-        look(viewport.zoomedAt(getWidth() / 2.0, getHeight() / 2.0, factor));
-    }
-
-    void fit() {
-        fitted = true;
-        Area bounds = draft.settled().bounds();
-        viewport = Viewport.fitting(bounds, getWidth(), getHeight(), Theme.exact(MARGIN_UNITS));
-        repaint();
-    }
-
-    /** How far around the pointer things are meant, metres. */
-    double reach() {
-        return Theme.exact(REACH_UNITS) / viewport.pixelsPerMeter();
-    }
-
-    /** Where the tool would put something, and what there is to be read about it; null for nothing. */
-    void point(Position at, String reading) {
-        cursor = at;
-        measure = reading;
-        repaint();
+    private void escape() {
+        if (!mouse.cancel()) {
+            draft.select(null);
+            setTool(EditorTool.SELECT);
+        }
+        fireChanged();
     }
 
     // ---- painting --------------------------------------------------------------------------------------------------
 
-    @Override
-    public Dimension getPreferredSize() {
-        return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(720), Theme.px(460));
+    /** @param at the place at which the tool works, null for none; @param reading shown there */
+    void point(Position at, String reading) {
+        pointer = at;
+        measure = reading;
+        repaint();
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return new Dimension(Theme.px(200), Theme.px(160));
-    }
-
-    @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            cache.paint(g, draft.still(), viewport, Layers.ALL);
-            FloorPainter moving = new FloorPainter(g, viewport);
-            draft.moving().ifPresent(item -> moving.item(draft.world(), item));
-            EditorPainter painter = new EditorPainter(g, viewport);
-            painter.raster(snap.stepMeters());
-            moving.treadmills(draft.world(), 0);
-            painter.robots(robots);
-            draft.selected().ifPresent(item -> painter.selection(draft.world(), item));
-            if (cursor != null) {
-                painter.cursor(cursor, measure, tool != EditorTool.SELECT);
-            }
-            if (isFocusOwner()) {
-                g.setColor(Theme.color(Ink.ACCENT));
-                g.setStroke(Theme.stroke(1.6));
-                g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
-            }
-        } finally {
-            g.dispose();
+    protected void paint(Graphics2D graphics, double width, double height) {
+        cache.paint(graphics, draft.background(), viewport(), Layers.ALL);
+        Canvas g = new GraphicsCanvas(graphics);
+        EditorPainter painter = new EditorPainter(g, viewport());
+        draft.moving().ifPresent(item -> painter.item(draft.world(), item));
+        painter.raster(snap.stepMeters());
+        new FloorPainter(g, viewport()).treadmills(draft.world(), 0);
+        painter.robots(robots);
+        draft.selected().ifPresent(item -> painter.selection(draft.world(), item));
+        if (pointer != null) {
+            painter.pointer(pointer, measure, tool != EditorTool.SELECT);
         }
     }
 
     @Override
     protected String spoken() {
-        Optional<Item> item = draft.selected();
         String world = draft.world().name();
-        return item.map(it -> texts.of("editor.spoken.item", world, EditorItems.text(texts, draft.world(), it)))
+        return draft.selected()
+                .map(item -> texts.of("editor.spoken.item", world, EditorItems.text(texts, draft.world(), item)))
                 .orElse(texts.of("editor.spoken", world));
     }
 }

@@ -51,7 +51,7 @@ final class ItemSidebar extends JPanel {
         list.addListSelectionListener(event -> {
             if (!showing && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
                 floor.draft().select(list.getSelectedValue());
-                floor.tell();
+                floor.fireChanged();
             }
         });
         JScrollPane pane = new JScrollPane(list);
@@ -152,12 +152,12 @@ final class ItemSidebar extends JPanel {
         Map<String, String> typed = new LinkedHashMap<>();
         fields.forEach((key, field) -> typed.put(key, field.getText()));
         try {
-            World next = ItemFields.changed(draft.settled(), shown, typed);
+            World next = ItemFields.changed(draft.committed(), shown, typed);
             problem.show("");
-            if (next != draft.settled()) {
+            if (next != draft.committed()) {
                 draft.change(next);
                 shown = null;
-                floor.tell();
+                floor.fireChanged();
             }
         } catch (ItemFields.Refusal refusal) {
             problem.show(texts.of(

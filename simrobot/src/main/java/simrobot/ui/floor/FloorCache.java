@@ -6,16 +6,19 @@ import java.awt.GraphicsConfiguration;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import simgsm.draw.Appearance;
-import simgsm.ui.Drawing;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
+import simrobot.drawing.Layers;
+import simrobot.drawing.Viewport;
+import simrobot.drawing.WorldPainter;
 import simrobot.world.World;
 
 /**
- * The still part of the floor as a picture in device pixels, painted anew only when what one sees of it changes: with tens
- * of thousands of points it would take longer than a frame.
+ * The floor without its robots as an image in device pixels, painted again only when world, viewport, layers or theme
+ * change: a floor of tens of thousands of points takes longer to paint than a frame lasts.
  */
 public final class FloorCache {
-    /** All that the picture depends on. */
+    /** All that the image depends on. */
     private record Key(
             World world,
             Viewport view,
@@ -26,7 +29,7 @@ public final class FloorCache {
             double scaleY) {
         @Override
         public boolean equals(Object other) {
-            // worlds are compared by identity: comparing points would cost what the picture saves
+            // worlds are compared by identity: comparing points would cost what the image saves
             return other instanceof Key key
                     && key.world == world
                     && key.view.equals(view)
@@ -46,14 +49,14 @@ public final class FloorCache {
     private Key key;
     private BufferedImage image;
 
-    /** Draws the floor, from the picture where one can be held. */
+    /** Draws the floor, from the image unless the device cannot hold one. */
     public void paint(Graphics2D g, World world, Viewport view, Layers layers) {
         AffineTransform t = g.getTransform();
         GraphicsConfiguration device = g.getDeviceConfiguration();
         int width = (int) Math.ceil(view.width() * t.getScaleX());
         int height = (int) Math.ceil(view.height() * t.getScaleY());
         if (device == null || t.getShearX() != 0 || t.getShearY() != 0 || width < 1 || height < 1) {
-            WorldPainter.floor(g, world, view, layers);
+            WorldPainter.floor(new GraphicsCanvas(g), world, view, layers);
             return;
         }
         Key wanted =
@@ -83,8 +86,7 @@ public final class FloorCache {
         try {
             g.setComposite(AlphaComposite.SrcOver);
             g.scale(t.getScaleX(), t.getScaleY());
-            Drawing.prepare(g);
-            WorldPainter.floor(g, world, view, layers);
+            WorldPainter.floor(new GraphicsCanvas(g), world, view, layers);
         } finally {
             g.dispose();
         }

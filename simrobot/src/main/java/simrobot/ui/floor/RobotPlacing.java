@@ -3,26 +3,27 @@ package simrobot.ui.floor;
 import java.util.Optional;
 import javax.swing.Timer;
 import simgsm.console.TextBundle;
+import simrobot.drawing.RobotPreview;
 import simrobot.robot.Placement;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.EventThread;
 import simrobot.ui.OperatorActions;
 
 /**
- * Puts robots where the person at the window wants them. A place that is refused is shown as a ghost with the reason;
- * a robot that is let go there returns to where it was taken.
+ * Moves robots on behalf of the window. A refused place is shown as a preview with the reason for 2.5 s; a robot that is
+ * dropped there returns to where its drag began.
  */
 public final class RobotPlacing {
-    private static final int GHOST_MILLIS = 2500;
+    private static final int PREVIEW_MILLIS = 2500;
 
     private final OperatorActions operator;
     private final TextBundle texts;
     private final Runnable changed;
-    private final Timer fading = new Timer(GHOST_MILLIS, event -> fade());
-    private RobotGhost ghost;
-    private RobotSnapshot taken;
+    private final Timer fading = new Timer(PREVIEW_MILLIS, event -> show(null));
+    private RobotPreview preview;
+    private RobotSnapshot dragged;
 
-    /** @param changed run when there is something else to be seen */
+    /** @param changed run when {@link #preview} changes */
     RobotPlacing(OperatorActions operator, TextBundle texts, Runnable changed) {
         this.operator = operator;
         this.texts = texts;
@@ -30,19 +31,22 @@ public final class RobotPlacing {
         fading.setRepeats(false);
     }
 
-    /** What is to be painted besides the robots. */
-    public Optional<RobotGhost> ghost() {
-        return Optional.ofNullable(ghost);
+    public Optional<RobotPreview> preview() {
+        return Optional.ofNullable(preview);
     }
 
-    /** True while a robot is dragged. */
-    public boolean holds() {
-        return taken != null;
+    /** True while a robot is dragged or turned with the mouse. */
+    public boolean isDragging() {
+        return dragged != null;
     }
 
-    /** A robot is taken from where it stands. */
-    void take(RobotSnapshot robot) {
-        taken = robot;
+    /** Whether it is this robot that is dragged. */
+    boolean isDragging(RobotSnapshot robot) {
+        return dragged != null && dragged.name().equals(robot.name());
+    }
+
+    void beginDrag(RobotSnapshot robot) {
+        dragged = robot;
     }
 
     void put(RobotSnapshot robot, double x, double y, double heading) {
@@ -52,25 +56,20 @@ public final class RobotPlacing {
 
     private void answered(double x, double y, double heading, Placement answer) {
         boolean done = answer == Placement.DONE;
-        show(done ? null : new RobotGhost(x, y, heading, reason(answer), true));
+        show(done ? null : new RobotPreview(x, y, heading, reason(answer), true));
         fading.stop();
-        if (!done && taken == null) {
+        if (!done && dragged == null) {
             fading.start();
         }
     }
 
-    /** The robot is let go; where it was refused it goes back. */
-    void letGo() {
-        RobotSnapshot from = taken;
-        taken = null;
-        if (from != null && ghost != null) {
+    /** Ends a drag; a robot that was refused returns to where it began. */
+    void endDrag() {
+        RobotSnapshot from = dragged;
+        dragged = null;
+        if (from != null && preview != null) {
             fading.restart();
-            operator.place(
-                    from.name(),
-                    from.xMeters(),
-                    from.yMeters(),
-                    from.headingRadians(),
-                    EventThread.onEventThread(back -> {}));
+            operator.place(from.name(), from.xMeters(), from.yMeters(), from.headingRadians(), answer -> {});
         }
     }
 
@@ -84,12 +83,8 @@ public final class RobotPlacing {
     }
 
     /** Shows where a robot is to be put; null shows nothing. */
-    public void show(RobotGhost newGhost) {
-        ghost = newGhost;
+    public void show(RobotPreview newPreview) {
+        preview = newPreview;
         changed.run();
-    }
-
-    private void fade() {
-        show(null);
     }
 }

@@ -5,14 +5,14 @@ import java.util.List;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** Tells whether two pictures differ in nothing but the time, so that a floor at rest is not painted over and over. */
+/** Finds out whether two snapshots look the same but for the clock, so that a floor at rest is not painted again. */
 final class SnapshotComparison {
-    /** Trails fade; at rest it is enough to look once in a while, in simulated time. */
+    /** Trails fade; at rest they are painted again every 2 s of simulated time. */
     private static final long FADE_NANOS = 2_000_000_000;
 
     private SnapshotComparison() {}
 
-    static boolean between(SimulationSnapshot before, SimulationSnapshot now) {
+    static boolean looksTheSame(SimulationSnapshot before, SimulationSnapshot now) {
         return before.world() == now.world()
                 && now.world().treadmills().isEmpty()
                 && before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS

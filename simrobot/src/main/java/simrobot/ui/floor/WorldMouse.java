@@ -1,47 +1,33 @@
 package simrobot.ui.floor;
 
-import java.awt.event.FocusEvent;
-import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import simgsm.ui.Theme;
+import simrobot.drawing.NumberTexts;
+import simrobot.drawing.RobotPainter;
+import simrobot.drawing.Ruler;
 import simrobot.editor.Snap;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.PoseTexts;
 import simrobot.world.Position;
 
 /**
- * The mouse on the floor: wheel zooms at the pointer; dragging a robot moves it, dragging its handle (or the robot with Shift
- * or the right button) turns it, dragging the floor pans; a double click on the floor fits the world. While a place is asked
- * for, pressing on the floor names it and dragging from there turns the newcomer. While the ruler lies there, dragging measures.
+ * The mouse on the floor. Dragging a robot moves it; dragging its handle, or the robot with Shift or the right button, turns it;
+ * dragging the floor pans; a double click on the floor fits the world. While a place is chosen, pressing on the floor sets it and
+ * dragging from there sets the heading. While the ruler is shown, dragging measures.
  */
 final class WorldMouse extends MouseAdapter {
-    private static final double ZOOM_PER_NOTCH = 1.15;
+    private static final double PLACES_PER_METER = 20;
     private static final Snap TO_THE_MILLIMETRE = new Snap(0);
 
-    private enum Drag {
-        NONE,
-        PAN,
-        MOVE,
-        TURN,
-        AIM,
-        MEASURE
-    }
-
     private final WorldView view;
-    private Drag drag = Drag.NONE;
+    /** What a movement does while a button is pressed; null for nothing. */
+    private Consumer<MouseEvent> drag;
+
     private double lastX;
     private double lastY;
-    private double gripX;
-    private double gripY;
-    private double aimX;
-    private double aimY;
-    private boolean rulerBegin;
-    private Position rulerFixed;
 
     WorldMouse(WorldView view) {
         this.view = view;
@@ -53,80 +39,36 @@ final class WorldMouse extends MouseAdapter {
         lastX = event.getX();
         lastY = event.getY();
         Optional<RobotSnapshot> hit = robotAt(event);
-        if (view.ruler() != null && SwingUtilities.isLeftMouseButton(event)) {
-            drag = Drag.MEASURE;
-            takeRuler(event);
+        boolean left = SwingUtilities.isLeftMouseButton(event);
+        if (view.ruler() != null && left) {
+            beginMeasuring(event);
         } else if (view.isLive() && isOnHandle(event)) {
-            drag = Drag.TURN;
+            view.selectedRobot().ifPresent(view.placing()::beginDrag);
+            drag = this::turn;
         } else if (hit.isPresent()) {
-            RobotSnapshot robot = hit.get();
-            view.pick(robot);
-            if (!view.isLive()) {
-                drag = Drag.NONE;
-                return;
-            }
-            drag = SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown() ? Drag.MOVE : Drag.TURN;
-            view.hand().take(robot);
-            gripX = robot.xMeters() - worldX(event);
-            gripY = robot.yMeters() - worldY(event);
-        } else if (view.isAskingForPlace() && SwingUtilities.isLeftMouseButton(event)) {
-            drag = Drag.AIM;
-            aimX = view.snapped(worldX(event));
-            aimY = view.snapped(worldY(event));
-            view.namePlace(aimX, aimY, Double.NaN);
+            view.requestSelection(hit.get().name());
+            drag = view.isLive() ? dragOf(hit.get(), event, left && !event.isShiftDown()) : null;
+        } else if (view.placeListener().isPresent() && left) {
+            beginChoosing(event);
         } else {
-            drag = Drag.PAN;
+            drag = this::pan;
         }
     }
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        switch (drag) {
-            case PAN -> pan(event);
-            case MOVE -> move(event);
-            case TURN -> turn(event);
-            case MEASURE ->
-                view.measure(rulerBegin ? new Ruler(near(event), rulerFixed) : new Ruler(rulerFixed, near(event)));
-            case AIM -> view.namePlace(aimX, aimY, towards(event, aimX, aimY));
-            case NONE -> {
-                // a drag that began elsewhere
-            }
+        if (drag != null) {
+            drag.accept(event);
         }
         lastX = event.getX();
         lastY = event.getY();
         mouseMoved(event);
     }
 
-    /** An end that is near is taken; anywhere else a new measurement begins. */
-    private void takeRuler(MouseEvent event) {
-        Ruler ruler = view.ruler();
-        rulerBegin = isNear(event, ruler.from());
-        if (rulerBegin) {
-            rulerFixed = ruler.to();
-        } else if (isNear(event, ruler.to())) {
-            rulerFixed = ruler.from();
-        } else {
-            rulerFixed = near(event);
-            view.measure(new Ruler(rulerFixed, rulerFixed));
-        }
-    }
-
-    private boolean isNear(MouseEvent event, Position place) {
-        double dx = view.viewport().screenX(place.xMeters()) - event.getX();
-        double dy = view.viewport().screenY(place.yMeters()) - event.getY();
-        return Math.hypot(dx, dy) <= Theme.exact(9);
-    }
-
-    /** The end of a wall or a robot's middle if one is meant, else the very place. */
-    private Position near(MouseEvent event) {
-        for (RobotSnapshot robot : view.picture().robots()) {
-            Position middle = new Position(robot.xMeters(), robot.yMeters());
-            if (isNear(event, middle)) {
-                return middle;
-            }
-        }
-        double reach = Theme.exact(7) / view.viewport().pixelsPerMeter();
-        return TO_THE_MILLIMETRE.of(view.picture().world(), worldX(event), worldY(event), reach);
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        drag = null;
+        view.placing().endDrag();
     }
 
     private void pan(MouseEvent event) {
@@ -134,34 +76,109 @@ final class WorldMouse extends MouseAdapter {
         view.look(view.viewport().draggedBy(event.getX() - lastX, event.getY() - lastY));
     }
 
-    private void move(MouseEvent event) {
-        view.selectedRobot()
-                .ifPresent(robot ->
-                        view.hand().put(robot, worldX(event) + gripX, worldY(event) + gripY, robot.headingRadians()));
+    // ---- robots ----------------------------------------------------------------------------------------------------
+
+    private Consumer<MouseEvent> dragOf(RobotSnapshot robot, MouseEvent event, boolean moves) {
+        view.placing().beginDrag(robot);
+        double gripX = robot.xMeters() - view.worldX(event);
+        double gripY = robot.yMeters() - view.worldY(event);
+        return moves ? to -> move(to, gripX, gripY) : this::turn;
+    }
+
+    private void move(MouseEvent event, double gripX, double gripY) {
+        dragged()
+                .ifPresent(robot -> view.placing()
+                        .put(robot, view.worldX(event) + gripX, view.worldY(event) + gripY, robot.headingRadians()));
     }
 
     private void turn(MouseEvent event) {
-        view.selectedRobot()
-                .ifPresent(robot -> view.hand()
-                        .put(
-                                robot,
-                                robot.xMeters(),
-                                robot.yMeters(),
-                                towards(event, robot.xMeters(), robot.yMeters())));
+        dragged().ifPresent(robot -> {
+            double heading = heading(event, robot.xMeters(), robot.yMeters());
+            view.placing().put(robot, robot.xMeters(), robot.yMeters(), heading);
+        });
+    }
+
+    /** The robot that the drag began with; none when it has been removed since. */
+    private Optional<RobotSnapshot> dragged() {
+        return view.selectedRobot().filter(view.placing()::isDragging);
     }
 
     /** Towards the pointer, in whole degrees, in steps of 15 with Shift held. */
-    private double towards(MouseEvent event, double x, double y) {
-        double towards = Math.atan2(worldY(event) - y, worldX(event) - x);
+    private double heading(MouseEvent event, double x, double y) {
+        double towards = Math.atan2(view.worldY(event) - y, view.worldX(event) - x);
         double step = event.isShiftDown() ? 15 : 1;
         return Math.toRadians(Math.rint(Math.toDegrees(towards) / step) * step);
     }
 
-    @Override
-    public void mouseReleased(MouseEvent event) {
-        drag = Drag.NONE;
-        view.hand().letGo();
+    private void beginChoosing(MouseEvent event) {
+        double x = Math.rint(view.worldX(event) * PLACES_PER_METER) / PLACES_PER_METER;
+        double y = Math.rint(view.worldY(event) * PLACES_PER_METER) / PLACES_PER_METER;
+        view.placeListener().ifPresent(listener -> listener.at(x, y, Double.NaN));
+        drag = to -> view.placeListener().ifPresent(listener -> listener.at(x, y, heading(to, x, y)));
     }
+
+    private Optional<RobotSnapshot> robotAt(MouseEvent event) {
+        return view.scene().robots().stream()
+                .filter(robot -> isWithin(
+                        event, robot.xMeters(), robot.yMeters(), Math.max(Pioneer2Dx.RADIUS_METERS, view.meters(8))))
+                .findFirst();
+    }
+
+    private boolean isOnHandle(MouseEvent event) {
+        return view.selectedRobot()
+                .filter(robot -> {
+                    double x = robot.xMeters() + RobotPainter.HANDLE_METERS * Math.cos(robot.headingRadians());
+                    double y = robot.yMeters() + RobotPainter.HANDLE_METERS * Math.sin(robot.headingRadians());
+                    return isWithin(event, x, y, Math.max(0.06, view.meters(8)));
+                })
+                .isPresent();
+    }
+
+    private boolean isWithin(MouseEvent event, double x, double y, double meters) {
+        return Math.hypot(x - view.worldX(event), y - view.worldY(event)) <= meters;
+    }
+
+    // ---- ruler -----------------------------------------------------------------------------------------------------
+
+    /** Drags the nearer end within 9 units; elsewhere begins a new measurement. */
+    private void beginMeasuring(MouseEvent event) {
+        Ruler ruler = view.ruler();
+        if (isNear(event, ruler.from())) {
+            drag = to -> measure(new Ruler(snapped(to), ruler.to()));
+        } else {
+            Position fixed = isNear(event, ruler.to()) ? ruler.from() : snapped(event);
+            if (fixed != ruler.from()) {
+                measure(new Ruler(fixed, fixed));
+            }
+            drag = to -> measure(new Ruler(fixed, snapped(to)));
+        }
+    }
+
+    /** A ruler that was hidden during the drag stays hidden. */
+    private void measure(Ruler ruler) {
+        if (view.ruler() == null) {
+            drag = null;
+        } else {
+            view.measure(ruler);
+        }
+    }
+
+    private boolean isNear(MouseEvent event, Position place) {
+        return isWithin(event, place.xMeters(), place.yMeters(), view.meters(9));
+    }
+
+    /** A robot's centre within 9 units or a wall's end within 7, else the place to the millimetre. */
+    private Position snapped(MouseEvent event) {
+        for (RobotSnapshot robot : view.scene().robots()) {
+            Position middle = new Position(robot.xMeters(), robot.yMeters());
+            if (isNear(event, middle)) {
+                return middle;
+            }
+        }
+        return TO_THE_MILLIMETRE.of(view.scene().world(), view.worldX(event), view.worldY(event), view.meters(7));
+    }
+
+    // ---- without a button ------------------------------------------------------------------------------------------
 
     @Override
     public void mouseClicked(MouseEvent event) {
@@ -173,59 +190,12 @@ final class WorldMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        view.setReadout(PoseTexts.fixed(worldX(event), 2) + "  " + PoseTexts.fixed(worldY(event), 2) + " m");
+        view.setReadout(
+                NumberTexts.fixed(view.worldX(event), 2) + "  " + NumberTexts.fixed(view.worldY(event), 2) + " m");
     }
 
     @Override
     public void mouseExited(MouseEvent event) {
         view.setReadout("");
-    }
-
-    @Override
-    public void mouseWheelMoved(MouseWheelEvent event) {
-        double factor = Math.pow(ZOOM_PER_NOTCH, -event.getPreciseWheelRotation());
-        view.look(view.viewport().zoomedAt(event.getX(), event.getY(), factor));
-    }
-
-    private Optional<RobotSnapshot> robotAt(MouseEvent event) {
-        double reach = Math.max(
-                Pioneer2Dx.RADIUS_METERS, Theme.exact(8) / view.viewport().pixelsPerMeter());
-        return view.picture().robots().stream()
-                .filter(robot -> Math.hypot(robot.xMeters() - worldX(event), robot.yMeters() - worldY(event)) <= reach)
-                .findFirst();
-    }
-
-    private boolean isOnHandle(MouseEvent event) {
-        double reach = Math.max(0.06, Theme.exact(8) / view.viewport().pixelsPerMeter());
-        return view.selectedRobot()
-                .filter(robot -> {
-                    double x = robot.xMeters() + RobotPainter.HANDLE_METERS * Math.cos(robot.headingRadians());
-                    double y = robot.yMeters() + RobotPainter.HANDLE_METERS * Math.sin(robot.headingRadians());
-                    return Math.hypot(x - worldX(event), y - worldY(event)) <= reach;
-                })
-                .isPresent();
-    }
-
-    private double worldX(MouseEvent event) {
-        return view.viewport().worldX(event.getX());
-    }
-
-    private double worldY(MouseEvent event) {
-        return view.viewport().worldY(event.getY());
-    }
-
-    /** The focus ring comes and goes. */
-    FocusListener repaintOnFocus() {
-        return new FocusListener() {
-            @Override
-            public void focusGained(FocusEvent event) {
-                view.repaint();
-            }
-
-            @Override
-            public void focusLost(FocusEvent event) {
-                view.repaint();
-            }
-        };
     }
 }

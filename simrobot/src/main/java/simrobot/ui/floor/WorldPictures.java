@@ -6,16 +6,26 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import javax.imageio.ImageIO;
+import simgsm.draw.Appearance;
+import simgsm.draw.SvgCanvas;
+import simgsm.ui.GraphicsCanvas;
+import simgsm.ui.Theme;
 import simrobot.control.FileExports;
+import simrobot.drawing.Layers;
+import simrobot.drawing.Viewport;
+import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Area;
 
-/** The whole world with its robots and their trails as a picture: PNG in pixels, SVG in lines. By the window's painters. */
+/**
+ * The whole world with its robots and their trails as a picture, PNG or SVG. It has the window's appearance, light or dark,
+ * and always zoom 1. Any thread.
+ */
 public final class WorldPictures implements FileExports.Pictures {
     private static final double LONG_SIDE = 1200;
     private static final double LEAST_SIDE = 400;
     private static final double MARGIN = 48;
-    /** Of a PNG, so that it can be printed. */
+    /** For PNG: twice the screen's resolution, for print. */
     private static final double PIXELS_PER_UNIT = 2;
 
     private static final Layers SHOWN = new Layers(true, true, false);
@@ -26,7 +36,7 @@ public final class WorldPictures implements FileExports.Pictures {
         return ending.equals("svg") ? svg(scene, view) : png(scene, view);
     }
 
-    /** As high as the world asks for. */
+    /** The longer side is 1200 units; the shorter has the world's proportion, at least 400. */
     private static Viewport view(SimulationSnapshot scene) {
         Area bounds = scene.world().bounds();
         double wide = Math.max(1, bounds.maxXMeters() - bounds.minXMeters());
@@ -44,7 +54,7 @@ public final class WorldPictures implements FileExports.Pictures {
                 BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(PIXELS_PER_UNIT, PIXELS_PER_UNIT);
-        WorldPainter.paint(g, scene, view, SHOWN, null);
+        WorldPainter.paint(new GraphicsCanvas(g, Theme.appearance(), 1), scene, view, SHOWN, null);
         g.dispose();
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ImageIO.write(image, "png", out);
@@ -52,9 +62,10 @@ public final class WorldPictures implements FileExports.Pictures {
     }
 
     private static byte[] svg(SimulationSnapshot scene, Viewport view) {
-        SvgCanvas canvas =
-                new SvgCanvas(view.width(), view.height(), scene.world().name());
+        Appearance appearance = Theme.appearance();
+        SvgCanvas canvas = new SvgCanvas(ink -> ink.hex(appearance));
         WorldPainter.paint(canvas, scene, view, SHOWN, null);
-        return canvas.document().getBytes(StandardCharsets.UTF_8);
+        return canvas.document(view.width(), view.height(), scene.world().name())
+                .getBytes(StandardCharsets.UTF_8);
     }
 }

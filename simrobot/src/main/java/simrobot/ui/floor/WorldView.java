@@ -1,97 +1,122 @@
 package simrobot.ui.floor;
 
 import java.awt.Cursor;
-import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
 import simgsm.draw.Ink;
-import simgsm.ui.Drawing;
-import simgsm.ui.SpokenComponent;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
+import simrobot.drawing.Layers;
+import simrobot.drawing.NumberTexts;
+import simrobot.drawing.RobotPainter;
+import simrobot.drawing.Ruler;
+import simrobot.drawing.WorldPainter;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.ui.OperatorActions;
-import simrobot.ui.PoseTexts;
 import simrobot.world.Area;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** The floor with its robots: zoom, pan, follow, and robots that can be dragged and turned. */
-public final class WorldView extends SpokenComponent {
+/**
+ * The floor with its robots, which the mouse drags and turns. By keyboard the arrows pan; with Alt they move the selected robot
+ * by 10 cm, and the Page keys turn it by 5 degrees. While the ruler is shown the arrows move its end by 5 cm, with Shift its
+ * beginning; Escape hides it.
+ */
+public final class WorldView extends FloorView {
     private static final double MARGIN_UNITS = 36;
+    private static final double NUDGE_METERS = 0.1;
+    private static final double RULER_METERS = 0.05;
+    private static final double TURN_RADIANS = Math.toRadians(5);
 
     private final TextBundle texts;
-    private final OperatorActions operator;
     private final Consumer<String> selection;
     private final FloorCache floor = new FloorCache();
-    private SimulationSnapshot picture;
-    private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
+    private final RobotPlacing placing;
+    private SimulationSnapshot scene;
     private Layers layers = Layers.ALL;
     private String selected;
-    private boolean fitted = true;
     private boolean following;
     private String readout = "";
-    private final RobotPlacing hand;
-    private PlaceWish placeWish;
+    private PlaceListener placeListener;
     private Ruler ruler;
     private boolean live = true;
 
-    /** Who wants to know where on the floor a robot is to go; the heading is NaN while it was not shown. */
-    public interface PlaceWish {
+    /** Receives the place for a new robot; the heading is NaN until the mouse has been dragged. */
+    public interface PlaceListener {
         void at(double xMeters, double yMeters, double headingRadians);
     }
 
-    /** @param selection told when a robot is picked with the mouse */
-    public WorldView(
-            SimulationSnapshot picture, TextBundle texts, OperatorActions operator, Consumer<String> selection) {
-        super(AccessibleRole.CANVAS);
-        this.picture = picture;
+    /** @param selection receives the name of a robot that is selected with the mouse */
+    public WorldView(SimulationSnapshot scene, TextBundle texts, OperatorActions operator, Consumer<String> selection) {
+        super("world", "world", MARGIN_UNITS);
+        this.scene = scene;
         this.texts = texts;
-        this.operator = operator;
         this.selection = selection;
-        hand = new RobotPlacing(operator, texts, this::repaint);
-        setName("world");
-        setFocusable(true);
-        setOpaque(true);
+        placing = new RobotPlacing(operator, texts, this::repaint);
         setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
         WorldMouse mouse = new WorldMouse(this);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        addMouseWheelListener(mouse);
-        addFocusListener(mouse.repaintOnFocus());
-        WorldKeys.install(this);
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                resized();
-            }
-        });
+        bindArrows("pan", (dx, dy) -> arrow(dx, dy, false), 0);
+        bindArrows("ruler", (dx, dy) -> arrow(dx, dy, true), InputEvent.SHIFT_DOWN_MASK);
+        bindArrows("nudge", (dx, dy) -> nudge(dx, dy, 0), InputEvent.ALT_DOWN_MASK);
+        bind("turn.left", () -> nudge(0, 0, TURN_RADIANS), InputEvent.ALT_DOWN_MASK, KeyEvent.VK_PAGE_UP);
+        bind("turn.right", () -> nudge(0, 0, -TURN_RADIANS), InputEvent.ALT_DOWN_MASK, KeyEvent.VK_PAGE_DOWN);
+        bind("letGo", () -> measure(null), 0, KeyEvent.VK_ESCAPE);
+    }
+
+    private void arrow(int dx, int dy, boolean begin) {
+        if (ruler == null) {
+            pan(dx, dy);
+        } else {
+            measure(ruler.movedBy(begin, dx * RULER_METERS, dy * RULER_METERS));
+        }
+    }
+
+    /** Moves the selected robot by steps of 10 cm and turns it. */
+    public void nudge(int dx, int dy, double turnRadians) {
+        selectedRobot()
+                .filter(robot -> live)
+                .ifPresent(robot -> placing.put(
+                        robot,
+                        robot.xMeters() + dx * NUDGE_METERS,
+                        robot.yMeters() + dy * NUDGE_METERS,
+                        robot.headingRadians() + turnRadians));
     }
 
     // ---- what is shown ---------------------------------------------------------------------------------------------
 
     public void show(SimulationSnapshot newest) {
-        World before = picture.world();
-        String spoken = spoken();
-        boolean still = SnapshotComparison.between(picture, newest);
-        picture = newest;
+        World before = scene.world();
+        boolean still = SnapshotComparison.looksTheSame(scene, newest);
+        change(() -> scene = newest);
         if (newest.world() != before) {
             fit();
         }
         follow();
-        tellSpoken(spoken, spoken());
         if (still) {
+            // only the clock differs
             repaint(getWidth() - Theme.px(120), 0, Theme.px(120), Theme.px(40));
         } else {
             repaint();
         }
+    }
+
+    @Override
+    protected Area floorArea() {
+        return scene.world().bounds();
+    }
+
+    SimulationSnapshot scene() {
+        return scene;
     }
 
     public void select(String robot) {
@@ -102,9 +127,14 @@ public final class WorldView extends SpokenComponent {
     }
 
     public Optional<RobotSnapshot> selectedRobot() {
-        return picture.robots().stream()
+        return scene.robots().stream()
                 .filter(robot -> robot.name().equals(selected))
                 .findFirst();
+    }
+
+    /** Selects a robot in the whole window; one that is not on the floor yet is selected when it is added. */
+    public void requestSelection(String robot) {
+        selection.accept(robot);
     }
 
     public Layers layers() {
@@ -116,40 +146,15 @@ public final class WorldView extends SpokenComponent {
         repaint();
     }
 
-    // ---- where one looks -------------------------------------------------------------------------------------------
-
-    public Viewport viewport() {
-        return viewport;
-    }
-
-    /** Looks elsewhere by hand: the view no longer fits itself, nor follows. */
-    void look(Viewport elsewhere) {
-        viewport = elsewhere;
-        fitted = false;
-        repaint();
-    }
-
-    /** Shows the whole world, also when the view's size changes. */
-    public void fit() {
-        fitted = true;
-        Area bounds = picture.world().bounds();
-        viewport = Viewport.fitting(bounds, getWidth(), getHeight(), Theme.exact(MARGIN_UNITS));
-        repaint();
-    }
-
-    public void zoom(double factor) {
-        look(viewport.zoomedAt(getWidth() / 2.0, getHeight() / 2.0, factor));
-    }
-
     public boolean isFollowing() {
         return following;
     }
 
-    /** Keeps the selected robot in the middle. */
+    /** Keeps the selected robot in the centre. */
     public void setFollowing(boolean follow) {
         following = follow;
         if (follow) {
-            fitted = false;
+            look(viewport());
         }
         follow();
     }
@@ -157,19 +162,13 @@ public final class WorldView extends SpokenComponent {
     private void follow() {
         if (following) {
             selectedRobot()
-                    .filter(robot -> robot.xMeters() != viewport.centerX() || robot.yMeters() != viewport.centerY())
-                    .ifPresent(robot -> look(viewport.centeredOn(robot.xMeters(), robot.yMeters())));
+                    .filter(robot -> robot.xMeters() != viewport().centerX()
+                            || robot.yMeters() != viewport().centerY())
+                    .ifPresent(robot -> look(viewport().centeredOn(robot.xMeters(), robot.yMeters())));
         }
     }
 
-    private void resized() {
-        viewport = viewport.sized(getWidth(), getHeight());
-        if (fitted) {
-            fit();
-        }
-    }
-
-    /** The place under the pointer, in the corner; empty for none. */
+    /** The place under the pointer, shown at the lower right; empty for none. */
     void setReadout(String text) {
         if (!text.equals(readout)) {
             readout = text;
@@ -177,54 +176,13 @@ public final class WorldView extends SpokenComponent {
         }
     }
 
-    // ---- acts ------------------------------------------------------------------------------------------------------
+    // ---- placing robots --------------------------------------------------------------------------------------------
 
-    public RobotPlacing hand() {
-        return hand;
+    public RobotPlacing placing() {
+        return placing;
     }
 
-    // ---- ruler -----------------------------------------------------------------------------------------------------
-
-    /** Null while nothing is measured. */
-    public Ruler ruler() {
-        return ruler;
-    }
-
-    void measure(Ruler newRuler) {
-        String before = spoken();
-        ruler = newRuler;
-        tellSpoken(before, spoken());
-        repaint();
-    }
-
-    /** Lays the ruler down a metre ahead of the selected robot, or in the middle; or takes it away. */
-    public void toggleRuler() {
-        if (ruler != null) {
-            measure(null);
-            return;
-        }
-        Position from = selectedRobot()
-                .filter(robot -> viewport.shows(robot.xMeters(), robot.yMeters(), 0))
-                .map(robot -> new Position(robot.xMeters(), robot.yMeters()))
-                .orElse(new Position(viewport.centerX(), viewport.centerY()));
-        double heading = selectedRobot().map(RobotSnapshot::headingRadians).orElse(0.0);
-        measure(new Ruler(from, new Position(from.xMeters() + Math.cos(heading), from.yMeters() + Math.sin(heading))));
-        requestFocusInWindow();
-    }
-
-    // ---- places ----------------------------------------------------------------------------------------------------
-
-    /** Until it is taken back with null, the floor is asked for a place. */
-    public void askForPlace(PlaceWish wish) {
-        placeWish = wish;
-        hand.show(null);
-    }
-
-    boolean isAskingForPlace() {
-        return placeWish != null;
-    }
-
-    /** Robots of a recording cannot be taken. */
+    /** Robots of a recording are not live: they cannot be moved. */
     public void setLive(boolean nowLive) {
         live = nowLive;
     }
@@ -233,103 +191,69 @@ public final class WorldView extends SpokenComponent {
         return live;
     }
 
-    void namePlace(double xMeters, double yMeters, double headingRadians) {
-        placeWish.at(xMeters, yMeters, headingRadians);
+    /** While there is a listener, pressing the mouse on the floor chooses a place, for it only. @param listener or null */
+    public void choosePlace(PlaceListener listener) {
+        placeListener = listener;
+        placing.show(null);
     }
 
-    /** To 5 cm. */
-    double snapped(double meters) {
-        return Math.rint(meters * 20) / 20;
+    Optional<PlaceListener> placeListener() {
+        return Optional.ofNullable(placeListener);
     }
 
-    SimulationSnapshot picture() {
-        return picture;
+    // ---- ruler -----------------------------------------------------------------------------------------------------
+
+    /** Null while it is hidden. */
+    public Ruler ruler() {
+        return ruler;
     }
 
-    TextBundle texts() {
-        return texts;
+    /** @param newRuler null hides the ruler */
+    void measure(Ruler newRuler) {
+        change(() -> ruler = newRuler);
+        repaint();
     }
 
-    void pick(RobotSnapshot robot) {
-        selection.accept(robot.name());
-    }
-
-    /** A robot that is not in the picture yet is to be selected when it comes. */
-    public void wish(String robot) {
-        selection.accept(robot);
-    }
-
-    /** Moves the selected robot by hand. */
-    public void nudge(double dxMeters, double dyMeters, double turnRadians) {
-        selectedRobot()
-                .filter(robot -> live)
-                .ifPresent(robot -> hand.put(
-                        robot,
-                        robot.xMeters() + dxMeters,
-                        robot.yMeters() + dyMeters,
-                        robot.headingRadians() + turnRadians));
+    /** Shows the ruler from the selected robot, or from the view's centre, to 1 m ahead; or hides it. */
+    public void toggleRuler() {
+        if (ruler != null) {
+            measure(null);
+            return;
+        }
+        Position from = selectedRobot()
+                .filter(robot -> viewport().shows(robot.xMeters(), robot.yMeters(), 0))
+                .map(robot -> new Position(robot.xMeters(), robot.yMeters()))
+                .orElse(new Position(viewport().centerX(), viewport().centerY()));
+        double heading = selectedRobot().map(RobotSnapshot::headingRadians).orElse(0.0);
+        measure(new Ruler(from, new Position(from.xMeters() + Math.cos(heading), from.yMeters() + Math.sin(heading))));
+        requestFocusInWindow();
     }
 
     // ---- painting --------------------------------------------------------------------------------------------------
 
     @Override
-    public Dimension getPreferredSize() {
-        return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(720), Theme.px(460));
-    }
-
-    @Override
-    public Dimension getMinimumSize() {
-        return new Dimension(Theme.px(200), Theme.px(160));
-    }
-
-    @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            floor.paint(g, picture.world(), viewport, layers);
-            WorldPainter.robots(g, picture, viewport, layers, selected);
-            hand.ghost().ifPresent(ghost -> new RobotPainter(g, viewport).ghost(ghost));
-            if (ruler != null) {
-                ruler.paint(g, viewport);
-            }
-            clock(g);
-            place(g);
-            if (isFocusOwner()) {
-                g.setColor(Theme.color(Ink.ACCENT));
-                g.setStroke(Theme.stroke(1.6));
-                g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
-            }
-        } finally {
-            g.dispose();
+    protected void paint(Graphics2D graphics, double width, double height) {
+        floor.paint(graphics, scene.world(), viewport(), layers);
+        Canvas g = new GraphicsCanvas(graphics);
+        WorldPainter.robots(g, scene, viewport(), layers, selected);
+        placing.preview().ifPresent(preview -> new RobotPainter(g, viewport()).preview(preview));
+        if (ruler != null) {
+            ruler.paint(g, viewport());
         }
-    }
-
-    private void clock(Graphics2D g) {
-        tag(g, clockText(picture.timeNanos()), Theme.exact(12));
-    }
-
-    public static String clockText(long nanos) {
-        long centis = nanos / 10_000_000;
-        return "%d:%02d:%02d.%02d".formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
-    }
-
-    private void place(Graphics2D g) {
+        tag(g, NumberTexts.clock(scene.timeNanos()), width, g.px(12));
         if (!readout.isEmpty()) {
-            tag(g, readout, getHeight() - Theme.exact(30));
+            tag(g, readout, width, height - g.px(30));
         }
     }
 
-    /** A small text on a see-through ground at the right edge. */
-    private void tag(Graphics2D g, String text, double top) {
-        double width = Drawing.width(Theme.monoSmall(), text) + Theme.exact(16);
-        double x = getWidth() - width - Theme.exact(10);
-        g.setColor(Theme.color(Ink.FLOOR, 0.85));
-        g.fill(Drawing.round(x, top, width, Theme.exact(20), Theme.exact(Theme.CONTROL_RADIUS)));
-        g.setColor(Theme.color(Ink.QUIET));
-        Drawing.centred(g, text, Theme.monoSmall(), x + width / 2, top + Theme.exact(10));
+    /** A small text at the right edge. */
+    private static void tag(Canvas g, String text, double right, double top) {
+        double width = g.width(text, Face.MONO_SMALL) + g.px(16);
+        double x = right - width - g.px(10);
+        WorldPainter.textGround(g, Ink.FLOOR, 0.85, x, top, width, g.px(20));
+        g.ink(Ink.QUIET);
+        g.text(text, Face.MONO_SMALL, x + width / 2, top + g.px(10));
     }
-
-    // ---- accessibility ---------------------------------------------------------------------------------------------
 
     @Override
     protected String spoken() {
@@ -339,11 +263,11 @@ public final class WorldView extends SpokenComponent {
         return selectedRobot()
                 .map(robot -> texts.of(
                         "world.spoken",
-                        picture.world().name(),
+                        scene.world().name(),
                         robot.name(),
-                        PoseTexts.meters(robot.xMeters()),
-                        PoseTexts.meters(robot.yMeters()),
-                        PoseTexts.degrees(robot.headingRadians())))
-                .orElse(texts.of("world.spoken.empty", picture.world().name()));
+                        NumberTexts.meters(robot.xMeters()),
+                        NumberTexts.meters(robot.yMeters()),
+                        NumberTexts.degrees(robot.headingRadians())))
+                .orElse(texts.of("world.spoken.empty", scene.world().name()));
     }
 }

@@ -9,16 +9,17 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import javax.accessibility.AccessibleRole;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simrobot.camera.Camera;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.ui.PaintedComponent;
 import vericommand.RobotStatus;
 
 /**
@@ -62,17 +63,21 @@ public final class CameraView extends PaintedComponent {
     }
 
     public CameraView(TextBundle texts) {
-        super("camera");
+        super(AccessibleRole.LABEL);
+        setName("camera");
         this.texts = texts;
         timer.setCoalesce(true);
-        say(texts.of("camera.none"));
     }
 
     /** To be told every newest snapshot; on the event thread. */
     public void show(SimulationSnapshot scene, RobotSnapshot robot) {
-        wanted = new Sight(scene, robot);
+        change(() -> wanted = new Sight(scene, robot));
+    }
+
+    @Override
+    protected String spoken() {
         String missing = missing();
-        say(missing.isEmpty() ? texts.of("camera.spoken", robot.name()) : missing);
+        return missing.isEmpty() ? texts.of("camera.spoken", wanted.robot().name()) : missing;
     }
 
     /** Why there is no picture; empty when there is one. */
@@ -133,9 +138,14 @@ public final class CameraView extends PaintedComponent {
     }
 
     @Override
-    protected Dimension preferred() {
+    public Dimension getPreferredSize() {
         int width = Theme.px(Camera.WIDTH * LEAST_SHARE);
         return new Dimension(width, width * Camera.HEIGHT / Camera.WIDTH);
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
     }
 
     @Override

@@ -3,8 +3,8 @@ package simrobot.ui.panel;
 import simgsm.console.TextBundle;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
+import simrobot.drawing.NumberTexts;
 import simrobot.ui.StatusLamps;
-import simrobot.ui.floor.WorldView;
 import vericommand.RobotStatus;
 
 /** Logged events as people read them. */
@@ -43,6 +43,6 @@ final class EventTexts {
 
     /** A line for other programs: time, robot, text. */
     String line(LoggedEvent event) {
-        return WorldView.clockText(event.timeNanos()) + "\t" + event.robot() + "\t" + of(event);
+        return NumberTexts.clock(event.timeNanos()) + "\t" + event.robot() + "\t" + of(event);
     }
 }

@@ -10,6 +10,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.stream.Collectors;
+import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractListModel;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -25,12 +26,12 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.control.LoggedEvent;
+import simrobot.drawing.NumberTexts;
 import simrobot.ui.CompactButtons;
-import simrobot.ui.PaintedComponent;
-import simrobot.ui.floor.WorldView;
 
 /** What happened, the newest at the bottom: of all robots or of the selected one; lines can be copied. */
 final class EventsCard extends JPanel {
@@ -140,20 +141,25 @@ final class EventsCard extends JPanel {
         private boolean chosen;
 
         RowRenderer() {
-            super("event");
+            super(AccessibleRole.LABEL);
+            setName("event");
         }
 
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends LoggedEvent> owner, LoggedEvent value, int index, boolean isSelected, boolean focus) {
-            event = value;
+            change(() -> event = value);
             chosen = isSelected;
-            say(words.line(value).replace('\t', ' '));
             return this;
         }
 
         @Override
-        protected Dimension preferred() {
+        protected String spoken() {
+            return event == null ? "" : words.line(event).replace('\t', ' ');
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
             return new Dimension(Theme.px(120), Theme.px(36));
         }
 
@@ -164,7 +170,7 @@ final class EventsCard extends JPanel {
                 g.fillRect(0, 0, getWidth(), getHeight());
             }
             double left = Theme.exact(8);
-            String time = WorldView.clockText(event.timeNanos());
+            String time = NumberTexts.clock(event.timeNanos());
             g.setColor(Theme.color(Ink.QUIET));
             g.setFont(Theme.monoSmall());
             g.drawString(time, (float) left, Theme.exact(14));

@@ -20,10 +20,10 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.OperatorActions;
-import simrobot.ui.PoseTexts;
 import simrobot.ui.ValueRow;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
@@ -149,12 +149,12 @@ final class Inspector extends JPanel {
     }
 
     private void show(RobotSnapshot robot) {
-        x.show(PoseTexts.meters(robot.xMeters()));
-        y.show(PoseTexts.meters(robot.yMeters()));
-        heading.show(PoseTexts.degrees(robot.headingRadians()));
-        speed.show(PoseTexts.fixed(robot.speedMetersPerSecond(), 2));
-        turn.show(PoseTexts.fixed(Math.toDegrees(robot.turnRadiansPerSecond()), 1));
-        String volts = PoseTexts.fixed(robot.condition().batteryVolts(), 1);
+        x.show(NumberTexts.meters(robot.xMeters()));
+        y.show(NumberTexts.meters(robot.yMeters()));
+        heading.show(NumberTexts.degrees(robot.headingRadians()));
+        speed.show(NumberTexts.fixed(robot.speedMetersPerSecond(), 2));
+        turn.show(NumberTexts.fixed(Math.toDegrees(robot.turnRadiansPerSecond()), 1));
+        String volts = NumberTexts.fixed(robot.condition().batteryVolts(), 1);
         battery.show(robot.condition().batteryLow() ? low + " " + volts : volts);
         sonar.show(robot.sonarRangesMeters());
     }

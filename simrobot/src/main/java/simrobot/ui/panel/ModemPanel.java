@@ -111,8 +111,8 @@ final class ModemPanel extends JPanel {
     }
 
     /** With little room the floor goes before the scope's faders. */
-    void beCompact(boolean compact) {
-        scope.beCompact(compact);
+    void setCompact(boolean compact) {
+        scope.setCompact(compact);
     }
 
     private void tryOut(ToneExperiment chosen) {

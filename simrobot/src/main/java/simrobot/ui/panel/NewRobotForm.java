@@ -17,12 +17,12 @@ import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simrobot.drawing.NumberTexts;
+import simrobot.drawing.RobotPreview;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.EventThread;
 import simrobot.ui.OperatorActions;
-import simrobot.ui.PoseTexts;
 import simrobot.ui.TextLine;
-import simrobot.ui.floor.RobotGhost;
 import simrobot.ui.floor.WorldView;
 import vericommand.Pose;
 
@@ -39,7 +39,7 @@ final class NewRobotForm extends JPanel {
     private final JTextField x = new JTextField(2);
     private final JTextField y = new JTextField(2);
     private final JTextField heading = new JTextField(2);
-    private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).modest();
+    private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).shrinking();
     private String awaited = "";
 
     NewRobotForm(TextBundle texts, OperatorActions operator, WorldView view) {
@@ -76,7 +76,7 @@ final class NewRobotForm extends JPanel {
 
     /** It takes what room there is; the column does not grow for it. */
     private TextLine hint() {
-        TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET).modest();
+        TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET).shrinking();
         hint.show(texts.of("newcomer.hint"));
         return hint;
     }
@@ -101,17 +101,17 @@ final class NewRobotForm extends JPanel {
         heading.setText("");
         problem.show("");
         setVisible(true);
-        view.askForPlace(this::placed);
+        view.choosePlace(this::placed);
         name.selectAll();
         name.requestFocusInWindow();
     }
 
     private void placed(double xMeters, double yMeters, double headingRadians) {
-        x.setText(PoseTexts.fixed(xMeters, 2));
-        y.setText(PoseTexts.fixed(yMeters, 2));
+        x.setText(NumberTexts.fixed(xMeters, 2));
+        y.setText(NumberTexts.fixed(yMeters, 2));
         double shown = Double.isNaN(headingRadians) ? 0 : headingRadians;
-        heading.setText(PoseTexts.fixed(Math.toDegrees(shown), 0));
-        view.hand().show(new RobotGhost(xMeters, yMeters, shown, "", false));
+        heading.setText(NumberTexts.fixed(Math.toDegrees(shown), 0));
+        view.placing().show(new RobotPreview(xMeters, yMeters, shown, "", false));
     }
 
     private void add() {
@@ -127,14 +127,14 @@ final class NewRobotForm extends JPanel {
     private void answered(Optional<String> refusal) {
         problem.show(refusal.orElse(""));
         if (refusal.isEmpty()) {
-            view.wish(awaited);
+            view.requestSelection(awaited);
             close();
         }
     }
 
     private void close() {
         setVisible(false);
-        view.askForPlace(null);
+        view.choosePlace(null);
         view.requestFocusInWindow();
     }
 

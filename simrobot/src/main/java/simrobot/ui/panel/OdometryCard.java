@@ -5,8 +5,8 @@ import javax.swing.JPanel;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.PoseTexts;
 import simrobot.ui.ValueRow;
 import vericommand.Pose;
 
@@ -30,12 +30,12 @@ final class OdometryCard extends JPanel {
     void show(RobotSnapshot robot) {
         Pose told = robot.condition().odometry();
         Pose believed = robot.condition().believed();
-        x.show(PoseTexts.meters(told.xMeters()));
-        y.show(PoseTexts.meters(told.yMeters()));
-        heading.show(PoseTexts.degrees(Math.toRadians(told.headingDegrees())));
-        error.show(PoseTexts.meters(
+        x.show(NumberTexts.meters(told.xMeters()));
+        y.show(NumberTexts.meters(told.yMeters()));
+        heading.show(NumberTexts.degrees(Math.toRadians(told.headingDegrees())));
+        error.show(NumberTexts.meters(
                 Math.hypot(believed.xMeters() - robot.xMeters(), believed.yMeters() - robot.yMeters())));
-        turned.show(PoseTexts.fixed(
+        turned.show(NumberTexts.fixed(
                 Math.IEEEremainder(believed.headingDegrees() - Math.toDegrees(robot.headingRadians()), 360), 1));
     }
 }

@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.accessibility.AccessibleRole;
 import javax.swing.DefaultListModel;
 import javax.swing.JList;
 import javax.swing.JScrollPane;
@@ -15,11 +16,11 @@ import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.GraphicsCanvas;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
-import simrobot.ui.PaintedComponent;
+import simrobot.drawing.StatusLook;
 import simrobot.ui.StatusLamps;
-import simrobot.ui.StatusLook;
 import vericommand.RobotStatus;
 
 /** All robots with their status and number; the selected one is what the rest of the window shows. */
@@ -93,22 +94,27 @@ final class RobotList {
         private boolean chosen;
 
         RowRenderer(TextBundle texts) {
-            super("robot");
+            super(AccessibleRole.LABEL);
+            setName("robot");
             this.texts = texts;
         }
 
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends Row> list, Row value, int index, boolean isSelected, boolean hasFocus) {
-            row = value;
+            change(() -> row = value);
             chosen = isSelected;
-            String call = row.calling() ? " " + texts.of("robots.calling") : "";
-            say(row.name() + " " + StatusLamps.word(texts, row.status()) + " " + row.number() + call);
             return this;
         }
 
         @Override
-        protected Dimension preferred() {
+        protected String spoken() {
+            String call = row.calling() ? " " + texts.of("robots.calling") : "";
+            return row.name() + " " + StatusLamps.word(texts, row.status()) + " " + row.number() + call;
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
             // The list gives a row all its width; asking for more would put the number under the scroll bar.
             return new Dimension(Theme.px(120), Theme.px(26));
         }

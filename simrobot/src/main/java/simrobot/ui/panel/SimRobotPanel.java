@@ -94,7 +94,7 @@ public final class SimRobotPanel extends JPanel {
             wished = null;
             operator.watch(selected);
         }
-        elsewhere.show(newest.lines(), selected, !world.hand().holds());
+        elsewhere.show(newest.lines(), selected, !world.placing().isDragging());
         if (robot(selected).isEmpty()) {
             selected = newest.simulation().robots().stream()
                     .findFirst()
@@ -196,7 +196,7 @@ public final class SimRobotPanel extends JPanel {
 
     @Override
     public void doLayout() {
-        modem.beCompact(getHeight() < Theme.px(LEAST_ROOMY_HEIGHT));
+        modem.setCompact(getHeight() < Theme.px(LEAST_ROOMY_HEIGHT));
         super.doLayout();
     }
 

@@ -6,14 +6,15 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
+import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
+import simrobot.drawing.NumberTexts;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
-import simrobot.ui.PaintedComponent;
-import simrobot.ui.PoseTexts;
 
 /**
  * The sixteen sonars seen from above, ahead is up: a sector as long as the way is free. Distances run with their square
@@ -28,25 +29,25 @@ final class SonarRose extends PaintedComponent {
     private double[] ranges = new double[0];
 
     SonarRose(TextBundle texts) {
-        super("sonar");
+        super(AccessibleRole.LABEL);
+        setName("sonar");
         this.texts = texts;
-        show(ranges);
     }
 
     /** @param newRanges sixteen ranges in metres, or none */
     void show(double[] newRanges) {
         if (!Arrays.equals(ranges, newRanges)) {
-            ranges = newRanges;
+            change(() -> ranges = newRanges);
             repaint();
         }
-        say(nearestInWords());
     }
 
-    private String nearestInWords() {
+    @Override
+    protected String spoken() {
         int nearest = nearest();
         return nearest < 0 || ranges[nearest] >= Pioneer2Dx.SONAR_RANGE_METERS
                 ? texts.of("sonar.none")
-                : texts.of("sonar.nearest", nearest, PoseTexts.fixed(ranges[nearest], 2));
+                : texts.of("sonar.nearest", nearest, NumberTexts.fixed(ranges[nearest], 2));
     }
 
     private int nearest() {
@@ -60,7 +61,7 @@ final class SonarRose extends PaintedComponent {
     }
 
     @Override
-    protected Dimension preferred() {
+    public Dimension getPreferredSize() {
         return new Dimension(Theme.px(196), Theme.px(190));
     }
 
@@ -81,7 +82,7 @@ final class SonarRose extends PaintedComponent {
         }
         robot(g, x, y, radius);
         g.setColor(Theme.color(Ink.QUIET));
-        Drawing.centred(g, nearestInWords(), Theme.small(), x, height - caption / 2);
+        Drawing.centred(g, spoken(), Theme.small(), x, height - caption / 2);
     }
 
     private static double reach(double meters, double radius) {

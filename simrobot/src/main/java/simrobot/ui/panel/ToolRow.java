@@ -24,12 +24,12 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.window.WindowKeys;
+import simrobot.drawing.Layers;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.floor.Layers;
 import simrobot.ui.floor.WorldView;
 
 /** The row above the floor: world, link, switches, time, and what the floor shows. */

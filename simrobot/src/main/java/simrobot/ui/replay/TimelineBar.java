@@ -2,43 +2,44 @@ package simrobot.ui.replay;
 
 import java.awt.Cursor;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.FocusEvent;
-import java.awt.event.FocusListener;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.LongSupplier;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
+import simgsm.draw.Canvas;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import simgsm.ui.Drawing;
 import simgsm.ui.GraphicsCanvas;
-import simgsm.ui.SpokenComponent;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simrobot.drawing.NumberTexts;
 import simrobot.replay.TimelineMarker;
 import simrobot.ui.Timeline;
-import simrobot.ui.floor.WorldView;
 
 /**
- * The recording from its beginning to its end, with the present position and the markers, each kind in a shape and a row of
- * its own. A click or a drag seeks; arrows go a second (with Shift ten), Page keys from marker to marker, Home and End.
+ * The recording from its beginning to its end, with the current position and the markers, each kind with a mark and a row of
+ * its own. A click or a drag seeks. The arrows move by 1 s, with Shift by 10 s, the Page keys to the next and the previous
+ * marker, Home and End to the beginning and the end.
  */
-final class TimelineBar extends SpokenComponent {
+final class TimelineBar extends PaintedComponent {
     private static final long SECOND_NANOS = 1_000_000_000L;
     private static final double SIDE_UNITS = 12;
     private static final double REACH_UNITS = 5;
 
     private final TextBundle texts;
     private final LongConsumer seek;
-    private Timeline timeline = new Timeline(0, 0, java.util.List.of());
+    private Timeline timeline = new Timeline(0, 0, List.of());
     private long position;
 
     TimelineBar(TextBundle texts, LongConsumer seek) {
@@ -46,12 +47,11 @@ final class TimelineBar extends SpokenComponent {
         this.texts = texts;
         this.seek = seek;
         setName("timeline");
-        setFocusable(true);
+        makeFocusable();
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
-        Hand hand = new Hand();
-        addMouseListener(hand);
-        addMouseMotionListener(hand);
-        addFocusListener(hand);
+        Mouse mouse = new Mouse();
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
         key("back", KeyEvent.VK_LEFT, 0, () -> position - SECOND_NANOS);
         key("ahead", KeyEvent.VK_RIGHT, 0, () -> position + SECOND_NANOS);
         key("far.back", KeyEvent.VK_LEFT, InputEvent.SHIFT_DOWN_MASK, () -> position - 10 * SECOND_NANOS);
@@ -62,17 +62,17 @@ final class TimelineBar extends SpokenComponent {
         key("previous", KeyEvent.VK_PAGE_UP, 0, () -> timeline.previous(position));
     }
 
-    private void key(String id, int key, int modifiers, java.util.function.LongSupplier to) {
+    private void key(String id, int key, int modifiers, LongSupplier to) {
         new UserAction("timeline." + id, "", () -> seek.accept(timeline.clamp(to.getAsLong())))
                 .bind(this, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, modifiers));
     }
 
     void show(Timeline newTimeline, long newPosition) {
         if (!newTimeline.equals(timeline) || newPosition != position) {
-            String before = spoken();
-            timeline = newTimeline;
-            position = newPosition;
-            tellSpoken(before, spoken());
+            change(() -> {
+                timeline = newTimeline;
+                position = newPosition;
+            });
             repaint();
         }
     }
@@ -129,39 +129,30 @@ final class TimelineBar extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            double side = Theme.exact(SIDE_UNITS);
-            double track = getHeight() - Theme.exact(14);
-            for (TimelineMarker.Kind kind : TimelineMarker.Kind.values()) {
-                g.setColor(Theme.color(Ink.LINE, 0.6));
-                Drawing.horizontal(g, side, getWidth() - side, row(kind));
-            }
-            g.setColor(Theme.color(Ink.LINE));
-            g.fill(Drawing.round(side, track - Theme.exact(3), getWidth() - 2 * side, Theme.exact(6), Theme.exact(3)));
-            double here = x(position);
-            g.setColor(Theme.color(Ink.ACCENT));
-            g.fill(Drawing.round(side, track - Theme.exact(3), here - side, Theme.exact(6), Theme.exact(3)));
-            for (TimelineMarker marker : timeline.markers()) {
-                mark(marker.kind())
-                        .draw(
-                                new GraphicsCanvas(g),
-                                x(marker.timeNanos()),
-                                row(marker.kind()),
-                                Theme.exact(4.5),
-                                ink(marker.kind()));
-            }
-            g.setColor(Theme.color(Ink.ACCENT));
-            Drawing.vertical(g, here, Theme.exact(4), track);
-            StatusMark.DISC.draw(new GraphicsCanvas(g), here, track, Theme.exact(8), Ink.ACCENT);
-            if (isFocusOwner()) {
-                g.setStroke(Theme.stroke(1.6));
-                g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
-            }
-        } finally {
-            g.dispose();
+    protected void paint(Graphics2D g, double width, double height) {
+        double side = Theme.exact(SIDE_UNITS);
+        double track = height - Theme.exact(14);
+        double here = x(position);
+        for (TimelineMarker.Kind kind : TimelineMarker.Kind.values()) {
+            g.setColor(Theme.color(Ink.LINE, 0.6));
+            Drawing.horizontal(g, side, width - side, row(kind));
         }
+        bar(g, Ink.LINE, width - side, track);
+        bar(g, Ink.ACCENT, here, track);
+        Canvas canvas = new GraphicsCanvas(g);
+        for (TimelineMarker marker : timeline.markers()) {
+            mark(marker.kind())
+                    .draw(canvas, x(marker.timeNanos()), row(marker.kind()), canvas.px(4.5), ink(marker.kind()));
+        }
+        canvas.ink(Ink.ACCENT);
+        canvas.bar(here, canvas.px(4), canvas.px(1), track - canvas.px(4));
+        StatusMark.DISC.draw(canvas, here, track, canvas.px(8), Ink.ACCENT);
+    }
+
+    private static void bar(Graphics2D g, Ink ink, double right, double y) {
+        double side = Theme.exact(SIDE_UNITS);
+        g.setColor(Theme.color(ink));
+        g.fill(Drawing.round(side, y - Theme.exact(3), right - side, Theme.exact(6), Theme.exact(3)));
     }
 
     private double row(TimelineMarker.Kind kind) {
@@ -170,10 +161,10 @@ final class TimelineBar extends SpokenComponent {
 
     @Override
     protected String spoken() {
-        return texts.of("timeline.spoken", WorldView.clockText(position), WorldView.clockText(timeline.lastNanos()));
+        return texts.of("timeline.spoken", NumberTexts.clock(position), NumberTexts.clock(timeline.lastNanos()));
     }
 
-    private final class Hand extends MouseAdapter implements FocusListener {
+    private final class Mouse extends MouseAdapter {
         @Override
         public void mousePressed(MouseEvent event) {
             requestFocusInWindow();
@@ -189,18 +180,8 @@ final class TimelineBar extends SpokenComponent {
         @Override
         public void mouseMoved(MouseEvent event) {
             setToolTipText(markerAt(event.getX())
-                    .map(marker -> WorldView.clockText(marker.timeNanos()) + "  " + marker.line())
-                    .orElse(WorldView.clockText(nanosAt(event.getX()))));
-        }
-
-        @Override
-        public void focusGained(FocusEvent event) {
-            repaint();
-        }
-
-        @Override
-        public void focusLost(FocusEvent event) {
-            repaint();
+                    .map(marker -> NumberTexts.clock(marker.timeNanos()) + "  " + marker.line())
+                    .orElse(NumberTexts.clock(nanosAt(event.getX()))));
         }
     }
 }

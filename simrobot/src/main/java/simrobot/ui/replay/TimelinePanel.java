@@ -15,12 +15,12 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simrobot.drawing.NumberTexts;
 import simrobot.replay.TimelineMarker;
 import simrobot.ui.CompactButtons;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.TextLine;
 import simrobot.ui.Timeline;
-import simrobot.ui.floor.WorldView;
 
 /** A recording that is played: its timeline, and buttons from marker to marker. It takes the telephone's place. */
 public final class TimelinePanel extends JPanel {
@@ -85,6 +85,6 @@ public final class TimelinePanel extends JPanel {
         timeline = newest;
         position = nanos;
         bar.show(newest, nanos);
-        time.show(WorldView.clockText(nanos) + " / " + WorldView.clockText(newest.lastNanos()));
+        time.show(NumberTexts.clock(nanos) + " / " + NumberTexts.clock(newest.lastNanos()));
     }
 }

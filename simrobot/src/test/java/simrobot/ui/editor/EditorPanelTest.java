@@ -19,11 +19,13 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Theme;
+import simrobot.drawing.Viewport;
 import simrobot.editor.Item;
-import simrobot.ui.floor.Viewport;
 import simrobot.ui.panel.WindowBench;
 import simrobot.ui.panel.WorldChoice;
 import simrobot.world.Segment;
@@ -227,14 +229,65 @@ class EditorPanelTest {
         mouse(MouseEvent.MOUSE_PRESSED, 2, 2, 0);
         mouse(MouseEvent.MOUSE_DRAGGED, 2, 3, 0);
         WindowBench.painted(floor, 1);
-        World rest = floor.draft().still();
+        World rest = floor.draft().background();
         mouse(MouseEvent.MOUSE_DRAGGED, 2, 4, 0);
-        assertSame(rest, floor.draft().still());
+        assertSame(rest, floor.draft().background());
         int there = WindowBench.count(WindowBench.painted(floor, 1), Ink.ACCENT);
         mouse(MouseEvent.MOUSE_RELEASED, 2, 4, 0);
         assertEquals(new Segment(1, 4, 4, 4), walls().get(walls().size() - 1));
         assertEquals(there, WindowBench.count(WindowBench.painted(floor, 1), Ink.ACCENT), 200);
-        assertSame(floor.draft().world(), floor.draft().still());
+        assertSame(floor.draft().world(), floor.draft().background());
+    }
+
+    /** A wall from (1, 2) to (4, 2), and the mouse that drags from a place on it or at its end. */
+    private void wallUnderTheMouse(double x, double y) {
+        bench.click("editor.tool.wall");
+        drag(1, 2, 4, 2, 0);
+        bench.click("editor.tool.select");
+        mouse(MouseEvent.MOUSE_PRESSED, x, y, 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, x, y + 0.5, 0);
+    }
+
+    private void dragOnAndRelease() {
+        mouse(MouseEvent.MOUSE_DRAGGED, 3, 3.5, 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, 3, 4, 0);
+        mouse(MouseEvent.MOUSE_RELEASED, 3, 4, 0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"4, editor.undo", "4, editor.delete", "2, editor.undo", "2, editor.delete"})
+    void aDragEndsWithoutEffectWhenItsItemIsUndoneOrDeleted(double x, String action) {
+        int before = walls().size();
+        wallUnderTheMouse(x, 2);
+        bench.click(action);
+        List<Segment> rest = walls();
+        assertEquals(before, rest.size());
+        dragOnAndRelease();
+        assertEquals(rest, walls());
+    }
+
+    @Test
+    void aDragEndsWithoutEffectWhenAnotherItemTakesItsPlaceInTheWorld() {
+        bench.click("editor.tool.wall");
+        drag(1, 6, 4, 6, 0);
+        wallUnderTheMouse(4, 2);
+        act("editor.erase");
+        bench.click("editor.undo");
+        bench.click("editor.undo");
+        List<Segment> rest = walls();
+        dragOnAndRelease();
+        assertEquals(rest, walls());
+    }
+
+    @Test
+    void aDrawingEndsWithoutEffectWhenTheToolIsChanged() {
+        int before = walls().size();
+        bench.click("editor.tool.wall");
+        mouse(MouseEvent.MOUSE_PRESSED, 1, 2, 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, 4, 2, 0);
+        bench.click("editor.tool.select");
+        mouse(MouseEvent.MOUSE_RELEASED, 4, 2, 0);
+        assertEquals(before, walls().size());
     }
 
     private void drag(double x1, double y1, double x2, double y2, int modifiers) {

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Theme;
+import simrobot.drawing.Ruler;
+import simrobot.drawing.Viewport;
 import simrobot.ui.panel.WindowBench;
 import simrobot.world.Position;
 

@@ -1,26 +1,25 @@
 package simrobot.ui.floor;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
-import java.awt.Graphics2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Theme;
 import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationSnapshot;
 import simrobot.ui.panel.WindowBench;
 import vericommand.Instruction;
 
@@ -67,42 +66,25 @@ class WorldPicturesTest {
         assertTrue(texts.contains(" m\n"), texts);
     }
 
-    @Test
-    void theCanvasWritesShapesWhereTheyAreTransformedTo() {
-        SvgCanvas canvas = new SvgCanvas(100, 50, "t");
-        Graphics2D g = (Graphics2D) canvas.create();
-        g.translate(10, 20);
-        g.scale(2, 2);
-        g.setColor(new Color(255, 0, 0, 128));
-        g.setStroke(new BasicStroke(1.5f));
-        g.draw(new Line2D.Double(0, 0, 1, 0.5));
-        g.clip(new Rectangle2D.Double(0, 0, 5, 5));
-        g.fill(new Rectangle2D.Double(0, 0, 1, 1));
-        g.setFont(new Font(Font.MONOSPACED, Font.BOLD, 12));
-        g.drawString("a & b", 0, 0);
-        g.dispose();
-        String svg = canvas.document();
-        assertTrue(
-                svg.contains("<path d=\"M10 20L12 21\" fill=\"none\" stroke=\"#ff0000\" stroke-opacity=\"0.5\""), svg);
-        assertTrue(svg.contains("stroke-width=\"3\""), svg);
-        assertTrue(svg.contains("<clipPath id=\"clip1\"><path d=\"M10 20"), svg);
-        assertTrue(svg.contains("fill-opacity=\"0.5\" clip-path=\"url(#clip1)\"/>"), svg);
-        assertTrue(svg.contains("font-family=\"monospace\" font-size=\"12\" font-weight=\"bold\""), svg);
-        assertTrue(svg.contains(">a &amp; b</text>"), svg);
+    @ParameterizedTest
+    @ValueSource(strings = {"png", "svg"})
+    void aPictureIsTheSameAtEveryZoomOfTheWindow(String ending) throws Exception {
+        SimulationSnapshot scene = office().snapshot();
+        byte[] normal = new WorldPictures().of(scene, "anna", ending);
+        try {
+            Theme.zoomTo(2);
+            assertArrayEquals(normal, new WorldPictures().of(scene, "anna", ending));
+        } finally {
+            Theme.zoomTo(1);
+        }
     }
 
     @Test
-    void picturesAreRefused() {
-        SvgCanvas canvas = new SvgCanvas(10, 10, "");
-        BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
-        assertThrows(UnsupportedOperationException.class, () -> canvas.drawImage(image, 0, 0, null));
-    }
-
-    @Test
-    void numbersAreShortAndNeverInALocale() {
-        assertEquals("0", SvgText.number(-0.001));
-        assertEquals("1.5", SvgText.number(1.5));
-        assertEquals("100", SvgText.number(100));
-        assertEquals("x&lt;y &#34;".replace("&#34;", "&quot;"), SvgText.escaped("x<y \""));
+    void aPictureHasTheWindowsAppearance() throws Exception {
+        SimulationSnapshot scene = office().snapshot();
+        Theme.install(Appearance.DARK);
+        String svg = new String(new WorldPictures().of(scene, "anna", "svg"), UTF_8);
+        assertTrue(svg.contains(Ink.FLOOR.hex(Appearance.DARK)));
+        assertFalse(svg.contains(Ink.FLOOR.hex(Appearance.LIGHT)));
     }
 }

@@ -2,6 +2,7 @@ package simrobot.ui.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.ActionEvent;
@@ -15,6 +16,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
+import simrobot.drawing.NumberTexts;
+import simrobot.drawing.RobotPainter;
 import simrobot.robot.SimulatedRobot;
 import simrobot.ui.panel.WindowBench;
 
@@ -58,6 +61,39 @@ class WorldViewTest {
     void aRobotDraggedIntoAWallStaysWhereItLastFitted() {
         drag(0, 0, 10, 0, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK);
         assertEquals(0, robot.xMeters());
+    }
+
+    @Test
+    void aDragOfARobotThatIsRemovedMovesNoOtherRobot() throws Exception {
+        bench.simulation.addRobot("other");
+        bench.simulation.robot("other").orElseThrow().place(5, 5, 0);
+        bench.show();
+        mouse(MouseEvent.MOUSE_PRESSED, 0, 0, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        mouse(MouseEvent.MOUSE_DRAGGED, 1, 1, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        bench.simulation.removeRobot(robot);
+        bench.show();
+        mouse(MouseEvent.MOUSE_DRAGGED, 2, 2, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        mouse(MouseEvent.MOUSE_RELEASED, 2, 2, MouseEvent.BUTTON1, 0, 1);
+        assertEquals(5, bench.simulation.robot("other").orElseThrow().xMeters());
+    }
+
+    @Test
+    void aPlaceThatIsNotWantedAnyMoreIsNotChosenByADrag() {
+        bench.click("robot.add");
+        mouse(MouseEvent.MOUSE_PRESSED, 4, 4, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        bench.click("newcomer.cancel");
+        mouse(MouseEvent.MOUSE_DRAGGED, 5, 4, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        mouse(MouseEvent.MOUSE_RELEASED, 5, 4, MouseEvent.BUTTON1, 0, 1);
+        assertTrue(view.placing().preview().isEmpty());
+    }
+
+    @Test
+    void aRulerThatIsHiddenDuringADragStaysHidden() {
+        view.toggleRuler();
+        mouse(MouseEvent.MOUSE_PRESSED, 4, 4, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        press(KeyEvent.VK_ESCAPE, 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, 5, 4, MouseEvent.BUTTON1, InputEvent.BUTTON1_DOWN_MASK, 1);
+        assertNull(view.ruler());
     }
 
     @Test
@@ -136,9 +172,9 @@ class WorldViewTest {
     }
 
     @Test
-    void theClockTellsSimulatedTime() {
-        assertEquals("0:00:00.00", WorldView.clockText(0));
-        assertEquals("1:01:01.23", WorldView.clockText(3_661_230_000_000L));
+    void theClockShowsSimulatedTime() {
+        assertEquals("0:00:00.00", NumberTexts.clock(0));
+        assertEquals("1:01:01.23", NumberTexts.clock(3_661_230_000_000L));
     }
 
     @Test
@@ -146,8 +182,8 @@ class WorldViewTest {
         bench.simulation.step();
         var before = bench.simulation.snapshot();
         bench.simulation.step();
-        assertTrue(SnapshotComparison.between(before, bench.simulation.snapshot()));
+        assertTrue(SnapshotComparison.looksTheSame(before, bench.simulation.snapshot()));
         robot.place(1, 1, 0);
-        assertFalse(SnapshotComparison.between(before, bench.simulation.snapshot()));
+        assertFalse(SnapshotComparison.looksTheSame(before, bench.simulation.snapshot()));
     }
 }

@@ -18,10 +18,10 @@ import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
 import simrobot.control.LoggedEvent;
+import simrobot.drawing.RobotPreview;
+import simrobot.drawing.Viewport;
 import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
-import simrobot.ui.floor.RobotGhost;
-import simrobot.ui.floor.Viewport;
 import vericommand.RobotStatus;
 
 /** Robots come, go, and are put somewhere by hand; whoever is called is shown. */
@@ -81,9 +81,9 @@ class RobotsInTheWindowTest {
         assertEquals("6.50", ((JTextField) bench.component("newcomer.x")).getText());
         mouse(MouseEvent.MOUSE_DRAGGED, x, y - 40, InputEvent.SHIFT_DOWN_MASK);
         assertEquals("90", ((JTextField) bench.component("newcomer.heading")).getText());
-        assertTrue(bench.floor().hand().ghost().isPresent());
+        assertTrue(bench.floor().placing().preview().isPresent());
         bench.click("newcomer.cancel");
-        assertTrue(bench.floor().hand().ghost().isEmpty());
+        assertTrue(bench.floor().placing().preview().isEmpty());
     }
 
     @Test
@@ -133,14 +133,14 @@ class RobotsInTheWindowTest {
         assertEquals(9.5, robot.xMeters(), 0.05);
         drag(9.5, 7);
         bench.settle();
-        RobotGhost ghost = bench.floor().hand().ghost().orElseThrow();
+        RobotPreview ghost = bench.floor().placing().preview().orElseThrow();
         assertTrue(ghost.refused());
         assertEquals("something is in the way there", ghost.text());
         release();
         bench.settle();
         assertEquals(9, robot.xMeters());
         assertEquals(6, robot.yMeters());
-        assertTrue(bench.floor().hand().ghost().isPresent());
+        assertTrue(bench.floor().placing().preview().isPresent());
     }
 
     @Test
@@ -153,7 +153,7 @@ class RobotsInTheWindowTest {
         release();
         bench.settle();
         assertEquals(10, robot.xMeters(), 0.05);
-        assertTrue(bench.floor().hand().ghost().isEmpty());
+        assertTrue(bench.floor().placing().preview().isEmpty());
     }
 
     @Test

@@ -1,17 +1,15 @@
 package simgsm.ui.scope;
 
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
 import simgsm.dtmf.ToneTrace;
-import simgsm.ui.Drawing;
-import simgsm.ui.SpokenComponent;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
 /** The tone scope of phone and modem: shows the newest {@link ToneTrace} that it was given. */
-public final class ToneScope extends SpokenComponent {
+public final class ToneScope extends PaintedComponent {
     /** In units. */
     private static final int WIDTH = 288;
 
@@ -30,15 +28,13 @@ public final class ToneScope extends SpokenComponent {
 
     public void show(ToneTrace newTrace) {
         if (newTrace != trace) {
-            String before = spoken();
-            trace = newTrace;
-            tellSpoken(before, spoken());
+            change(() -> trace = newTrace);
             repaint();
         }
     }
 
-    /** Makes do with less height, where something else needs it more. */
-    void beCompact(boolean wanted) {
+    /** A preferred height of 132 units in place of 168. */
+    void setCompact(boolean wanted) {
         if (compact != wanted) {
             compact = wanted;
             revalidate();
@@ -53,13 +49,8 @@ public final class ToneScope extends SpokenComponent {
     }
 
     @Override
-    protected void paintComponent(Graphics graphics) {
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            painter.paint(g, trace, getWidth(), getHeight());
-        } finally {
-            g.dispose();
-        }
+    protected void paint(Graphics2D g, double width, double height) {
+        painter.paint(g, trace, width, height);
     }
 
     @Override

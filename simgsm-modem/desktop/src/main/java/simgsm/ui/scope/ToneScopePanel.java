@@ -32,8 +32,8 @@ public final class ToneScopePanel extends JPanel {
     }
 
     /** A place with little room has a lower picture and no faders; what they are set to holds all the same. */
-    public void beCompact(boolean compact) {
-        scope.beCompact(compact);
+    public void setCompact(boolean compact) {
+        scope.setCompact(compact);
         experiment.setVisible(!compact);
     }
 

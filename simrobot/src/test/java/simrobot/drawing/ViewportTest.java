@@ -1,4 +1,4 @@
-package simrobot.ui.floor;
+package simrobot.drawing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package simrobot.ui.floor;
+package simrobot.drawing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -39,7 +40,7 @@ class WorldPainterTest {
                 new BufferedImage((int) (WIDTH * scale), (int) (HEIGHT * scale), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(scale, scale);
-        WorldPainter.paint(g, simulation.snapshot(), view, layers, "robot");
+        WorldPainter.paint(new GraphicsCanvas(g), simulation.snapshot(), view, layers, "robot");
         g.dispose();
         return image;
     }

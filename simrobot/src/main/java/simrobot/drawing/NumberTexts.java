@@ -1,11 +1,12 @@
-package simrobot.ui;
+package simrobot.drawing;
 
 import java.util.Locale;
 
-/** Numbers of the pose as people read them: a dot for the decimal in every language, and never minus zero. */
-public final class PoseTexts {
-    private PoseTexts() {}
+/** Numbers for people: a dot for the decimal in every language, never minus zero. */
+public final class NumberTexts {
+    private NumberTexts() {}
 
+    /** With three decimals. */
     public static String meters(double value) {
         return fixed(value, 3);
     }
@@ -14,6 +15,12 @@ public final class PoseTexts {
     public static String degrees(double radians) {
         double turned = Math.rint(Math.toDegrees(radians) * 10) / 10 % 360;
         return fixed(turned < 0 ? turned + 360 : turned, 1);
+    }
+
+    /** Simulated time as h:mm:ss.cc. */
+    public static String clock(long nanos) {
+        long centis = nanos / 10_000_000;
+        return "%d:%02d:%02d.%02d".formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
     }
 
     public static String fixed(double value, int decimals) {

@@ -1,4 +1,4 @@
-package simrobot.ui;
+package simrobot.drawing;
 
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;

@@ -1,6 +1,6 @@
-package simrobot.ui.floor;
+package simrobot.drawing;
 
-/** What the world view draws beside floor, walls and robots. */
+/** The parts of a picture that can be left out. */
 public record Layers(boolean grid, boolean trail, boolean sonar) {
     public static final Layers ALL = new Layers(true, true, true);
 

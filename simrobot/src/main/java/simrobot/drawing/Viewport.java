@@ -1,4 +1,4 @@
-package simrobot.ui.floor;
+package simrobot.drawing;
 
 import simrobot.world.Area;
 

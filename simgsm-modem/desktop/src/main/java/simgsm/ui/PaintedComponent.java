@@ -1,0 +1,96 @@
+package simgsm.ui;
+
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import javax.accessibility.Accessible;
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+import simgsm.draw.Ink;
+
+/** A component that is painted by code and gives assistive technology in words what it shows. */
+public abstract class PaintedComponent extends JComponent implements Accessible {
+    private final transient AccessibleRole role;
+    private boolean focusRing;
+
+    /** @param role LABEL for a reading, CANVAS for a picture */
+    protected PaintedComponent(AccessibleRole role) {
+        this.role = role;
+    }
+
+    /** What it shows now, in words. */
+    protected abstract String spoken();
+
+    /** Paints the whole component, sizes in pixels; the rendering hints are set. */
+    protected abstract void paint(Graphics2D g, double width, double height);
+
+    /** Runs a change; when it changes the words, assistive technology is notified and the component repainted. */
+    protected final void change(Runnable change) {
+        String before = spoken();
+        change.run();
+        String after = spoken();
+        if (!before.equals(after)) {
+            if (accessibleContext != null) {
+                accessibleContext.firePropertyChange(AccessibleContext.ACCESSIBLE_NAME_PROPERTY, before, after);
+            }
+            repaint();
+        }
+    }
+
+    /** Lets the component take the focus, which a ring at its edge shows. */
+    protected final void makeFocusable() {
+        focusRing = true;
+        setFocusable(true);
+        repaintOnFocus(this);
+    }
+
+    /** Repaints a component when it gains or loses the focus. */
+    public static void repaintOnFocus(JComponent component) {
+        component.addFocusListener(new FocusListener() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                component.repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                component.repaint();
+            }
+        });
+    }
+
+    @Override
+    protected final void paintComponent(Graphics graphics) {
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            paint(g, getWidth(), getHeight());
+            if (focusRing && isFocusOwner()) {
+                g.setColor(Theme.color(Ink.ACCENT));
+                g.setStroke(Theme.line());
+                g.draw(Drawing.round(1, 1, getWidth() - 2, getHeight() - 2, Theme.exact(4)));
+            }
+        } finally {
+            g.dispose();
+        }
+    }
+
+    @Override
+    public final AccessibleContext getAccessibleContext() {
+        if (accessibleContext == null) {
+            accessibleContext = new AccessibleJComponent() {
+                @Override
+                public AccessibleRole getAccessibleRole() {
+                    return role;
+                }
+
+                @Override
+                public String getAccessibleName() {
+                    return spoken();
+                }
+            };
+        }
+        return accessibleContext;
+    }
+}

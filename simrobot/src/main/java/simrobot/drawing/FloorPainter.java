@@ -1,0 +1,276 @@
+package simrobot.drawing;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.DoubleStream;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
+import simgsm.draw.Ink;
+import simgsm.draw.Outline;
+import simrobot.world.Area;
+import simrobot.world.Box;
+import simrobot.world.Goal;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.Segment;
+import simrobot.world.Treadmill;
+import simrobot.world.World;
+
+/** Paints the floor and its objects. Strokes and texts keep their size in pixels at every scale of the world. */
+public final class FloorPainter {
+    /** A wall's thickness in the picture; for wheels and sonars it has none. */
+    private static final double WALL_METERS = 0.02;
+
+    private static final double CHEVRON_SPACING_METERS = 0.5;
+    private static final double CHEVRON_METERS = 0.16;
+    private static final double HOME_RADIUS_METERS = 0.3;
+    /** Below this scale names are left out, in pixels per metre at zoom 1. */
+    private static final double LEAST_NAMED_SCALE = 22;
+
+    private final Canvas g;
+    private final Viewport view;
+
+    public FloorPainter(Canvas g, Viewport view) {
+        this.g = g;
+        this.view = view;
+    }
+
+    // ---- paper -----------------------------------------------------------------------------------------------------
+
+    void paper() {
+        g.ink(Ink.FLOOR);
+        g.fill(Outline.box(0, 0, view.width(), view.height()));
+    }
+
+    /** Lines every metre, stronger every five; every 5 m, 25 m ... when they would be closer than 9 units. */
+    void grid() {
+        double step = 1;
+        while (step * view.pixelsPerMeter() < g.px(9)) {
+            step *= 5;
+        }
+        gridLines(step, false);
+        gridLines(step, true);
+    }
+
+    private void gridLines(double step, boolean major) {
+        g.ink(major ? Ink.GRID_MAJOR : Ink.GRID_LINE);
+        long right = (long) Math.floor(view.worldX(view.width()) / step);
+        for (long i = (long) Math.ceil(view.worldX(0) / step); i <= right; i++) {
+            if (i % 5 == 0 == major) {
+                g.bar(view.screenX(i * step), 0, g.px(1), view.height());
+            }
+        }
+        long top = (long) Math.floor(view.worldY(0) / step);
+        for (long i = (long) Math.ceil(view.worldY(view.height()) / step); i <= top; i++) {
+            if (i % 5 == 0 == major) {
+                g.bar(0, view.screenY(i * step), view.width(), g.px(1));
+            }
+        }
+    }
+
+    // ---- obstacles -------------------------------------------------------------------------------------------------
+
+    void obstacles(World world) {
+        world.boxes().forEach(this::box);
+        walls(world.segments());
+        points(world);
+    }
+
+    public void walls(List<Segment> walls) {
+        g.ink(Ink.WALL);
+        g.pen(Math.max(1.6, WALL_METERS * view.pixelsPerMeter() / g.px(1)));
+        walls.forEach(this::line);
+    }
+
+    private void line(Segment s) {
+        double x1 = view.screenX(s.x1Meters());
+        double y1 = view.screenY(s.y1Meters());
+        double x2 = view.screenX(s.x2Meters());
+        double y2 = view.screenY(s.y2Meters());
+        boolean outside = Math.max(x1, x2) < -20
+                || Math.min(x1, x2) > view.width() + 20
+                || Math.max(y1, y2) < -20
+                || Math.min(y1, y2) > view.height() + 20;
+        if (!outside) {
+            g.line(x1, y1, x2, y2);
+        }
+    }
+
+    /** A square for each point; of points in the same pixel one. */
+    private void points(World world) {
+        double side = Math.max(g.px(1.5), world.pointDiameterMeters() * view.pixelsPerMeter());
+        Outline squares = new Outline();
+        Set<Long> drawn = new HashSet<>();
+        for (Position p : world.points()) {
+            double x = view.screenX(p.xMeters());
+            double y = view.screenY(p.yMeters());
+            if (view.shows(p.xMeters(), p.yMeters(), 0) && drawn.add(Math.round(x) << 32 | Math.round(y))) {
+                squares.addBox(x - side / 2, y - side / 2, side, side);
+            }
+        }
+        g.fill(squares);
+    }
+
+    public void box(Box box) {
+        Outline outline = outline(box.area());
+        g.ink(Ink.GRID_MAJOR, 0.75);
+        g.fill(outline);
+        g.ink(Ink.WALL);
+        g.pen(1.4);
+        g.draw(outline);
+        boxName(box);
+    }
+
+    /** Turned by 90 degrees when it does not fit across and the box is higher than wide. */
+    private void boxName(Box box) {
+        double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
+        double high = (box.area().maxYMeters() - box.area().minYMeters()) * view.pixelsPerMeter();
+        boolean across = g.width(box.name(), Face.SMALL) <= wide - g.px(4) || wide >= high;
+        Position middle = box.area().center();
+        double x = view.screenX(middle.xMeters());
+        double y = view.screenY(middle.yMeters());
+        if (across) {
+            name(box.name(), x, y, wide, Ink.QUIET);
+        } else {
+            g.moved(x, y, -Math.PI / 2, () -> name(box.name(), 0, 0, high, Ink.QUIET));
+        }
+    }
+
+    // ---- markings: they stop neither wheels nor sonars -------------------------------------------------------------
+
+    void markings(World world) {
+        world.forbiddenAreas().forEach(this::forbidden);
+        g.ink(Ink.DANGER, 0.7);
+        g.pen(1.4, 6);
+        world.forbiddenLines().forEach(this::line);
+        world.homes().forEach(this::home);
+        world.goals().forEach(this::goal);
+    }
+
+    private void forbidden(Area area) {
+        Outline outline = outline(area);
+        g.clipped(outline, () -> {
+            g.ink(Ink.DANGER, 0.06);
+            g.fill(outline);
+            g.ink(Ink.DANGER, 0.25);
+            g.pen(1);
+            g.draw(hatching(area));
+        });
+        g.ink(Ink.DANGER, 0.7);
+        g.pen(1.4, 6);
+        g.draw(outline);
+    }
+
+    /** Diagonals every 9 units over the upright rectangle around an area. */
+    private Outline hatching(Area area) {
+        double left = Double.POSITIVE_INFINITY;
+        double right = Double.NEGATIVE_INFINITY;
+        double top = Double.POSITIVE_INFINITY;
+        double low = Double.NEGATIVE_INFINITY;
+        for (Position corner : area.corners()) {
+            left = Math.min(left, view.screenX(corner.xMeters()));
+            right = Math.max(right, view.screenX(corner.xMeters()));
+            top = Math.min(top, view.screenY(corner.yMeters()));
+            low = Math.max(low, view.screenY(corner.yMeters()));
+        }
+        Outline lines = new Outline();
+        for (double x = left - (low - top); x < right; x += g.px(9)) {
+            lines.move(x, low).line(x + low - top, top);
+        }
+        return lines;
+    }
+
+    public void treadmills(World world, long timeNanos) {
+        world.treadmills().forEach(belt -> treadmill(belt, timeNanos));
+    }
+
+    /** Chevrons that run with the belt, at its speed in simulated time. */
+    private void treadmill(Treadmill belt, long timeNanos) {
+        Outline outline = outline(belt.area());
+        g.clipped(outline, () -> {
+            g.ink(Ink.ACCENT, 0.07);
+            g.fill(outline);
+            chevrons(belt, timeNanos);
+        });
+        g.ink(Ink.ACCENT, 0.6);
+        g.pen(1.2);
+        g.draw(outline);
+    }
+
+    private void chevrons(Treadmill belt, long timeNanos) {
+        double spacing = CHEVRON_SPACING_METERS * view.pixelsPerMeter();
+        double speed = belt.speedMetersPerSecond();
+        if (spacing < g.px(8) || speed == 0) {
+            return;
+        }
+        double size = Math.min(CHEVRON_METERS * view.pixelsPerMeter(), g.px(14));
+        double run = Math.abs(speed) * (timeNanos * 1e-9) % CHEVRON_SPACING_METERS * view.pixelsPerMeter();
+        double wide = belt.area().maxXMeters() - belt.area().minXMeters();
+        double high = belt.area().maxYMeters() - belt.area().minYMeters();
+        double reach = Math.hypot(wide, high) / 2 * view.pixelsPerMeter() + spacing;
+        int across = (int) (reach / spacing);
+        Outline chevrons = new Outline();
+        for (double x = -across * spacing + run; x < reach; x += spacing) {
+            for (double y = -across * spacing; y < reach; y += spacing) {
+                chevrons.move(x - size / 2, y - size / 2).line(x, y).line(x - size / 2, y + size / 2);
+            }
+        }
+        Position middle = belt.area().center();
+        g.moved(
+                view.screenX(middle.xMeters()),
+                view.screenY(middle.yMeters()),
+                -belt.directionRadians() + (speed < 0 ? Math.PI : 0),
+                () -> {
+                    g.ink(Ink.ACCENT, 0.35);
+                    g.pen(1.6);
+                    g.draw(chevrons);
+                });
+    }
+
+    public void home(Home home) {
+        home.area().ifPresent(area -> {
+            g.ink(Ink.GOOD, 0.5);
+            g.pen(1.2, 5);
+            g.draw(outline(area));
+        });
+        double x = view.screenX(home.position().xMeters());
+        double y = view.screenY(home.position().yMeters());
+        double r = Math.max(g.px(5), HOME_RADIUS_METERS * view.pixelsPerMeter());
+        g.ink(Ink.GOOD, 0.55);
+        g.pen(1.2, 4);
+        g.draw(Outline.circle(x, y, r));
+        g.pen(1.2);
+        double ux = Math.cos(home.headingRadians());
+        double uy = -Math.sin(home.headingRadians());
+        g.line(x + ux * r, y + uy * r, x + ux * (r + g.px(6)), y + uy * (r + g.px(6)));
+        name(home.name(), x, y + r + g.px(11), Double.MAX_VALUE, Ink.GOOD);
+    }
+
+    private void goal(Goal goal) {
+        double x = view.screenX(goal.position().xMeters());
+        double y = view.screenY(goal.position().yMeters());
+        double r = g.px(4);
+        g.ink(Ink.QUIET, 0.8);
+        g.pen(1.2);
+        g.draw(Outline.polygon(x, y - r, x + r, y, x, y + r, x - r, y));
+        name(goal.name(), x, y + g.px(13), Double.MAX_VALUE, Ink.QUIET);
+    }
+
+    /** A small name, left out when it is wider than its room or the world is drawn too small. */
+    private void name(String name, double x, double y, double room, Ink ink) {
+        if (!name.isEmpty()
+                && view.pixelsPerMeter() >= g.px(LEAST_NAMED_SCALE)
+                && g.width(name, Face.SMALL) <= room - g.px(4)) {
+            g.ink(ink);
+            g.text(name, Face.SMALL, x, y);
+        }
+    }
+
+    private Outline outline(Area area) {
+        return Outline.polygon(area.corners().stream()
+                .flatMapToDouble(
+                        corner -> DoubleStream.of(view.screenX(corner.xMeters()), view.screenY(corner.yMeters())))
+                .toArray());
+    }
+}

@@ -1,0 +1,119 @@
+package simrobot.drawing;
+
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
+import simgsm.draw.Ink;
+import simgsm.draw.Outline;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.World;
+
+/** Paints a snapshot of the simulation into a viewport. */
+public final class WorldPainter {
+    private WorldPainter() {}
+
+    /**
+     * Paints everything.
+     *
+     * @param selected the selected robot's name, or null
+     */
+    public static void paint(Canvas g, SimulationSnapshot scene, Viewport view, Layers layers, String selected) {
+        floor(g, scene.world(), view, layers);
+        robots(g, scene, view, layers, selected);
+    }
+
+    /** The part that does not change while robots move. */
+    public static void floor(Canvas g, World world, Viewport view, Layers layers) {
+        FloorPainter floor = new FloorPainter(g, view);
+        floor.paper();
+        if (layers.grid()) {
+            floor.grid();
+        }
+        floor.markings(world);
+        floor.obstacles(world);
+        scaleBar(g, view);
+        axes(g, view);
+    }
+
+    /** The part that moves: treadmills, trails, sonar echoes, robots. */
+    public static void robots(Canvas g, SimulationSnapshot scene, Viewport view, Layers layers, String selected) {
+        new FloorPainter(g, view).treadmills(scene.world(), scene.timeNanos());
+        RobotPainter painter = new RobotPainter(g, view);
+        boolean alone = scene.robots().size() == 1;
+        for (RobotSnapshot robot : scene.robots()) {
+            if (layers.trail()) {
+                painter.trail(robot, scene.timeNanos());
+            }
+        }
+        for (RobotSnapshot robot : scene.robots()) {
+            if (layers.sonar() && (alone || robot.name().equals(selected))) {
+                painter.sonar(robot);
+            }
+        }
+        for (RobotSnapshot robot : scene.robots()) {
+            if (view.shows(robot.xMeters(), robot.yMeters(), 1)) {
+                painter.body(robot, robot.name().equals(selected));
+                painter.badge(robot, !alone);
+            }
+        }
+    }
+
+    /** The directions of x and y; headings count anticlockwise from x. */
+    private static void axes(Canvas g, Viewport view) {
+        double x = g.px(18);
+        double y = view.height() - g.px(46);
+        double length = g.px(24);
+        g.ink(Ink.QUIET);
+        g.pen(1.2);
+        arrow(g, x, y, 1, 0, length);
+        arrow(g, x, y, 0, -1, length);
+        g.text("x", Face.MONO_SMALL, x + length + g.px(8), y);
+        g.text("y", Face.MONO_SMALL, x, y - length - g.px(8));
+    }
+
+    private static void arrow(Canvas g, double x, double y, double ux, double uy, double length) {
+        double tipX = x + ux * length;
+        double tipY = y + uy * length;
+        double barb = g.px(4);
+        g.line(x, y, tipX, tipY);
+        g.line(tipX, tipY, tipX - barb * (ux + uy), tipY - barb * (uy + ux));
+        g.line(tipX, tipY, tipX - barb * (ux - uy), tipY - barb * (uy - ux));
+    }
+
+    /** A bar of 1, 2 or 5 times a power of ten metres, at most 110 units long. */
+    private static void scaleBar(Canvas g, Viewport view) {
+        double meters = scaleBarMeters(view.pixelsPerMeter() / g.px(1));
+        double length = meters * view.pixelsPerMeter();
+        double x = g.px(14);
+        double y = view.height() - g.px(14);
+        double tick = g.px(5);
+        textGround(g, Ink.FLOOR, 0.8, x - g.px(8), y - g.px(22), length + g.px(16), g.px(30));
+        g.ink(Ink.TEXT);
+        g.bar(x, y, length, g.px(1));
+        g.bar(x, y - tick, g.px(1), tick + g.px(1));
+        g.bar(x + length - g.px(1), y - tick, g.px(1), tick + g.px(1));
+        g.bar(x + length / 2, y - tick / 2, g.px(1), tick / 2);
+        g.text(label(meters), Face.MONO_SMALL, x + length / 2, y - g.px(12));
+    }
+
+    /** @param pixelsPerMeter at zoom 1 */
+    static double scaleBarMeters(double pixelsPerMeter) {
+        double wanted = 110 / pixelsPerMeter;
+        double power = Math.pow(10, Math.floor(Math.log10(wanted)));
+        double share = wanted / power;
+        return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
+    }
+
+    private static String label(double meters) {
+        return meters >= 1 ? Math.round(meters) + " m" : Math.round(meters * 100) + " cm";
+    }
+
+    /** Fills a rounded rectangle on which a text can be read over walls, and gives its outline. */
+    public static Outline textGround(
+            Canvas g, Ink ink, double opacity, double x, double y, double width, double height) {
+        Outline ground = Outline.round(x, y, width, height, g.px(6));
+        g.ink(ink, opacity);
+        g.fill(ground);
+        return ground;
+    }
+}
