@@ -9,9 +9,9 @@ import simgsm.octets.OctetWriter;
  * An event of a session.
  *
  * @param timeNanos simulated time
- * @param robot whose it is; empty for nobody's
- * @param name its first word
- * @param line the whole of it as the console had it
+ * @param robot the robot's name; empty if the event belongs to none
+ * @param name the event's name, the first word of the line
+ * @param line the line that the console prints
  */
 public record RecordedEvent(long timeNanos, String robot, String name, String line) {
     private static final String COLLISION = "value=Collision";
@@ -20,7 +20,7 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
         return new RecordedEvent(timeNanos, event.fields().getOrDefault("robot", ""), event.name(), event.toString());
     }
 
-    /** What a timeline shows of it, if anything. */
+    /** The event as a mark on the timeline; empty if the timeline does not show it. */
     Optional<TimelineMarker> marker() {
         return kind().map(kind -> new TimelineMarker(timeNanos, kind, robot, line));
     }
@@ -35,11 +35,11 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
         };
     }
 
-    void write(OctetWriter out, long previousNanos) {
-        out.compactSigned(timeNanos - previousNanos).text(robot).text(name).text(line);
+    void write(OctetWriter out) {
+        out.eightOctets(timeNanos).text(robot).text(name).text(line);
     }
 
-    static RecordedEvent read(OctetReader<DamagedException> in, long previousNanos) {
-        return new RecordedEvent(previousNanos + in.compactSigned(), in.text(), in.text(), in.text());
+    static RecordedEvent read(OctetReader<DamagedException> in) {
+        return new RecordedEvent(in.eightOctets("a time"), in.text(), in.text(), in.text());
     }
 }

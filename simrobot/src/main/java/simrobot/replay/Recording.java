@@ -3,39 +3,42 @@ package simrobot.replay;
 import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
-import java.io.RandomAccessFile;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simgsm.octets.OctetReader;
-import simrobot.simulation.Simulation;
+import simrobot.replay.RecordingFormat.Kind;
+import simrobot.replay.RecordingFormat.StoredRecord;
+import simrobot.world.MapReader;
 import simrobot.world.World;
+import simrobot.world.WorldFormatException;
 
 /**
- * A recorded session that was opened: what it holds and where in the file it is. States are read as they are asked for.
+ * A recorded session that was opened: its contents and their places in the file. States are read on demand.
  *
- * <p>A file whose end is missing is read as far as it goes ({@link #isTorn}); one that is damaged within is read up to
- * there ({@link #damage}).
+ * <p>A file whose end is missing is read up to its last whole record ({@link #isTorn}), a damaged one up to the damage
+ * ({@link #damage}).
  */
 public final class Recording implements AutoCloseable {
     /** A KEY or CHANGES record. @param scene which world and cast it belongs to */
-    record Part(long offset, RecordingFormat.Kind kind, long beginNanos, long endNanos, Scene scene) {}
+    record Part(long offset, Kind kind, long beginNanos, long endNanos, Scene scene) {}
 
     /** A world and the robots in it. */
     record Scene(World world, List<String> robots) {}
 
     private final Path path;
-    private final RandomAccessFile file;
+    private final FileChannel file;
     private final List<Part> parts = new ArrayList<>();
     private final List<RecordedEvent> events = new ArrayList<>();
     private List<TimelineMarker> markers = List.of();
     private boolean torn;
     private String damage = "";
 
-    private Recording(Path path, RandomAccessFile file) {
+    private Recording(Path path, FileChannel file) {
         this.path = path;
         this.file = file;
     }
@@ -50,9 +53,13 @@ public final class Recording implements AutoCloseable {
             throw new IOException(path + ": expected a recording, found a folder");
         }
         long size = Files.size(path);
-        Recording recording = new Recording(path, new RandomAccessFile(path.toFile(), "r"));
+        Recording recording = new Recording(path, FileChannel.open(path));
         try (DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(path), 1 << 16))) {
-            recording.readHeader(in);
+            try {
+                RecordingFormat.checkHeader(in.readNBytes(RecordingFormat.HEADER_OCTETS));
+            } catch (IOException e) {
+                throw new IOException(path + ": " + e.getMessage(), e);
+            }
             recording.scan(in, size);
             recording.markers = recording.events.stream()
                     .flatMap(event -> event.marker().stream())
@@ -64,39 +71,19 @@ public final class Recording implements AutoCloseable {
         }
     }
 
-    private void readHeader(DataInputStream in) throws IOException {
-        byte[] header = in.readNBytes(RecordingFormat.HEADER_OCTETS);
-        byte[] ours = RecordCodec.header();
-        int magic = RecordingFormat.MAGIC.length();
-        if (header.length < ours.length || !Arrays.equals(header, 0, magic, ours, 0, magic)) {
-            throw new IOException(path + ": no SimRobot recording, expected a file made by --record");
-        }
-        OctetReader<DamagedException> rest =
-                new OctetReader<>(Arrays.copyOfRange(header, magic, header.length), DamagedException::new);
-        long version = rest.twoOctets("the version");
-        long stepNanos = rest.eightOctets("a time");
-        if (version != RecordingFormat.VERSION || stepNanos != Simulation.STEP_NANOS) {
-            throw new IOException(path + ": a recording of version " + version + " with steps of " + stepNanos
-                    + " ns, expected version " + RecordingFormat.VERSION + " with " + Simulation.STEP_NANOS);
-        }
-    }
-
     private void scan(DataInputStream in, long size) throws IOException {
         long offset = RecordingFormat.HEADER_OCTETS;
         World world = World.bare();
         Scene scene = new Scene(world, List.of());
         try {
-            RecordCodec.Stored record = RecordCodec.read(in);
-            while (record != null) {
-                switch (record.meaning()) {
-                    case WORLD -> world = WorldCodec.read(new OctetReader<>(record.inflated(), DamagedException::new));
-                    case CAST ->
-                        scene = new Scene(world, names(new OctetReader<>(record.inflated(), DamagedException::new)));
-                    case EVENTS -> addEvents(new OctetReader<>(record.inflated(), DamagedException::new));
+            for (StoredRecord record = StoredRecord.read(in); record != null; record = StoredRecord.read(in)) {
+                switch (record.kind()) {
+                    case WORLD -> world = world(record.content());
+                    case ROBOTS -> scene = new Scene(world, names(record.content()));
+                    case EVENTS -> addEvents(record.content());
                     case KEY, CHANGES -> addPart(offset, record, scene);
                 }
-                offset += RecordingFormat.FRAME_OCTETS + record.content().length;
-                record = RecordCodec.read(in);
+                offset += record.length();
             }
             torn = offset != size;
         } catch (DamagedException e) {
@@ -107,15 +94,20 @@ public final class Recording implements AutoCloseable {
         }
     }
 
-    private void addPart(long offset, RecordCodec.Stored record, Scene scene) {
-        OctetReader<DamagedException> times = new OctetReader<>(record.content(), DamagedException::new);
-        Part part = new Part(offset, record.meaning(), times.eightOctets("a time"), times.eightOctets("a time"), scene);
-        boolean first = parts.isEmpty();
-        if (part.endNanos < part.beginNanos
-                || (first ? part.kind != RecordingFormat.Kind.KEY : part.beginNanos < lastNanos())) {
-            throw new DamagedException("a record from " + part.beginNanos + " to " + part.endNanos + " ns");
+    private void addPart(long offset, StoredRecord record, Scene scene) {
+        boolean isExpected = parts.isEmpty() ? record.kind() == Kind.KEY : record.beginNanos() >= lastNanos();
+        if (!isExpected || record.endNanos() < record.beginNanos()) {
+            throw new DamagedException("a record from " + record.beginNanos() + " to " + record.endNanos() + " ns");
         }
-        parts.add(part);
+        parts.add(new Part(offset, record.kind(), record.beginNanos(), record.endNanos(), scene));
+    }
+
+    private static World world(OctetReader<DamagedException> in) {
+        try {
+            return MapReader.read(in.text(), in.text());
+        } catch (WorldFormatException | IllegalArgumentException e) {
+            throw new DamagedException("a world that cannot be read: " + e.getMessage());
+        }
     }
 
     private static List<String> names(OctetReader<DamagedException> in) {
@@ -131,11 +123,8 @@ public final class Recording implements AutoCloseable {
     }
 
     private void addEvents(OctetReader<DamagedException> in) {
-        long before = 0;
         for (int left = in.count(); left > 0; left--) {
-            RecordedEvent event = RecordedEvent.read(in, before);
-            before = event.timeNanos();
-            events.add(event);
+            events.add(RecordedEvent.read(in));
         }
     }
 
@@ -160,22 +149,22 @@ public final class Recording implements AutoCloseable {
         return parts.get(0).scene.robots;
     }
 
-    /** All that was told, in its order. */
+    /** All events, in their order. */
     public List<RecordedEvent> events() {
         return List.copyOf(events);
     }
 
-    /** What a timeline shows, in its order. */
+    /** The marks of the timeline, in their order. */
     public List<TimelineMarker> markers() {
         return markers;
     }
 
-    /** Whether the program that wrote it was cut off; what was written before is whole. */
+    /** Whether the last record is incomplete, as after a kill; the records before it are whole. */
     public boolean isTorn() {
         return torn;
     }
 
-    /** What is wrong within the file and where; nothing behind it is read. */
+    /** What is wrong within the file and at which octet; records after it are not read. */
     public Optional<String> damage() {
         return damage.isEmpty() ? Optional.empty() : Optional.of(path + ": " + damage);
     }
@@ -188,16 +177,12 @@ public final class Recording implements AutoCloseable {
 
     /** The entries of a part. */
     OctetReader<DamagedException> entries(Part part) throws IOException {
-        file.seek(part.offset);
-        int length = file.readInt();
-        int kind = file.readUnsignedByte();
-        byte[] content = new byte[length];
-        file.readFully(content);
-        OctetReader<DamagedException> in =
-                new OctetReader<>(new RecordCodec.Stored(kind, content).inflated(), DamagedException::new);
-        in.eightOctets("a time");
-        in.eightOctets("a time");
-        return in;
+        StoredRecord record =
+                StoredRecord.read(new DataInputStream(Channels.newInputStream(file.position(part.offset))));
+        if (record == null) {
+            throw new DamagedException("a record is missing at octet " + part.offset);
+        }
+        return record.content();
     }
 
     @Override

@@ -3,36 +3,42 @@ package simrobot.replay;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiConsumer;
 import simgsm.octets.OctetReader;
+import simrobot.replay.RecordingFormat.Kind;
+import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * A place in a recording, and the simulation as it was there. The simulation is a real one whose robots are put where they
+ * A position in a recording, and the simulation as it was then. The simulation is a real one whose robots are put where they
  * were, so sonars, trails and pictures are made as in the session. One thread at a time.
  */
 public final class ReplayCursor {
-    /** After a jump the trails of so much time before it are drawn. */
+    /** After a jump, trails are drawn from this much earlier. */
     private static final long TRAIL_NANOS = 60_000_000_000L;
 
-    /** Beyond so many robots a jump goes without trails, to be quick. */
-    private static final int MOST_TRAILS = 50;
+    /** With more robots, a jump leaves out the trails. */
+    private static final int MAX_TRAILS = 50;
 
     private final Recording recording;
     private Recording.Scene scene;
-    private Simulation stage;
-    private Track[] tracks;
+    private Simulation simulation;
     private String watched = "";
-    private int part = -1;
+    private int part;
     private OctetReader<DamagedException> entries;
     private long timeNanos;
-    private long idleSteps;
+    private long entryNanos;
 
-    /** At the recording's beginning. */
+    /** Time of the entry that is read next; {@link Long#MAX_VALUE} at the end of the part. */
+    private long nextEntryNanos;
+
+    /** A cursor at the recording's beginning. */
     public ReplayCursor(Recording recording) throws IOException {
         this.recording = recording;
         rewindTo(0);
+        timeNanos = recording.firstNanos();
     }
 
     /** Simulated time of the state that it shows. */
@@ -46,17 +52,17 @@ public final class ReplayCursor {
 
     /** The robots as they were. */
     public List<SimulatedRobot> robots() {
-        return stage.robots();
+        return simulation.robots();
     }
 
     public SimulationSnapshot snapshot() {
-        return stage.snapshot();
+        return simulation.snapshot();
     }
 
     /** This robot's sonars are in every snapshot. @param robot its name, empty for none */
     public void watch(String robot) {
         watched = robot;
-        stage.watch(stage.robot(robot).orElse(null));
+        simulation.watch(simulation.robot(robot).orElse(null));
     }
 
     /** Goes to the last step that is not after this time; forward or back, within the recording. */
@@ -73,25 +79,22 @@ public final class ReplayCursor {
         advanceTo(Math.min(recording.lastNanos(), timeNanos + Simulation.STEP_NANOS));
     }
 
-    /** The newest KEY from which the target is reached, or an older one of its scene for the trails. */
+    /** The last KEY before the target, or an earlier one of its scene so that trails are drawn. */
     private int partFor(long target) {
         List<Recording.Part> parts = recording.parts();
         int found = 0;
         for (int i = 0; i < parts.size() && parts.get(i).beginNanos() <= target; i++) {
-            if (parts.get(i).kind() == RecordingFormat.Kind.KEY) {
+            if (parts.get(i).kind() == Kind.KEY) {
                 found = i;
             }
         }
         Recording.Scene there = parts.get(found).scene();
         int from = found;
         for (int i = found;
-                i >= 0 && parts.get(i).scene() == there && there.robots().size() <= MOST_TRAILS;
+                there.robots().size() <= MAX_TRAILS && i >= 0 && parts.get(i).scene() == there;
                 i--) {
-            if (parts.get(i).kind() == RecordingFormat.Kind.KEY) {
+            if (parts.get(i).kind() == Kind.KEY && parts.get(from).beginNanos() > target - TRAIL_NANOS) {
                 from = i;
-                if (parts.get(i).beginNanos() <= target - TRAIL_NANOS) {
-                    break;
-                }
             }
         }
         return from;
@@ -106,96 +109,59 @@ public final class ReplayCursor {
         Recording.Part entered = recording.parts().get(next);
         part = next;
         entries = recording.entries(entered);
-        idleSteps = 0;
-        timeNanos = entered.beginNanos();
-        if (entered.kind() == RecordingFormat.Kind.KEY) {
-            boolean sameScene = entered.scene() == scene;
+        entryNanos = entered.beginNanos();
+        readSteps();
+        if (entered.scene() != scene) {
             scene = entered.scene();
-            tracks = sameScene ? tracks : newTracks(scene.robots().size());
-            for (Track track : tracks) {
-                track.readWhole(entries);
+            RobotState[] states = new RobotState[scene.robots().size()];
+            readRobots((robot, state) -> states[robot] = state);
+            if (Arrays.asList(states).contains(null)) {
+                throw new DamagedException("the state of a robot is missing");
             }
-            if (sameScene) {
-                showAll();
-            } else {
-                setStage();
+            simulation = new Simulation(scene.world(), 0);
+            simulation.restoreRobots(scene.robots(), List.of(states));
+            simulation.restoredAt(entryNanos);
+            watch(watched);
+        }
+    }
+
+    /** Reads the time of the next entry, if there is one. */
+    private void readSteps() {
+        nextEntryNanos = entries.hasMore() ? entryNanos + entries.compact() * Simulation.STEP_NANOS : Long.MAX_VALUE;
+    }
+
+    private void readRobots(BiConsumer<Integer, RobotState> taker) {
+        long robot = -1;
+        for (long skipped = entries.compact(); skipped != 0; skipped = entries.compact()) {
+            robot += skipped;
+            if (robot < 0 || robot >= scene.robots().size()) {
+                throw new DamagedException(
+                        "the state of robot " + robot + " of " + scene.robots().size());
             }
+            taker.accept((int) robot, RecordingFormat.readState(entries));
         }
-    }
-
-    private static Track[] newTracks(int count) {
-        Track[] tracks = new Track[count];
-        for (int i = 0; i < count; i++) {
-            tracks[i] = new Track();
-        }
-        return tracks;
-    }
-
-    private void setStage() {
-        stage = new Simulation(scene.world(), 0);
-        stage.restoreRobots(
-                scene.robots(), Arrays.stream(tracks).map(Track::state).toList());
-        stage.restoredAt(timeNanos);
-        watch(watched);
-    }
-
-    private void showAll() {
-        for (int i = 0; i < tracks.length; i++) {
-            stage.robots().get(i).restore(tracks[i].state());
-        }
-        stage.restoredAt(timeNanos);
+        entryNanos = nextEntryNanos;
+        readSteps();
     }
 
     private void advanceTo(long target) throws IOException {
-        while (true) {
-            if (idleSteps > 0) {
-                long steps = Math.min(idleSteps, (target - timeNanos) / Simulation.STEP_NANOS);
-                idleSteps -= steps;
-                timeNanos += steps * Simulation.STEP_NANOS;
-                stage.restoredAt(timeNanos);
-                if (idleSteps > 0) {
-                    return;
-                }
-            } else if (!entries.hasMore()) {
-                boolean ends = part + 1 == recording.parts().size()
-                        || recording.parts().get(part + 1).beginNanos() > target;
-                if (ends) {
-                    return;
-                }
-                enter(part + 1);
-            } else if ((entries.peek() & 3) == RecordingFormat.STEP && timeNanos + Simulation.STEP_NANOS > target) {
-                return;
+        while (nextEntryNanos <= target || hasFurtherPartUntil(target)) {
+            if (nextEntryNanos <= target) {
+                readRobots((robot, state) -> simulation.robots().get(robot).restore(state));
+                simulation.restoredAt(entryNanos);
             } else {
-                readEntry();
+                enter(part + 1);
             }
         }
+        timeNanos = entryNanos + (target - entryNanos) / Simulation.STEP_NANOS * Simulation.STEP_NANOS;
+        simulation.restoredAt(timeNanos);
     }
 
-    private void readEntry() {
-        long entry = entries.compact();
-        long number = entry >>> 2;
-        switch ((int) (entry & 3)) {
-            case RecordingFormat.IDLE_STEPS -> idleSteps = number;
-            case RecordingFormat.STEP -> {
-                timeNanos += Simulation.STEP_NANOS;
-                readChanges(number);
-            }
-            case RecordingFormat.IN_PLACE -> readChanges(number);
-            default -> throw new DamagedException("an entry of an unknown kind");
-        }
-    }
-
-    private void readChanges(long count) {
-        long next = 0;
-        for (long left = count; left > 0; left--) {
-            long robot = next + entries.compact();
-            if (robot < 0 || robot >= tracks.length) {
-                throw new DamagedException("a change of robot " + robot + " of " + tracks.length);
-            }
-            tracks[(int) robot].readChange(entries);
-            stage.robots().get((int) robot).restore(tracks[(int) robot].state());
-            next = robot + 1;
-        }
-        stage.restoredAt(timeNanos);
+    /** Whether the part is read to its end, and the next one begins by then. */
+    private boolean hasFurtherPartUntil(long target) {
+        List<Recording.Part> parts = recording.parts();
+        return nextEntryNanos == Long.MAX_VALUE
+                && part + 1 < parts.size()
+                && parts.get(part + 1).beginNanos() <= target;
     }
 }

@@ -11,61 +11,71 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import simgsm.console.Event;
+import simrobot.replay.RecordingFormat.StoredRecord;
 import simrobot.simulation.Simulation;
 
 /**
- * Records a session in a file while it happens. A thread of its own writes; what happened more than half a second ago is
- * in the file whatever becomes of the program. Only a disk that does not keep up with the simulation slows it down.
+ * Records a session in a file while it happens. The simulation's thread collects states and events; a thread of its own
+ * deflates and writes them, at least every 400 ms, so that a kill loses at most the last half second. A disk that takes
+ * nothing delays the simulation by at most 2 s; then the recording ends.
  */
 public final class SessionRecorder implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SessionRecorder.class.getName());
     private static final long FLUSH_MILLIS = 400;
-    private static final int QUEUE_RECORDS = 64;
-    private static final long PATIENCE_SECONDS = 10;
-    private static final byte[] END = {};
 
-    private final Path path;
+    /** Records that wait for the disk, of about 64 KB each. */
+    private static final int QUEUE_RECORDS = 512;
+
+    private static final long FULL_QUEUE_SECONDS = 2;
+    private static final long CLOSE_SECONDS = 10;
+    private static final Supplier<byte[]> END = () -> new byte[0];
+
+    private final String name;
     private final OutputStream file;
     private final Executor simulationThread;
     private final SessionEncoder encoder;
-    private final BlockingQueue<byte[]> queue = new ArrayBlockingQueue<>(QUEUE_RECORDS);
-    private final AtomicBoolean flushAsked = new AtomicBoolean();
+    private final BlockingQueue<Supplier<byte[]>> queue = new ArrayBlockingQueue<>(QUEUE_RECORDS);
+    private final AtomicBoolean flushRequested = new AtomicBoolean();
     private final Thread writer;
     private volatile boolean failed;
     private boolean closed;
 
-    private SessionRecorder(Path path, OutputStream file, Simulation simulation, Executor simulationThread) {
-        this.path = path;
+    SessionRecorder(String name, OutputStream file, Simulation simulation, Executor simulationThread) {
+        this.name = name;
         this.file = file;
         this.simulationThread = simulationThread;
         writer = new Thread(this::write, "session recorder");
         writer.setDaemon(true);
         writer.start();
-        encoder = new SessionEncoder(simulation, (kind, content) -> queue(RecordCodec.encode(kind, content)));
+        encoder = new SessionEncoder(
+                simulation,
+                (kind, begin, end, content) ->
+                        queue(() -> StoredRecord.of(kind, begin, end, content).octets()));
         simulation.addStepListener(this::step);
     }
 
     /**
-     * Begins a recording of this simulation as it is now; what the file held before is gone. To be called by the
+     * Begins a recording of this simulation in its present state; an existing file is overwritten. To be called by the
      * simulation's owner, or before it has one.
      *
-     * @param simulationThread runs acts between two steps; where nobody does, acts may be dropped
+     * @param simulationThread performs acts between two steps; it may drop them, then records are written when they are full
      * @throws IOException if the file cannot be written
      */
     public static SessionRecorder open(Path path, Simulation simulation, Executor simulationThread) throws IOException {
         try {
             OutputStream file = Files.newOutputStream(path);
-            file.write(RecordCodec.header());
-            return new SessionRecorder(path, file, simulation, simulationThread);
+            file.write(RecordingFormat.header());
+            return new SessionRecorder(path.toString(), file, simulation, simulationThread);
         } catch (FileSystemException e) {
-            throw e; // Names the file already.
+            throw e; // names the file already
         } catch (IOException e) {
             throw new IOException(path + ": " + e.getMessage(), e);
         }
     }
 
-    /** Something has been told on the console, or would be if there were one; any thread may tell. */
+    /** Records an event of the console at the present simulated time; any thread may call. */
     public synchronized void event(Event event) {
         if (!closed) {
             encoder.event(event);
@@ -79,16 +89,16 @@ public final class SessionRecorder implements AutoCloseable {
     }
 
     private synchronized void flush() {
-        flushAsked.set(false);
+        flushRequested.set(false);
         if (!closed && !failed) {
             encoder.flush();
         }
     }
 
-    private void queue(byte[] octets) {
+    private void queue(Supplier<byte[]> record) {
         try {
-            if (!failed && !queue.offer(octets, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
-                fail("the disk takes nothing any more");
+            if (!failed && !queue.offer(record, FULL_QUEUE_SECONDS, TimeUnit.SECONDS)) {
+                fail("the disk takes no more data");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -99,17 +109,17 @@ public final class SessionRecorder implements AutoCloseable {
     private void write() {
         try (file) {
             while (true) {
-                byte[] octets = queue.poll(FLUSH_MILLIS, TimeUnit.MILLISECONDS);
-                if (octets == END) {
+                Supplier<byte[]> record = queue.poll(FLUSH_MILLIS, TimeUnit.MILLISECONDS);
+                if (record == END) {
                     return;
-                } else if (octets != null) {
-                    file.write(octets);
-                } else if (flushAsked.compareAndSet(false, true)) {
+                } else if (record != null) {
+                    file.write(record.get());
+                } else if (flushRequested.compareAndSet(false, true)) {
                     simulationThread.execute(this::flush);
                 }
             }
-        } catch (IOException e) {
-            fail(e.getMessage());
+        } catch (IOException | RuntimeException e) {
+            fail(String.valueOf(e.getMessage()));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -117,10 +127,10 @@ public final class SessionRecorder implements AutoCloseable {
 
     private void fail(String why) {
         failed = true;
-        LOG.log(Level.WARNING, "{0}: recording ends: {1}", path, why);
+        LOG.log(Level.WARNING, "{0}: recording ends: {1}", name, why);
     }
 
-    /** Writes what is still to be written; the simulation's thread has ended, or calls it. More than once does no harm. */
+    /** Writes the rest; on the simulation's thread, or when that has ended. Safe to call twice. */
     @Override
     public void close() {
         synchronized (this) {
@@ -134,7 +144,7 @@ public final class SessionRecorder implements AutoCloseable {
         }
         queue(END);
         try {
-            writer.join(TimeUnit.SECONDS.toMillis(PATIENCE_SECONDS));
+            writer.join(TimeUnit.SECONDS.toMillis(CLOSE_SECONDS));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -1,11 +1,11 @@
 package simrobot.replay;
 
 /**
- * A moment of a session that one looks for on a timeline.
+ * A moment of a session that the timeline marks.
  *
  * @param timeNanos simulated time
- * @param robot whose moment it is; empty for nobody's
- * @param line the whole event as the console had it
+ * @param robot the robot's name; empty if the event belongs to none
+ * @param line the line that the console prints
  */
 public record TimelineMarker(long timeNanos, Kind kind, String robot, String line) {
     /** What happened. */

@@ -258,12 +258,6 @@ public final class Simulation {
         layTrails();
     }
 
-    /** A step's time has passed in which nothing moved by itself: the robots have been restored as they are after it. */
-    public void restoredStep() {
-        restoredAt(timeNanos + STEP_NANOS);
-        stepListeners.forEach(listener -> listener.accept(timeNanos));
-    }
-
     // ---- pictures ------------------------------------------------------------------------------------------------
 
     /** This robot's sonars are in every snapshot, however many robots there are; null watches none. */

@@ -15,6 +15,8 @@ import java.util.Random;
 import java.util.concurrent.Executor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.console.Event;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.robot.RobotState;
@@ -38,8 +40,8 @@ class RecordingTest {
     @TempDir
     Path folder;
 
-    /** Nobody flushes; all is written at the end, or when there is enough of it. */
-    private static final Executor NOBODY = act -> {};
+    /** Drops the request to flush; records are written when they are full, and at the end. */
+    private static final Executor NEVER_FLUSHES = act -> {};
 
     private final List<List<RobotState>> states = new ArrayList<>();
 
@@ -62,7 +64,7 @@ class RecordingTest {
     /** Robots that wander, stand, drive by order, collide, are dragged, come and go; acts by chance, every step noted. */
     private void record(Simulation simulation, int steps) throws IOException {
         Random chance = new Random(3);
-        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY)) {
+        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NEVER_FLUSHES)) {
             states.add(statesOf(simulation.robots()));
             for (int step = 1; step <= steps; step++) {
                 if (chance.nextInt(200) == 0) {
@@ -167,7 +169,7 @@ class RecordingTest {
                 Event.of("pose").with("robot", "r0"),
                 Event.of("status").with("robot", "r0").with("value", "Collision"),
                 Event.of("outcome").with("robot", "r0").with("tone", 4));
-        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY)) {
+        try (SessionRecorder recorder = SessionRecorder.open(file(), simulation, NEVER_FLUSHES)) {
             for (Event event : told) {
                 simulation.run(100);
                 recorder.event(event);
@@ -193,20 +195,20 @@ class RecordingTest {
     }
 
     @Test
-    void anHourOfWanderingTakesAFewMegabytes() throws IOException {
+    void anHourOfWanderingTakesAboutTwelveMegabytes() throws IOException {
         Simulation simulation = threeRobots();
         simulation.robots().forEach(robot -> robot.autonomy().begin(BehaviourKind.WANDER));
-        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY);
+        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NEVER_FLUSHES);
         simulation.run(6_000);
         recorder.close();
         long octetsPerRobotStep = Files.size(file()) / 3 / 6_000;
-        assertTrue(octetsPerRobotStep < 8, "octets a robot and step: " + octetsPerRobotStep);
+        assertTrue(octetsPerRobotStep < 36, "octets a robot and step: " + octetsPerRobotStep);
     }
 
     @Test
     void standingStillTakesNextToNothing() throws IOException {
         Simulation simulation = threeRobots();
-        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NOBODY);
+        SessionRecorder recorder = SessionRecorder.open(file(), simulation, NEVER_FLUSHES);
         simulation.run(360_000);
         recorder.close();
         assertTrue(Files.size(file()) < 2_000, "octets " + Files.size(file()));
@@ -267,14 +269,30 @@ class RecordingTest {
         assertThrows(IOException.class, () -> Recording.open(folder));
     }
 
-    @Test
-    void aLaterVersionIsRefusedByItsNumber() throws IOException {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 9})
+    void anotherVersionIsRefusedByItsNumber(int version) throws IOException {
         record(threeRobots(), 10);
         byte[] whole = Files.readAllBytes(file());
-        whole[RecordingFormat.MAGIC.length() + 1] = 9;
+        whole[RecordingFormat.MAGIC.length() + 1] = (byte) version;
         Files.write(file(), whole);
         String message =
                 assertThrows(IOException.class, () -> Recording.open(file())).getMessage();
-        assertTrue(message.contains("version 9"), message);
+        assertTrue(message.contains("session.rec: a recording of version " + version + " "), message);
+        assertTrue(message.contains("expected version 2"), message);
+    }
+
+    @Test
+    void eventsAreWrittenWithEachFullRecordAndNotOnlyWhenNothingHappens() {
+        Simulation simulation = threeRobots();
+        simulation.robots().forEach(robot -> robot.autonomy().begin(BehaviourKind.WANDER));
+        List<RecordingFormat.Kind> kinds = new ArrayList<>();
+        SessionEncoder encoder = new SessionEncoder(simulation, (kind, begin, end, content) -> kinds.add(kind));
+        encoder.event(Event.of("order").with("robot", "r0"));
+        for (int atBeginning = kinds.size(); kinds.size() < atBeginning + 2; ) {
+            simulation.step();
+            encoder.step(simulation.timeNanos());
+        }
+        assertTrue(kinds.contains(RecordingFormat.Kind.EVENTS), kinds.toString());
     }
 }

@@ -1,0 +1,59 @@
+package simrobot.replay;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.OutputStream;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.simulation.Simulation;
+import simrobot.world.World;
+
+/** What a recording costs the simulation's thread, counted: no write, and no wait while a disk takes nothing. */
+@Timeout(60)
+class SlowDiskTest {
+    /** A disk that takes nothing until it is released; counts what each thread writes. */
+    private static final class BlockedDisk extends OutputStream {
+        private final Thread simulation = Thread.currentThread();
+        private final CountDownLatch released = new CountDownLatch(1);
+        private final AtomicInteger writesOfSimulation = new AtomicInteger();
+        private final AtomicLong octets = new AtomicLong();
+
+        @Override
+        public void write(int octet) {
+            write(new byte[] {(byte) octet}, 0, 1);
+        }
+
+        @Override
+        public void write(byte[] from, int offset, int length) {
+            if (Thread.currentThread() == simulation) {
+                writesOfSimulation.incrementAndGet();
+            }
+            try {
+                released.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            octets.addAndGet(length);
+        }
+    }
+
+    @Test
+    void anHourOfSimulatedTimeWaitsForNoDisk() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simulation.addRobot("r").autonomy().begin(BehaviourKind.WANDER);
+        BlockedDisk disk = new BlockedDisk();
+        SessionRecorder recorder = new SessionRecorder("session", disk, simulation, act -> {});
+        simulation.run(360_000);
+        assertEquals(3_600_000_000_000L, simulation.timeNanos());
+        assertEquals(0, disk.octets.get());
+        disk.released.countDown();
+        recorder.close();
+        assertEquals(0, disk.writesOfSimulation.get());
+        assertTrue(disk.octets.get() > 1_000_000, disk.octets + " octets");
+    }
+}
