@@ -1,7 +1,5 @@
 package vericommand;
 
-import java.util.Optional;
-
 /** A complete order and how many of its instructions are done. */
 final class OrderExecution {
     private final Order order;
@@ -63,14 +61,13 @@ final class OrderExecution {
         return progress(done, amountDone);
     }
 
-    /** The progress of an order of which nothing is done; empty for an order that moves nothing. */
-    Optional<OrderProgress> initialProgress() {
-        for (int i = 0; i < order.instructions().size(); i++) {
-            if (order.instructions().get(i) instanceof Instruction.Motion) {
-                return Optional.of(progress(i, 0));
-            }
+    /** The progress of an order whose first motion has not started. */
+    OrderProgress initialProgress() {
+        int index = 0;
+        while (!(order.instructions().get(index) instanceof Instruction.Motion)) {
+            index++;
         }
-        return Optional.empty();
+        return progress(index, 0);
     }
 
     private OrderProgress progress(int index, double amountDone) {

@@ -31,9 +31,9 @@ public record Pose(double xMeters, double yMeters, double headingDegrees) {
         return decimal(rounded < 0 ? rounded + 360 : rounded, decimals);
     }
 
-    /** Adding 0 turns a rounded minus zero into zero. */
+    /** A value that rounds to zero has no sign: the rounded one is a whole number. */
     private static String decimal(double value, int decimals) {
         double scale = Math.pow(10, decimals);
-        return String.format(Locale.ROOT, "%." + decimals + "f", Math.round(value * scale) / scale + 0.0);
+        return String.format(Locale.ROOT, "%." + decimals + "f", Math.round(value * scale) / scale);
     }
 }

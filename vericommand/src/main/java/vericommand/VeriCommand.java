@@ -144,11 +144,9 @@ public final class VeriCommand {
         OrderExecution execution = deferred;
         deferred = null;
         Verdict verdict = Verdict.of(execution.order(), robot.status());
-        if (execution.isStopOrdered()) {
+        if (execution.isStopOrdered() && execution.order().moves()) {
             report(verdict);
-            execution
-                    .initialProgress()
-                    .ifPresent(progress -> answer(execution.origin(), texts.stopped(progress), false));
+            answer(execution.origin(), texts.stopped(execution.initialProgress()), false);
         } else if (!execution.origin().isEnded()) {
             settle(verdict, execution.origin());
         }

@@ -54,9 +54,9 @@ public final class VeriCommandMain {
 
     /** Reads one word of the command line. @return the text of an option that prints one instead of a verdict */
     private Optional<String> option(String word, Iterator<String> args) {
-        int equals = word.startsWith("--") ? word.indexOf('=') : -1;
-        String value = equals < 0 ? null : word.substring(equals + 1);
-        switch (equals < 0 ? word : word.substring(0, equals)) {
+        String[] parts = word.startsWith("--") ? word.split("=", 2) : new String[] {word};
+        String value = parts.length > 1 ? parts[1] : null;
+        switch (parts[0]) {
             case "-h", "--help" -> {
                 return Optional.of(help());
             }

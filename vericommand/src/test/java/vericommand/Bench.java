@@ -5,13 +5,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** A verifier over a hand-driven robot that writes down all it sends and tells. */
+/** A verifier with a hand-driven robot; records all output. */
 final class Bench implements VeriCommandListener {
     static final String CALLER = "5550100";
 
     final HandDrivenRobot robot;
     final VeriCommand veri;
-    private final List<String> told = new ArrayList<>();
+    private final List<String> events = new ArrayList<>();
+    /** The snapshot at the last change: what a window shows. */
+    VeriCommandSnapshot shown;
+
+    int changes;
 
     private Bench(RobotStatus status, VeriCommandSettings settings) {
         robot = new HandDrivenRobot(status);
@@ -30,6 +34,13 @@ final class Bench implements VeriCommandListener {
         return new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup);
     }
 
+    /** In status Moving by an autonomous behaviour. */
+    static Bench autonomous() {
+        Bench bench = in(RobotStatus.MOVING);
+        bench.robot.autonomous = true;
+        return bench;
+    }
+
     Bench call() {
         veri.callBegan(CALLER);
         return this;
@@ -43,53 +54,59 @@ final class Bench implements VeriCommandListener {
         veri.message("5550101", text);
     }
 
-    /** What has been told since the last time; {@code told("tone")} keeps only lines of that kind. */
-    List<String> told(String... kinds) {
-        List<String> lines = told.stream()
+    /** The output since the last call; {@code events("tone")} keeps only lines of that kind. */
+    List<String> events(String... kinds) {
+        List<String> lines = events.stream()
                 .filter(line ->
                         kinds.length == 0 || List.of(kinds).contains(line.substring(0, (line + " ").indexOf(' '))))
                 .toList();
-        told.clear();
+        events.clear();
         return lines;
     }
 
     @Override
     public void tone(ReplyTone tone) {
-        told.add("tone " + tone.key());
+        events.add("tone " + tone.key());
     }
 
     @Override
     public void clearCall() {
-        told.add("clear");
+        events.add("clear");
     }
 
     @Override
     public void message(String to, String text) {
-        told.add("sms " + to + " " + text);
+        events.add("sms " + to + " " + text);
     }
 
     @Override
     public void underWay(boolean underWay) {
-        told.add("under-way " + underWay);
+        events.add("under-way " + underWay);
     }
 
     @Override
     public void order(String keys, Verdict verdict) {
-        told.add("order " + keys + " " + verdict.word());
+        events.add("order " + keys + " " + verdict.word());
     }
 
     @Override
     public void instructionEnded(Instruction instruction) {
-        told.add("ended " + instruction.keys());
+        events.add("ended " + instruction.keys());
     }
 
     @Override
     public void outcome(Reply reply) {
-        told.add("outcome " + reply.message());
+        events.add("outcome " + reply.message());
     }
 
     @Override
     public void senderIgnored(String from) {
-        told.add("ignored " + from);
+        events.add("ignored " + from);
+    }
+
+    @Override
+    public void changed() {
+        changes++;
+        shown = veri.snapshot();
     }
 }

@@ -16,25 +16,25 @@ class CommandRecognizerTest {
     private final CommandRecognizer recognizer = new CommandRecognizer();
 
     private List<String> press(String keys) {
-        List<String> told = new ArrayList<>();
+        List<String> results = new ArrayList<>();
         for (char key : OrderText.keysOf(keys).toCharArray()) {
-            tell(recognizer.key(key), told);
+            collect(recognizer.key(key), results);
         }
-        return told;
+        return results;
     }
 
-    private static void tell(Recognition recognition, List<String> told) {
+    private static void collect(Recognition recognition, List<String> results) {
         if (recognition instanceof Recognition.Complete complete) {
-            told.add("ok:" + complete.order().instructionKeys().replace(" ", ""));
+            results.add("ok:" + complete.order().instructionKeys().replace(" ", ""));
         } else if (recognition instanceof Recognition.Broken broken) {
-            told.add(broken.fault().position() + ":" + broken.fault().expected());
+            results.add(broken.fault().position() + ":" + broken.fault().expected());
         }
     }
 
     private List<String> silence(long samples) {
-        List<String> told = new ArrayList<>();
-        tell(recognizer.elapsed(samples), told);
-        return told;
+        List<String> results = new ArrayList<>();
+        collect(recognizer.elapsed(samples), results);
+        return results;
     }
 
     @ParameterizedTest
@@ -80,7 +80,7 @@ class CommandRecognizerTest {
     }
 
     @Test
-    void withNothingBrokenEvenAnOpeningBehindAHashOpens() {
+    void withNothingBrokenEvenAnOpeningAfterAHashOpens() {
         assertEquals(List.of("ok:#**20"), press("#** #**20 **"));
     }
 
@@ -119,7 +119,7 @@ class CommandRecognizerTest {
                 "*** 2|4|HASH",
                 "***** #** #|9|NUMBER"
             })
-    void aBrokenOrderIsToldAtTheOffendingKey(String keys, int position, ExpectedKeys expected) {
+    void aBrokenOrderIsReportedAtTheOffendingKey(String keys, int position, ExpectedKeys expected) {
         String all = OrderText.keysOf(keys);
         assertEquals(List.of(), press(all.substring(0, all.length() - 1)));
         assertEquals(List.of(position + ":" + expected), press(all.substring(all.length() - 1)));
@@ -138,14 +138,14 @@ class CommandRecognizerTest {
                 "** #|NONE",
                 "** #**5|NONE"
             })
-    void theLimitIsToldWhereARangeMatters(String keys, OrderFault.Limit limit) {
+    void theLimitIsNamedWhereARangeMatters(String keys, OrderFault.Limit limit) {
         press(keys);
         assertEquals(limit, recognizer.missing().limit());
         assertEquals(limit, ((Recognition.Broken) recognizer.key('A')).fault().limit());
     }
 
     @Test
-    void aFifthDigitTellsTheRangeToo() {
+    void aFifthDigitNamesTheRangeToo() {
         press("** #*#1234");
         assertEquals(
                 OrderFault.Limit.DEGREES,
@@ -185,11 +185,11 @@ class CommandRecognizerTest {
                 "** #A** **|4:STAR_OR_HASH",
                 "** 1 #** #*# ### #** 5 **|3:HASH"
             })
-    void theClosingOfABrokenOrderLeavesNoTraceAndTheNextOrderIsReadRight(String broken, String fault) {
+    void theClosingOfABrokenOrderIsSkippedAndTheNextOrderIsReadRight(String broken, String fault) {
         assertEquals(List.of(fault), press(broken));
         assertEquals(List.of("ok:#*#5"), press("** #*#5 **"));
         assertEquals(List.of(fault), press(broken));
-        assertEquals(1, press(broken).size(), "the second of two broken orders in a row is told once, too");
+        assertEquals(1, press(broken).size(), "the second of two broken orders in a row is reported once, too");
         assertEquals(List.of("ok:###"), press("** ### **"));
     }
 
@@ -204,7 +204,7 @@ class CommandRecognizerTest {
     }
 
     @Test
-    void anOffendingStarBehindAHashIsNoFirstStar() {
+    void anOffendingStarAfterAHashIsNoFirstStar() {
         assertEquals(List.of("5:HASH"), press("** ##*"));
         press("*");
         assertFalse(recognizer.isOpen());
@@ -253,7 +253,7 @@ class CommandRecognizerTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "*", "**", "****", "12"})
-    void withoutAKeyBehindTheOpeningThereIsNoTimeOut(String keys) {
+    void withoutAKeyAfterTheOpeningThereIsNoTimeOut(String keys) {
         press(keys);
         assertEquals(List.of(), silence(10 * CommandRecognizer.TIMEOUT_SAMPLES));
         assertEquals(List.of("ok:#**20"), press("** #**20 **"));
@@ -279,6 +279,19 @@ class CommandRecognizerTest {
         press("** 5");
         recognizer.reset();
         assertEquals(List.of("ok:#**20"), press("#** #**20 **"));
+    }
+
+    @Test
+    void keysOutsideAnOrderAreNotCounted() {
+        OrderFault nothingRead = new OrderFault("", 1, ExpectedKeys.OPENING, OrderFault.Limit.NONE, false);
+        press("12#4");
+        assertEquals(nothingRead, recognizer.missing());
+        press("** ### **");
+        assertEquals(nothingRead, recognizer.missing());
+        press("*");
+        assertEquals(2, recognizer.missing().position());
+        recognizer.reset();
+        assertEquals(nothingRead, recognizer.missing());
     }
 
     @Test

@@ -10,7 +10,10 @@ final class HandDrivenRobot implements Robot {
     final List<Instruction.Motion> started = new ArrayList<>();
     Pose pose = new Pose(1.2, 0.5, 90);
     int brakes;
+    boolean autonomous;
+    int autonomyEnds;
     private Consumer<MotionOutcome> ended;
+    private Runnable standing;
 
     HandDrivenRobot(RobotStatus status) {
         machine = new StatusMachine(status);
@@ -37,16 +40,34 @@ final class HandDrivenRobot implements Robot {
     }
 
     @Override
+    public boolean isAutonomous() {
+        return autonomous;
+    }
+
+    @Override
+    public void endAutonomy(Runnable whenStanding) {
+        autonomous = false;
+        autonomyEnds++;
+        standing = whenStanding;
+    }
+
+    /** The autonomous behaviour has ended and the robot has come to rest by this event. */
+    void standAfterAutonomy(StatusEvent event) {
+        machine.apply(event);
+        standing.run();
+    }
+
+    @Override
     public Pose pose() {
         return pose;
     }
 
     /** The motion under way ends by this event. */
-    void end(StatusEvent event, MotionOutcome.Ending kind, double amountDone) {
+    void end(StatusEvent event, MotionOutcome.Ending ending, double amountDone) {
         machine.apply(event);
-        Consumer<MotionOutcome> told = ended;
+        Consumer<MotionOutcome> receiver = ended;
         ended = null;
-        told.accept(new MotionOutcome(kind, amountDone));
+        receiver.accept(new MotionOutcome(ending, amountDone));
     }
 
     void reachGoal() {

@@ -91,7 +91,7 @@ class MessagesTest {
     }
 
     @Test
-    void anyOtherLanguageIsEnglishWhateverTheSystemSpeaks() {
+    void anyOtherLanguageIsEnglishInEverySystemLanguage() {
         Locale before = Locale.getDefault();
         try {
             Locale.setDefault(Locale.forLanguageTag("es-MX"));

@@ -67,12 +67,12 @@ class OrderTextTest {
                 "** #**20 ** *|end expected at key 10.",
                 "** #**20 ** ** #**20 **|end expected at key 10."
             })
-    void aFaultIsToldWithItsPositionAndWhatWasExpected(String text, String fault) {
+    void aFaultIsReportedWithItsPositionAndWhatWasExpected(String text, String fault) {
         assertEquals("7 Not a valid command: " + fault, replyTo(text));
     }
 
     @Test
-    void onlyTheFirstFaultIsTold() {
+    void onlyTheFirstFaultIsReported() {
         assertEquals("7 Not a valid command: # expected at key 3.", replyTo("** 5 #** A ** 7 **"));
     }
 

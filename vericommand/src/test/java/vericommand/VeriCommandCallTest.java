@@ -16,7 +16,7 @@ class VeriCommandCallTest {
     void thePapersExampleMovesTheRobotAndAnswersSixThenThree() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**20 **");
-        assertEquals(List.of("order **#**20** accepted", "under-way true", "tone 6"), bench.told());
+        assertEquals(List.of("order **#**20** accepted", "under-way true", "tone 6"), bench.events());
         assertEquals(List.of(new Instruction.Forward(20)), bench.robot.started);
         bench.robot.reachGoal();
         assertEquals(
@@ -25,7 +25,7 @@ class VeriCommandCallTest {
                         "outcome 3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
                         "tone 3",
                         "under-way false"),
-                bench.told());
+                bench.events());
     }
 
     @ParameterizedTest
@@ -62,7 +62,7 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(status).call();
         bench.press(keys);
         assertEquals(
-                List.of("order " + keys + " refused", "outcome " + tone + " " + text, "tone " + tone), bench.told());
+                List.of("order " + keys + " refused", "outcome " + tone + " " + text, "tone " + tone), bench.events());
         assertTrue(bench.robot.started.isEmpty());
         assertFalse(bench.veri.isUnderWay());
     }
@@ -72,11 +72,11 @@ class VeriCommandCallTest {
     void aReportIsTheToneOfTheStatus(RobotStatus status, String tone) {
         Bench bench = Bench.in(status).call();
         bench.press("**#*0**");
-        List<String> told = bench.told();
-        assertEquals("order **#*0** accepted", told.get(0));
-        assertEquals("ended #*0", told.get(1));
-        assertTrue(told.get(2).startsWith("outcome " + tone), told.toString());
-        assertEquals(List.of("tone " + tone), told.subList(3, told.size()));
+        List<String> events = bench.events();
+        assertEquals("order **#*0** accepted", events.get(0));
+        assertEquals("ended #*0", events.get(1));
+        assertTrue(events.get(2).startsWith("outcome " + tone), events.toString());
+        assertEquals(List.of("tone " + tone), events.subList(3, events.size()));
     }
 
     @Test
@@ -85,7 +85,18 @@ class VeriCommandCallTest {
         bench.press("**#*0**");
         assertEquals(
                 List.of("order **#*0** refused", "outcome 2 Connection denied: the robot is off.", "tone 2", "clear"),
-                bench.told());
+                bench.events());
+    }
+
+    @Test
+    void aTripReportsEachInstructionWhenItHasEnded() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.press("** ### #**100 #*0 #*#90 **");
+        assertEquals(List.of("ended ###"), bench.events("ended"));
+        bench.robot.reachGoal();
+        assertEquals(List.of("ended #**100", "ended #*0"), bench.events("ended"));
+        bench.robot.reachGoal();
+        assertEquals(List.of("ended #*#90"), bench.events("ended"));
     }
 
     @Test
@@ -98,7 +109,7 @@ class VeriCommandCallTest {
                 List.of(new Instruction.Forward(100), new Instruction.Turn(90), new Instruction.Forward(50)),
                 bench.robot.started);
         bench.robot.reachGoal();
-        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3"), bench.events("tone"));
     }
 
     @Test
@@ -106,7 +117,7 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #*#90 #**100 #**5 **");
         bench.robot.reachGoal();
-        bench.told();
+        bench.events();
         bench.robot.collide(12.4);
         assertEquals(
                 List.of(
@@ -114,7 +125,7 @@ class VeriCommandCallTest {
                         "outcome 4 Collision after 12 of 100 cm, instruction 2 of 3.",
                         "tone 4",
                         "under-way false"),
-                bench.told());
+                bench.events());
         assertEquals(2, bench.robot.started.size());
     }
 
@@ -124,7 +135,7 @@ class VeriCommandCallTest {
         bench.press("** #*#90 #**20 **");
         bench.robot.reachGoal();
         bench.robot.reachGoal();
-        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3"), bench.events("tone"));
     }
 
     @Test
@@ -134,7 +145,7 @@ class VeriCommandCallTest {
         bench.robot.end(StatusEvent.TURN_ENDED_BLOCKED, MotionOutcome.Ending.COLLISION, 10);
         assertEquals(
                 List.of("outcome 4 Collision after 10 of 10 degrees, instruction 1 of 2.", "tone 4"),
-                bench.told("outcome", "tone").subList(1, 3));
+                bench.events("outcome", "tone").subList(1, 3));
         assertEquals(1, bench.robot.started.size());
     }
 
@@ -145,7 +156,7 @@ class VeriCommandCallTest {
         bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, 13);
         assertEquals(
                 List.of("tone 6", "outcome 5 Infinite loop after 13 of 600 cm, instruction 1 of 2.", "tone 5"),
-                bench.told("outcome", "tone"));
+                bench.events("outcome", "tone"));
         assertEquals(1, bench.robot.started.size());
     }
 
@@ -160,21 +171,21 @@ class VeriCommandCallTest {
                         "tone 6",
                         "outcome 8 Not possible: no motors. Ended after 250 of 600 cm, instruction 2 of 2.",
                         "tone 8"),
-                bench.told("outcome", "tone"));
+                bench.events("outcome", "tone"));
     }
 
     @Test
     void powerSwitchedOffEndsTheOrderWithTwoAndClearsTheCall() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**600 **");
-        bench.told();
+        bench.events();
         bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Ending.ABORTED, 250);
         assertEquals(
                 List.of(
                         "outcome 2 Connection denied: the robot is off. Ended after 250 of 600 cm, instruction 1 of 1.",
                         "tone 2",
                         "clear"),
-                bench.told("outcome", "tone", "clear"));
+                bench.events("outcome", "tone", "clear"));
     }
 
     @Test
@@ -183,7 +194,7 @@ class VeriCommandCallTest {
         bench.press("** #*0 #**20 **");
         assertEquals(
                 List.of("outcome 8 Not possible: no motors. Done 1 of 2 instructions.", "tone 8"),
-                bench.told("outcome", "tone"));
+                bench.events("outcome", "tone"));
     }
 
     @Test
@@ -192,21 +203,21 @@ class VeriCommandCallTest {
         bench.press("** #**500 **");
         bench.press("** #*#90 **");
         bench.press("** #**20 #*0 **");
-        assertEquals(List.of("tone 6", "tone 6", "tone 6"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 6", "tone 6"), bench.events("tone"));
         bench.press("** #*0 **");
-        assertEquals(List.of("tone 6"), bench.told("tone"));
+        assertEquals(List.of("tone 6"), bench.events("tone"));
         assertEquals(1, bench.robot.started.size());
         bench.robot.reachGoal();
-        assertEquals(List.of("tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 3"), bench.events("tone"));
     }
 
     @Test
     void stopBrakesAndIsAnsweredByThreeWhenTheRobotStandsTheStoppedOrderByNothing() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**500 #*#90 **");
-        bench.told();
+        bench.events();
         bench.press("** ### **");
-        assertEquals(List.of("order **###** accepted"), bench.told());
+        assertEquals(List.of("order **###** accepted"), bench.events());
         assertEquals(1, bench.robot.brakes);
         assertTrue(bench.veri.isUnderWay());
         bench.robot.stand(123.4);
@@ -218,7 +229,7 @@ class VeriCommandCallTest {
                         "outcome 3 Done: ###. Stopped at 1.200 0.500 m, heading 90.0.",
                         "tone 3",
                         "under-way false"),
-                bench.told());
+                bench.events());
         assertEquals(1, bench.robot.started.size());
     }
 
@@ -228,7 +239,7 @@ class VeriCommandCallTest {
         bench.press("** #**500 **");
         bench.press("** #*0 ### **");
         bench.robot.stand(7);
-        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3"), bench.events("tone"));
     }
 
     @Test
@@ -237,7 +248,7 @@ class VeriCommandCallTest {
         bench.press("** #**20 #*#90 **");
         bench.press("** ### **");
         bench.robot.reachGoal();
-        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3"), bench.events("tone"));
         assertEquals(1, bench.robot.started.size());
     }
 
@@ -252,30 +263,30 @@ class VeriCommandCallTest {
                 List.of(
                         "outcome 3 Done: #**20 #*#90. Stopped at 1.200 0.500 m, heading 90.0.",
                         "outcome 3 Done: ###. Stopped at 1.200 0.500 m, heading 90.0."),
-                bench.told("outcome"));
+                bench.events("outcome"));
     }
 
-    /** "3 when the robot stands; the order that it stopped gets no tone": it stands, whatever made it stand. */
+    /** "3 when the robot stands; the order that it stopped gets no tone": for whatever reason it stands. */
     @ParameterizedTest
     @CsvSource({"COLLISION, TOUCHED", "INFINITE_LOOP, MOTION_ENDED", "ABORTED, MOTORS_OFF"})
-    void whateverHappensWhileBrakingTheStoppedOrderHasNoToneAndStopIsAnsweredByThree(
+    void howeverTheMotionEndsWhileBrakingTheStoppedOrderHasNoToneAndStopIsAnsweredByThree(
             MotionOutcome.Ending kind, StatusEvent event) {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.press("** #**500 **");
         bench.press("** ### **");
         bench.robot.end(event, kind, 40);
-        assertEquals(List.of("tone 6", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3"), bench.events("tone"));
     }
 
     @Test
-    void aCollisionWhileBrakingIsStillToldByMessage() {
+    void aCollisionWhileBrakingIsStillReportedByMessage() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.sms("** #**500 **");
         bench.press("** ### **");
         bench.robot.collide(40);
         assertEquals(
                 List.of("sms 5550101 4 Collision after 40 of 500 cm, instruction 1 of 1.", "tone 3"),
-                bench.told("sms", "tone"));
+                bench.events("sms", "tone"));
     }
 
     @Test
@@ -284,7 +295,7 @@ class VeriCommandCallTest {
         bench.press("** #**500 **");
         bench.press("** ### **");
         bench.robot.end(StatusEvent.POWER_OFF, MotionOutcome.Ending.ABORTED, 40);
-        assertEquals(List.of("tone 6", "tone 2", "clear"), bench.told("tone", "clear"));
+        assertEquals(List.of("tone 6", "tone 2", "clear"), bench.events("tone", "clear"));
     }
 
     @Test
@@ -294,7 +305,7 @@ class VeriCommandCallTest {
         bench.press("** ### **");
         bench.press("** ### **");
         bench.robot.stand(9);
-        assertEquals(List.of("tone 6", "tone 3", "tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 6", "tone 3", "tone 3"), bench.events("tone"));
     }
 
     @ParameterizedTest
@@ -302,7 +313,7 @@ class VeriCommandCallTest {
     void stopOfAStandingRobotIsDoneAtOnce(RobotStatus status) {
         Bench bench = Bench.in(status).call();
         bench.press("** ### **");
-        assertEquals(List.of("tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 3"), bench.events("tone"));
         assertFalse(bench.veri.isUnderWay());
     }
 
@@ -311,11 +322,12 @@ class VeriCommandCallTest {
         Bench bench = Bench.in(RobotStatus.MOVING).call();
         bench.press("** ### **");
         assertEquals(1, bench.robot.brakes);
+        assertEquals(List.of("order **###** accepted", "under-way true"), bench.events());
         bench.veri.statusChanged();
-        assertEquals(List.of(), bench.told("tone"));
+        assertEquals(List.of(), bench.events());
         bench.robot.machine.apply(StatusEvent.MOTION_ENDED);
         bench.veri.statusChanged();
-        assertEquals(List.of("tone 3"), bench.told("tone"));
+        assertEquals(List.of("tone 3"), bench.events("tone"));
         assertFalse(bench.veri.isUnderWay());
     }
 
@@ -325,13 +337,13 @@ class VeriCommandCallTest {
         bench.press("** #**500 #*#90 **");
         bench.veri.callEnded();
         assertEquals(1, bench.robot.brakes);
-        bench.told();
+        bench.events();
         bench.call();
         bench.robot.stand(30);
-        assertEquals(List.of("ended #**500", "under-way false"), bench.told());
+        assertEquals(List.of("ended #**500", "under-way false"), bench.events());
         assertEquals(1, bench.robot.started.size());
         bench.press("** #*#5 **");
-        assertEquals(List.of("tone 6"), bench.told("tone"));
+        assertEquals(List.of("tone 6"), bench.events("tone"));
     }
 
     @Test
@@ -341,9 +353,9 @@ class VeriCommandCallTest {
         bench.press("** #**500 #*#90 **");
         bench.veri.callEnded();
         assertEquals(0, bench.robot.brakes);
-        bench.told();
+        bench.events();
         bench.robot.reachGoal();
-        assertEquals(List.of("ended #**500", "under-way false"), bench.told());
+        assertEquals(List.of("ended #**500", "under-way false"), bench.events());
         assertEquals(1, bench.robot.started.size());
     }
 
@@ -353,9 +365,22 @@ class VeriCommandCallTest {
         bench.press("** #**500 **");
         bench.press("** ### **");
         bench.veri.callEnded();
-        bench.told();
+        bench.events();
         bench.robot.stand(3);
-        assertEquals(List.of(), bench.told("tone", "outcome", "sms"));
+        assertEquals(List.of(), bench.events("tone", "outcome", "sms"));
+    }
+
+    @Test
+    void aSecondCallEndsTheFirst() {
+        Bench bench = Bench.in(RobotStatus.STOPPED).call();
+        bench.press("** #**500 **");
+        bench.press("** #*");
+        bench.events();
+        bench.veri.callBegan("5550102");
+        assertEquals(1, bench.robot.brakes);
+        bench.press("0 **");
+        bench.robot.stand(30);
+        assertEquals(List.of("ended #**500", "under-way false"), bench.events());
     }
 
     @Test
@@ -365,7 +390,7 @@ class VeriCommandCallTest {
         bench.veri.callEnded();
         bench.call();
         bench.press("0 **");
-        assertEquals(List.of(), bench.told());
+        assertEquals(List.of(), bench.events());
     }
 
     @Test
@@ -377,10 +402,10 @@ class VeriCommandCallTest {
                         "order **#*** invalid",
                         "outcome 7 Not a valid command: number expected at key 6. Range 1..9999 cm.",
                         "tone 7"),
-                bench.told());
+                bench.events());
         bench.press("*");
         bench.press("** #*#5 **");
-        assertEquals(List.of("tone 6"), bench.told("tone"));
+        assertEquals(List.of("tone 6"), bench.events("tone"));
     }
 
     @Test
@@ -390,14 +415,14 @@ class VeriCommandCallTest {
         for (int frame = 1; frame < 500; frame++) {
             bench.veri.speech(160);
         }
-        assertEquals(List.of(), bench.told());
+        assertEquals(List.of(), bench.events());
         bench.veri.speech(160);
         assertEquals(
                 List.of(
                         "order **#**20 invalid",
                         "outcome 7 Not a valid command: digit or # or * expected at key 8. No key for 10 s.",
                         "tone 7"),
-                bench.told());
+                bench.events());
     }
 
     @Test
@@ -407,7 +432,7 @@ class VeriCommandCallTest {
         bench.veri.speech(10 * CommandRecognizer.TIMEOUT_SAMPLES);
         bench.veri.callEnded();
         bench.press("**#**20**");
-        assertEquals(List.of(), bench.told());
+        assertEquals(List.of(), bench.events());
     }
 
     @Test
@@ -427,6 +452,6 @@ class VeriCommandCallTest {
         bench.press("**9");
         assertEquals(
                 List.of("tone 6", "tone 3", "tone 6", "tone 5", "tone 6", "tone 4", "tone 8", "tone 7"),
-                bench.told("tone"));
+                bench.events("tone"));
     }
 }

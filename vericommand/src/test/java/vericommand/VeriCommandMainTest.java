@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,14 +38,14 @@ class VeriCommandMainTest {
     }
 
     @Test
-    void aFaultIsMarkedUnderItsKeyWhateverTheBlanks() {
+    void aFaultIsMarkedUnderItsKeyWithBlanksInTheText() {
         assertEquals(1, run("--lang=en", "** #**\n**"));
         assertEquals(
                 "** #** **\n       ^\n7 Not a valid command: number expected at key 6. Range 1..9999 cm.\n", out());
     }
 
     @Test
-    void aMissingKeyIsMarkedBehindTheText() {
+    void aMissingKeyIsMarkedAfterTheText() {
         assertEquals(1, run("--lang=en", "** ###"));
         assertEquals("** ###\n      ^\n7 Not a valid command: # or * expected at key 6.\n", out());
     }
@@ -69,7 +70,7 @@ class VeriCommandMainTest {
     }
 
     @Test
-    void theLastOfTwoEqualOptionsWinsAndSpanishIsSpoken() {
+    void theLastOfTwoEqualOptionsWinsAndTheTextIsSpanish() {
         assertEquals(1, run("--status=Stopped", "--lang=en", "--lang=es", "--status=Collision", "** #**20 **"));
         assertTrue(out().endsWith("8 No es posible: choque.\n"), out());
     }
@@ -88,6 +89,33 @@ class VeriCommandMainTest {
     }
 
     @Test
+    void aRefusedOrderIsPrintedInWordsToo() {
+        assertEquals(1, run("--lang=en", "--status=Moving", "** #*#90 **"));
+        assertEquals("** #*#90 **\nturn right 90 degrees\n6 Executing a command.\n", out());
+    }
+
+    @Test
+    void theOrderMayFollowTwoDashesAndConsistOfSeveralWords() {
+        assertEquals(0, run("--lang=en", "--", "**", "#**20", "**"));
+        assertEquals("** #**20 **\nforward 20 cm\naccepted\n", out());
+        assertEquals(1, run("--lang=en", "--", "--status=Stopped"));
+        assertTrue(out().endsWith("7 Not a valid command: ** expected at key 1.\n"), out());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"es-MX,aceptada", "en-GB,accepted", "fr,accepted"})
+    void withoutTheOptionTheLanguageIsTheSystems(String system, String verdict) {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.forLanguageTag(system));
+            assertEquals(0, run("** #**20 **"));
+            assertTrue(out().endsWith("\n" + verdict + "\n"), out());
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
     void withoutAnOrderThereIsNothingToJudge() {
         assertEquals(2, run());
         assertTrue(err().contains("no order"), err());
@@ -99,7 +127,7 @@ class VeriCommandMainTest {
         assertTrue(out().startsWith("Usage: "), out());
         out.reset();
         assertEquals(0, run("-V"));
-        assertTrue(out().startsWith("vericommand "), out());
+        assertEquals("vericommand (not packaged)\n", out());
         out.reset();
         assertEquals(0, run("--diagram"));
         assertEquals(StatusMachine.TABLE.plantUml().replace("!include look.iuml\n", ""), out());

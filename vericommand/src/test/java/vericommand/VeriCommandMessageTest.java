@@ -1,6 +1,7 @@
 package vericommand;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -18,7 +19,7 @@ class VeriCommandMessageTest {
     void anOrderIsAnsweredOnceWhenItHasEnded() {
         Bench bench = Bench.in(RobotStatus.STOPPED);
         bench.sms("** #**20 **");
-        assertEquals(List.of("order **#**20** accepted", "under-way true"), bench.told());
+        assertEquals(List.of("order **#**20** accepted", "under-way true"), bench.events());
         bench.robot.reachGoal();
         assertEquals(
                 List.of(
@@ -26,7 +27,7 @@ class VeriCommandMessageTest {
                         "outcome 3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
                         TO + "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
                         "under-way false"),
-                bench.told());
+                bench.events());
     }
 
     @Test
@@ -38,13 +39,40 @@ class VeriCommandMessageTest {
         }
         assertEquals(
                 List.of(TO + "3 Done: #**100 #*#90 #**100. Stopped at 1.200 0.500 m, heading 90.0."),
-                bench.told("sms"));
+                bench.events("sms"));
         bench.sms("**" + "#*#123".repeat(32) + "**");
         for (int i = 0; i < 32; i++) {
             bench.robot.reachGoal();
         }
         assertEquals(
-                List.of(TO + "3 Done: 32 instructions. Stopped at 1.200 0.500 m, heading 90.0."), bench.told("sms"));
+                List.of(TO + "3 Done: 32 instructions. Stopped at 1.200 0.500 m, heading 90.0."), bench.events("sms"));
+    }
+
+    @Test
+    void aReplyOf160CharactersNamesTheInstructionsAndALongerOneCountsThem() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        String longest = "#**1000 ".repeat(14).strip();
+        String named = "3 Done: " + longest + ". Stopped at 1.200 0.500 m, heading 90.0.";
+        assertEquals(Reply.MAX_MESSAGE_CHARACTERS, named.length());
+        bench.sms("** " + longest + " **");
+        for (int i = 0; i < 14; i++) {
+            bench.robot.reachGoal();
+        }
+        assertEquals(List.of(TO + named), bench.events("sms"));
+        bench.sms("** " + "#**1000 ".repeat(13) + "### #**5 **");
+        for (int i = 0; i < 14; i++) {
+            bench.robot.reachGoal();
+        }
+        assertEquals(
+                List.of(TO + "3 Done: 15 instructions. Stopped at 1.200 0.500 m, heading 90.0."), bench.events("sms"));
+    }
+
+    @Test
+    void aReplyOfMoreThan160CharactersIsRefused() {
+        assertEquals(
+                Reply.MAX_MESSAGE_CHARACTERS,
+                new Reply(ReplyTone.EXECUTED, "x".repeat(158)).message().length());
+        assertThrows(IllegalArgumentException.class, () -> new Reply(ReplyTone.EXECUTED, "x".repeat(159)));
     }
 
     @ParameterizedTest
@@ -67,7 +95,7 @@ class VeriCommandMessageTest {
     void anOrderThatMovesNothingIsAnsweredAtOnce(RobotStatus status, String order, String reply) {
         Bench bench = Bench.in(status);
         bench.sms(order);
-        assertEquals(List.of(TO + reply), bench.told("sms"));
+        assertEquals(List.of(TO + reply), bench.events("sms"));
     }
 
     @Test
@@ -79,7 +107,7 @@ class VeriCommandMessageTest {
                         "order  invalid",
                         "outcome 7 Not a valid command: ** expected at key 1.",
                         TO + "7 Not a valid command: ** expected at key 1."),
-                bench.told());
+                bench.events());
     }
 
     @Test
@@ -92,7 +120,7 @@ class VeriCommandMessageTest {
                 List.of(
                         TO + "8 Stopped by order after 12 of 20 cm",
                         "sms 5550102 3 Done: ###. Stopped at 1.200 0.500 m, heading 90.0."),
-                bench.told("sms"));
+                bench.events("sms"));
     }
 
     @ParameterizedTest
@@ -111,11 +139,11 @@ class VeriCommandMessageTest {
         bench.sms("** #*#90 #**20 **");
         bench.robot.reachGoal();
         bench.robot.end(event, MotionOutcome.Ending.ABORTED, 12.2);
-        assertEquals(List.of(TO + reply), bench.told("sms"));
+        assertEquals(List.of(TO + reply), bench.events("sms"));
     }
 
     @Test
-    void aStopInACallStopsAMessagesOrderAndEachIsAnsweredOnItsOwnWay() {
+    void aStopInACallStopsAMessagesOrderAndEachIsAnsweredWhereItCameFrom() {
         Bench bench = Bench.in(RobotStatus.STOPPED).call();
         bench.sms("** #*#200 **");
         bench.press("**#**20**");
@@ -123,7 +151,7 @@ class VeriCommandMessageTest {
         bench.robot.stand(55);
         assertEquals(
                 List.of("tone 6", TO + "8 Stopped by order after 55 of 200 degrees", "tone 3"),
-                bench.told("tone", "sms"));
+                bench.events("tone", "sms"));
     }
 
     @Test
@@ -133,15 +161,15 @@ class VeriCommandMessageTest {
         bench.veri.callEnded();
         assertEquals(0, bench.robot.brakes);
         bench.robot.reachGoal();
-        assertEquals(1, bench.told("sms").size());
+        assertEquals(1, bench.events("sms").size());
     }
 
     @Test
-    void aSenderWhoMayNotCommandIsNotAnsweredNorObeyed() {
+    void aSenderWhoMayNotCommandIsNotAnsweredAndNothingMoves() {
         Bench bench = Bench.with(Bench.settings(VeriCommandSettings.OnHangup.STOP, "5550100"));
         bench.sms("** #**20 **");
         bench.sms("nonsense");
-        assertEquals(List.of("ignored 5550101", "ignored 5550101"), bench.told());
+        assertEquals(List.of("ignored 5550101", "ignored 5550101"), bench.events());
         assertTrue(bench.robot.started.isEmpty());
     }
 
@@ -156,7 +184,7 @@ class VeriCommandMessageTest {
                 List.of(
                         TO + "7 La orden no vale: se espera un valor en la tecla 6. Rango 1..9999 cm.",
                         TO + "4 Choque tras 12 de 20 cm, paso 1 de 1."),
-                bench.told("sms"));
+                bench.events("sms"));
     }
 
     @Test
@@ -170,7 +198,7 @@ class VeriCommandMessageTest {
                 List.of(
                         TO + "3 Done: #*0. Stopped at 0.000 -12.346 m, heading 0.0.",
                         TO + "3 Done: #*0. Stopped at 0.000 0.000 m, heading 270.0."),
-                bench.told("sms"));
+                bench.events("sms"));
     }
 
     @Test
