@@ -31,7 +31,7 @@ import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.panel.RefusalTexts;
-import simrobot.world.MapFile;
+import simrobot.world.MapWriter;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
@@ -285,7 +285,7 @@ public final class WindowModel implements OperatorActions {
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
         slowActs.execute(() -> {
             try {
-                MapFile.save(world, file);
+                MapWriter.save(world, file);
                 if (file.equals(worldFile)) {
                     watch.isUpToDate(file);
                 }

@@ -1,6 +1,11 @@
 package simrobot.editor;
 
 import java.util.Objects;
+import simrobot.world.Box;
+import simrobot.world.Home;
+import simrobot.world.Segment;
+import simrobot.world.Treadmill;
+import simrobot.world.WorldItem;
 
 /**
  * One thing in a world that can be edited.
@@ -10,10 +15,20 @@ import java.util.Objects;
 public record Item(Kind kind, int index) {
     /** What can be edited; points of scans and what binds planners only stay as they are. */
     public enum Kind {
-        WALL,
-        BOX,
-        HOME,
-        TREADMILL
+        WALL(Segment.class),
+        BOX(Box.class),
+        HOME(Home.class),
+        TREADMILL(Treadmill.class);
+
+        private final Class<? extends WorldItem> type;
+
+        Kind(Class<? extends WorldItem> type) {
+            this.type = type;
+        }
+
+        Class<? extends WorldItem> type() {
+            return type;
+        }
     }
 
     public Item {

@@ -1,6 +1,7 @@
 package simrobot.world;
 
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A rectangle on the floor. The four numbers are its corners before it is turned; the turn is about the map's ORIGIN, as
@@ -31,20 +32,28 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
         return x >= minXMeters && x <= maxXMeters && y >= minYMeters && y <= maxYMeters;
     }
 
-    /** Shifted on the floor, whichever way it is turned. */
+    /** Shifted on the floor, in the floor's directions even where the area is turned. */
     public Area movedBy(double dxMeters, double dyMeters) {
         Position by = local(dxMeters, dyMeters);
         return new Area(
-                sum(minXMeters, by.xMeters()),
-                sum(minYMeters, by.yMeters()),
-                sum(maxXMeters, by.xMeters()),
-                sum(maxYMeters, by.yMeters()),
+                Position.sum(minXMeters, by.xMeters()),
+                Position.sum(minYMeters, by.yMeters()),
+                Position.sum(maxXMeters, by.xMeters()),
+                Position.sum(maxYMeters, by.yMeters()),
                 rotationRadians);
     }
 
-    /** To the nanometre: free of the dust that adding decimals leaves. */
-    private static double sum(double meters, double more) {
-        return Math.rint((meters + more) * 1e9) / 1e9;
+    /** The area with one corner elsewhere; the opposite corner stays. @param corner as {@link #corners} counts them */
+    Area pulled(int corner, Position to) {
+        Position there = local(to.xMeters(), to.yMeters());
+        boolean left = corner == 0 || corner == 3;
+        boolean low = corner <= 1;
+        return between(
+                there.xMeters(),
+                there.yMeters(),
+                left ? maxXMeters : minXMeters,
+                low ? maxYMeters : minYMeters,
+                rotationRadians);
     }
 
     /** A place as the area's own corners count, before they are turned. */
@@ -73,13 +82,9 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
     /** The four sides, anticlockwise. */
     public List<Segment> sides() {
         List<Position> corners = corners();
-        return List.of(side(corners, 0), side(corners, 1), side(corners, 2), side(corners, 3));
-    }
-
-    private static Segment side(List<Position> corners, int first) {
-        Position from = corners.get(first);
-        Position to = corners.get((first + 1) % 4);
-        return new Segment(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters());
+        return IntStream.range(0, 4)
+                .mapToObj(i -> Segment.between(corners.get(i), corners.get((i + 1) % 4)))
+                .toList();
     }
 
     private Position turned(double x, double y) {

@@ -32,11 +32,12 @@ public final class MapReader {
     }
 
     private final String source;
-    private final WorldBuilder world = new WorldBuilder();
+    private final WorldBuilder world;
     private Section section = Section.HEADER;
 
     private MapReader(String source) {
         this.source = source;
+        world = new WorldBuilder(source);
     }
 
     /**
@@ -54,7 +55,7 @@ public final class MapReader {
         for (int i = 1; i < lines.size(); i++) {
             reader.accept(i + 1, lines.get(i).strip());
         }
-        return reader.world.build(source);
+        return reader.world.build();
     }
 
     private void accept(int number, String line) throws WorldFormatException {
@@ -130,8 +131,7 @@ public final class MapReader {
     }
 
     private void wall(LineTokens tokens) throws WorldFormatException {
-        world.segments.add(
-                new Segment(tokens.meters("x1"), tokens.meters("y1"), tokens.meters("x2"), tokens.meters("y2")));
+        world.add(new Segment(tokens.meters("x1"), tokens.meters("y1"), tokens.meters("x2"), tokens.meters("y2")));
         tokens.end();
     }
 
@@ -151,11 +151,21 @@ public final class MapReader {
         String type = tokens.word("a cairn's type");
         switch (type.toLowerCase(Locale.ROOT)) {
             case "robothome" -> home(new Cairn(tokens));
-            case "goal", "goalwithheading", "dock" -> goal(new Cairn(tokens), type);
-            case "forbiddenline" -> forbiddenLine(new Cairn(tokens));
+            case "goal", "goalwithheading", "dock" -> {
+                Cairn goal = new Cairn(tokens);
+                world.goals.add(new Goal(type, goal.name(), goal.position(), goal.headingRadians()));
+            }
+            case "forbiddenline" -> world.forbiddenLines.add(new Cairn(tokens).requiredLine());
             case "forbiddenarea" -> world.forbiddenAreas.add(new Cairn(tokens).requiredArea(type));
-            case "sim.boxobstacle" -> box(new Cairn(tokens), type);
-            case "sim.treadmill" -> treadmill(new Cairn(tokens), type);
+            case "sim.boxobstacle" -> {
+                Cairn box = new Cairn(tokens);
+                world.add(new Box(box.name(), box.requiredArea(type)));
+            }
+            case "sim.treadmill" -> {
+                Cairn belt = new Cairn(tokens);
+                world.add(new Treadmill(
+                        belt.requiredUprightArea(type), belt.beltSpeedMetersPerSecond(), belt.headingRadians()));
+            }
             default -> throw new IllegalStateException("a known cairn that is not read: " + type);
         }
     }
@@ -165,24 +175,7 @@ public final class MapReader {
         if (cairn.area().isPresent() && !cairn.area().get().contains(at.xMeters(), at.yMeters())) {
             at = cairn.area().get().center();
         }
-        world.homes.add(new Home(cairn.name(), at, cairn.headingRadians(), cairn.area()));
-    }
-
-    private void goal(Cairn cairn, String type) {
-        world.goals.add(new Goal(type, cairn.name(), cairn.position(), cairn.headingRadians()));
-    }
-
-    private void forbiddenLine(Cairn cairn) throws WorldFormatException {
-        world.forbiddenLines.add(cairn.requiredLine());
-    }
-
-    private void box(Cairn cairn, String type) throws WorldFormatException {
-        world.boxes.add(new Box(cairn.name(), cairn.requiredArea(type)));
-    }
-
-    private void treadmill(Cairn cairn, String type) throws WorldFormatException {
-        world.treadmills.add(new Treadmill(
-                cairn.requiredUprightArea(type), cairn.beltSpeedMetersPerSecond(), cairn.headingRadians()));
+        world.add(new Home(cairn.name(), at, cairn.headingRadians(), cairn.area()));
     }
 
     private static String brief(String line) {

@@ -1,6 +1,13 @@
 package simrobot.world;
 
+import java.io.IOException;
 import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 
 /**
@@ -22,6 +29,35 @@ public final class MapWriter {
         writer.cairns();
         writer.lines();
         return writer.out.toString();
+    }
+
+    /**
+     * Saves the world as a {@code .map}, whole or not at all: a full disk leaves the old file.
+     *
+     * @throws IOException saying which file cannot be written, and why
+     */
+    public static void save(World world, Path file) throws IOException {
+        Path target = Files.isSymbolicLink(file) ? file.toRealPath() : file;
+        if (Files.isDirectory(target)) {
+            throw new IOException(file + ": expected a file, found a folder");
+        }
+        if (Files.exists(target) && !Files.isWritable(target)) {
+            throw new IOException(file + ": the file is write-protected");
+        }
+        // not Files.createTempFile, whose files only their owner may read
+        Path fresh = target.resolveSibling("." + target.getFileName() + ".new");
+        try {
+            try {
+                Files.writeString(fresh, text(world), StandardCharsets.UTF_8);
+                Files.move(fresh, target, StandardCopyOption.REPLACE_EXISTING);
+            } finally {
+                Files.deleteIfExists(fresh);
+            }
+        } catch (NoSuchFileException e) {
+            throw new IOException(file + ": the folder does not exist", e);
+        } catch (AccessDeniedException e) {
+            throw new IOException(file + ": the folder is write-protected", e);
+        }
     }
 
     private void row(String... words) {

@@ -6,4 +6,13 @@ public record Position(double xMeters, double yMeters) {
         Finite.check("x", xMeters);
         Finite.check("y", yMeters);
     }
+
+    /** Shifted, and rounded to 1 nm against floating-point error where it changes. */
+    public Position movedBy(double dxMeters, double dyMeters) {
+        return new Position(sum(xMeters, dxMeters), sum(yMeters, dyMeters));
+    }
+
+    static double sum(double meters, double more) {
+        return more == 0 ? meters : Math.rint((meters + more) * 1e9) / 1e9;
+    }
 }

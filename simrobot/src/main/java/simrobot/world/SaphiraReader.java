@@ -28,10 +28,11 @@ public final class SaphiraReader {
         }
     }
 
-    private final WorldBuilder world = new WorldBuilder();
+    private final WorldBuilder world;
     private final Deque<Frame> frames = new ArrayDeque<>();
 
-    private SaphiraReader() {
+    private SaphiraReader(String source) {
+        world = new WorldBuilder(source);
         frames.push(new Frame(0, 0, 0));
     }
 
@@ -41,7 +42,7 @@ public final class SaphiraReader {
      * @param source named in errors and as the world's name
      */
     public static World read(String source, String text) throws WorldFormatException {
-        SaphiraReader reader = new SaphiraReader();
+        SaphiraReader reader = new SaphiraReader(source);
         List<String> lines = WorldReader.lines(text);
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i);
@@ -51,7 +52,7 @@ public final class SaphiraReader {
         if (reader.frames.size() > 1) {
             throw new WorldFormatException(source, lines.size(), "the end of the file", "pop");
         }
-        return reader.world.build(source);
+        return reader.world.build();
     }
 
     private void accept(LineTokens tokens) throws WorldFormatException {
@@ -95,7 +96,7 @@ public final class SaphiraReader {
         tokens.word("position");
         Frame frame = frames.element();
         Position place = frame.place(tokens.meters("x"), tokens.meters("y"));
-        world.homes.add(new Home("", place, frame.radians() + tokens.radians("phi"), Optional.empty()));
+        world.add(new Home("", place, frame.radians() + tokens.radians("phi"), Optional.empty()));
     }
 
     private void wall(LineTokens tokens) throws WorldFormatException {
@@ -106,6 +107,6 @@ public final class SaphiraReader {
         Frame frame = frames.element();
         Position from = frame.place(tokens.meters("x1"), tokens.meters("y1"));
         Position to = frame.place(tokens.meters("x2"), tokens.meters("y2"));
-        world.segments.add(new Segment(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
+        world.add(Segment.between(from, to));
     }
 }

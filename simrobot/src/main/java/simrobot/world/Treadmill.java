@@ -1,5 +1,6 @@
 package simrobot.world;
 
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -10,11 +11,26 @@ import java.util.Objects;
  * @param speedMetersPerSecond along the direction; negative runs against it
  * @param directionRadians anticlockwise from +X
  */
-public record Treadmill(Area area, double speedMetersPerSecond, double directionRadians) {
+public record Treadmill(Area area, double speedMetersPerSecond, double directionRadians) implements WorldItem {
     public Treadmill {
         Objects.requireNonNull(area);
         Finite.check("belt speed", speedMetersPerSecond);
         Finite.check("direction", directionRadians);
+    }
+
+    @Override
+    public Treadmill movedBy(double dxMeters, double dyMeters) {
+        return new Treadmill(area.movedBy(dxMeters, dyMeters), speedMetersPerSecond, directionRadians);
+    }
+
+    @Override
+    public List<Position> handles() {
+        return area.corners();
+    }
+
+    @Override
+    public Treadmill pulled(int handle, Position to) {
+        return new Treadmill(area.pulled(handle, to), speedMetersPerSecond, directionRadians);
     }
 
     public double velocityX() {

@@ -2,6 +2,7 @@ package simrobot.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 
@@ -58,78 +59,25 @@ public record World(
 
     /** A floor with nothing but walls. */
     public static World ofSegments(String name, List<Segment> segments) {
-        return new World(
-                name, segments, List.of(), 0.02, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+        WorldBuilder builder = new WorldBuilder(name);
+        segments.forEach(builder::add);
+        return builder.build();
     }
 
     public World named(String newName) {
-        return new World(
-                newName,
-                segments,
-                points,
-                pointDiameterMeters,
-                boxes,
-                homes,
-                forbiddenLines,
-                forbiddenAreas,
-                treadmills,
-                goals);
+        return new WorldBuilder(this, newName).build();
     }
 
-    public World withSegments(List<Segment> walls) {
-        return new World(
-                name,
-                walls,
-                points,
-                pointDiameterMeters,
-                boxes,
-                homes,
-                forbiddenLines,
-                forbiddenAreas,
-                treadmills,
-                goals);
+    /** A builder that holds the contents of this world. */
+    public WorldBuilder toBuilder() {
+        return new WorldBuilder(this, name);
     }
 
-    public World withBoxes(List<Box> newBoxes) {
-        return new World(
-                name,
-                segments,
-                points,
-                pointDiameterMeters,
-                newBoxes,
-                homes,
-                forbiddenLines,
-                forbiddenAreas,
-                treadmills,
-                goals);
-    }
-
-    public World withHomes(List<Home> newHomes) {
-        return new World(
-                name,
-                segments,
-                points,
-                pointDiameterMeters,
-                boxes,
-                newHomes,
-                forbiddenLines,
-                forbiddenAreas,
-                treadmills,
-                goals);
-    }
-
-    public World withTreadmills(List<Treadmill> belts) {
-        return new World(
-                name,
-                segments,
-                points,
-                pointDiameterMeters,
-                boxes,
-                homes,
-                forbiddenLines,
-                forbiddenAreas,
-                belts,
-                goals);
+    /** The items of a type, in the file's order. */
+    public List<? extends WorldItem> items(Class<? extends WorldItem> type) {
+        return Map.<Class<?>, List<? extends WorldItem>>of(
+                        Segment.class, segments, Box.class, boxes, Home.class, homes, Treadmill.class, treadmills)
+                .get(type);
     }
 
     /** Every straight obstacle: walls, then the sides of the boxes. */

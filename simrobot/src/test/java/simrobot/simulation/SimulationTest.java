@@ -226,8 +226,9 @@ class SimulationTest {
         stays.start(new Instruction.Forward(500), ended -> {});
         office.run(50);
         double x = stays.xMeters();
-        World next = World.ofSegments("b", List.of(new Segment(-5, 0, -1, 0), new Segment(-5, 5, 5, -5)))
-                .withHomes(List.of(new Home("h", new Position(-4, 2), 0.5, Optional.empty())));
+        World next = World.ofSegments("b", List.of(new Segment(-5, 0, -1, 0), new Segment(-5, 5, 5, -5))).toBuilder()
+                .add(new Home("h", new Position(-4, 2), 0.5, Optional.empty()))
+                .build();
         assertEquals(1, office.change(next));
         assertEquals(x, stays.xMeters());
         assertEquals(RobotStatus.STOPPED, stays.status());

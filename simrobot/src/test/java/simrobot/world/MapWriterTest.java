@@ -105,10 +105,12 @@ class MapWriterTest {
     void aFileIsSavedAndReplaced() throws Exception {
         Path file = folder.resolve("w.map");
         World first = World.ofSegments("w.map", List.of(new Segment(0, 0, 1, 0)));
-        MapFile.save(first, file);
+        MapWriter.save(first, file);
         assertEquals(first, WorldReader.read(file));
-        World second = first.withHomes(List.of(new Home("A", new Position(1, 2), 0.5, Optional.empty())));
-        MapFile.save(second, file);
+        World second = first.toBuilder()
+                .add(new Home("A", new Position(1, 2), 0.5, Optional.empty()))
+                .build();
+        MapWriter.save(second, file);
         assertEquals(second.segments(), WorldReader.read(file).segments());
         assertEquals("A", WorldReader.read(file).homes().get(0).name());
         try (Stream<Path> left = Files.list(folder)) {
@@ -120,10 +122,10 @@ class MapWriterTest {
     void whatCannotBeWrittenIsNamed() throws Exception {
         World world = World.bare();
         Path nowhere = folder.resolve("nowhere").resolve("w.map");
-        assertTrue(assertThrows(IOException.class, () -> MapFile.save(world, nowhere))
+        assertTrue(assertThrows(IOException.class, () -> MapWriter.save(world, nowhere))
                 .getMessage()
                 .endsWith("w.map: the folder does not exist"));
-        assertTrue(assertThrows(IOException.class, () -> MapFile.save(world, folder))
+        assertTrue(assertThrows(IOException.class, () -> MapWriter.save(world, folder))
                 .getMessage()
                 .endsWith("expected a file, found a folder"));
     }

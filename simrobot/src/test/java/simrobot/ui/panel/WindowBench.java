@@ -34,7 +34,7 @@ import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
-import simrobot.world.MapFile;
+import simrobot.world.MapWriter;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
@@ -287,7 +287,7 @@ public final class WindowBench implements OperatorActions {
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
         acts.add("save " + file.getFileName());
         try {
-            MapFile.save(world, file);
+            MapWriter.save(world, file);
             answer.accept(Optional.empty());
         } catch (IOException refusal) {
             answer.accept(Optional.of(refusal.getMessage()));

@@ -1,0 +1,15 @@
+package simrobot.world;
+
+import java.util.List;
+
+/** A thing in a world that can be added, moved, changed and removed; immutable, as the world is. */
+public sealed interface WorldItem permits Segment, Box, Home, Treadmill {
+    /** The item shifted on the floor, its coordinates rounded to 1 nm against floating-point error. */
+    WorldItem movedBy(double dxMeters, double dyMeters);
+
+    /** The places at which its shape can be changed: a wall's ends, an area's corners, a home's heading. */
+    List<Position> handles();
+
+    /** The item with one of its handles at another place. @param handle as {@link #handles} counts them, from 0 */
+    WorldItem pulled(int handle, Position to);
+}
