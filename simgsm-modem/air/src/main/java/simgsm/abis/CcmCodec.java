@@ -16,11 +16,12 @@ public final class CcmCodec {
 
     private static final int SERIAL_NUMBER_TAG = 0x00;
     private static final int UNIT_NAME_TAG = 0x01;
-    /** Unit id, MAC address, location, type, hardware, software, name, serial number: as every network asks. */
+    /** Unit id, MAC address, location, type, hardware, software, name, serial number. */
     private static final int[] ALL_TAGS = {8, 7, 2, 3, 4, 5, UNIT_NAME_TAG, SERIAL_NUMBER_TAG};
 
     private CcmCodec() {}
 
+    /** The payload of the message. */
     public static byte[] encode(CcmMessage message) {
         OctetWriter out = new OctetWriter();
         if (message instanceof CcmMessage.Ping) {
@@ -42,23 +43,18 @@ public final class CcmCodec {
         return out.toArray();
     }
 
+    /** The message of a payload. */
     public static CcmMessage decode(byte[] payload) throws ProtocolViolation {
         MessageReader in = new MessageReader(payload);
         int type = in.octet("CCM message type");
-        switch (type) {
-            case PING:
-                return new CcmMessage.Ping();
-            case PONG:
-                return new CcmMessage.Pong();
-            case IDENTITY_REQUEST:
-                return new CcmMessage.IdentityRequest();
-            case IDENTITY_RESPONSE:
-                return identityResponse(in);
-            case IDENTITY_ACKNOWLEDGE:
-                return new CcmMessage.IdentityAcknowledge();
-            default:
-                throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "CCM message type " + type);
-        }
+        return switch (type) {
+            case PING -> new CcmMessage.Ping();
+            case PONG -> new CcmMessage.Pong();
+            case IDENTITY_REQUEST -> new CcmMessage.IdentityRequest();
+            case IDENTITY_RESPONSE -> identityResponse(in);
+            case IDENTITY_ACKNOWLEDGE -> new CcmMessage.IdentityAcknowledge();
+            default -> throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "CCM message type " + type);
+        };
     }
 
     private static void writeTag(OctetWriter out, int tag, String text) {
@@ -81,7 +77,7 @@ public final class CcmCodec {
         return new CcmMessage.IdentityResponse(unitName, serialNumber);
     }
 
-    /** Up to the closing zero, if there is one. Control characters are refused: names end up in logs and windows. */
+    /** The text up to a zero octet or the end. Control characters are refused, because names are shown in logs and windows. */
     private static String text(MessageReader element) throws ProtocolViolation {
         String text = new String(element.rest().toArray(), StandardCharsets.UTF_8);
         int zero = text.indexOf('\0');

@@ -5,10 +5,11 @@ import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetWriter;
 
 /**
- * Cuts a stream of octets into IPA frames; one framer a connection. Call {@link #next} until it is empty after each
- * {@link #accept}: then less than one frame is ever left over, and each octet is copied twice at most.
+ * Cuts a stream of octets into IPA frames; one framer per connection. With {@link #next} called until it is empty after
+ * each {@link #accept}, less than one frame stays buffered, and each octet is copied twice at most.
  */
 public final class IpaFramer {
     private static final int INITIAL_CAPACITY = 4096;
@@ -17,18 +18,17 @@ public final class IpaFramer {
     private int start;
     private int end;
 
-    /** For a connection from which nothing has come yet. */
+    /** A framer for a new connection. */
     public IpaFramer() {}
 
     /** The frame as it goes on the wire. */
     public static byte[] encode(IpaFrame frame) {
         byte[] payload = frame.payload();
-        byte[] wire = new byte[IpaFrame.HEADER_LENGTH + payload.length];
-        wire[0] = (byte) (payload.length >> 8);
-        wire[1] = (byte) payload.length;
-        wire[2] = (byte) frame.stream();
-        System.arraycopy(payload, 0, wire, IpaFrame.HEADER_LENGTH, payload.length);
-        return wire;
+        return new OctetWriter()
+                .twoOctets(payload.length)
+                .octet(frame.stream())
+                .bytes(payload)
+                .toArray();
     }
 
     /** Takes all octets that the buffer holds. */
@@ -42,8 +42,8 @@ public final class IpaFramer {
     /**
      * The next whole frame, if one has arrived.
      *
-     * @throws ProtocolViolation for a frame longer than {@link IpaFrame#MAX_PAYLOAD}: the connection is beyond repair,
-     *     and every further call says so again
+     * @throws ProtocolViolation for a frame longer than {@link IpaFrame#MAX_PAYLOAD}, and at every further call: the
+     *     connection has to be closed
      */
     public Optional<IpaFrame> next() throws ProtocolViolation {
         int available = end - start;
@@ -76,7 +76,7 @@ public final class IpaFramer {
         }
     }
 
-    /** The present array, a longer one if that is too short, or the small one again once a burst has passed. */
+    /** The current array, a longer one if it is too short, or one of the initial capacity after a burst. */
     private byte[] capacityFor(int needed) {
         if (needed > octets.length) {
             return new byte[Math.max(needed, octets.length * 2)];

@@ -6,7 +6,7 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Supervision of one link by either side (CCM): sends a PING every 30 s, answers the peer's, and gives the link up when
+ * Keep-alive of one link by either side (CCM): sends a PING every 30 s, answers the peer's, and gives the link up when
  * three are unanswered as the next falls due.
  */
 public final class KeepAlive {

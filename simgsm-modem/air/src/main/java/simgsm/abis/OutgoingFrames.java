@@ -8,28 +8,29 @@ import java.util.Iterator;
 import java.util.function.Consumer;
 
 /**
- * What the other end of a connection has not yet taken, for stations and for their centre. While it keeps up, each frame goes out at once in a write of its own, so that observers
- * see one message a segment. When it does not, signalling waits in order and the oldest speech makes room for the newest.
+ * Frames of one connection that are not sent yet, on either side. While the peer keeps up, each frame is a write of its
+ * own, so that a capture shows one message per segment. When it does not, signalling waits in order, and the newest
+ * speech frame replaces the oldest.
  */
 public final class OutgoingFrames {
-    /** 200 ms of speech at 20 ms a frame. */
+    /** 200 ms of speech, 20 ms a frame. */
     static final int MOST_SPEECH_FRAMES = 10;
 
     private final int mostSignallingFrames;
     private final Consumer<byte[]> written;
 
-    private record Waiting(ByteBuffer octets, boolean isSpeech) {}
+    private record QueuedFrame(ByteBuffer octets, boolean isSpeech) {}
 
-    private final ArrayDeque<Waiting> queue = new ArrayDeque<>();
+    private final ArrayDeque<QueuedFrame> queue = new ArrayDeque<>();
     private int speechFrames;
     private long droppedSpeechFrames;
 
-    /** @param mostSignallingFrames a peer that has not taken so many is not reading any more */
+    /** @param mostSignallingFrames signalling frames that may wait */
     public OutgoingFrames(int mostSignallingFrames) {
         this(mostSignallingFrames, wire -> {});
     }
 
-    /** @param written told of each frame, as it is on the wire, once it has left whole */
+    /** @param written receives the octets of each frame after its last octet is written */
     public OutgoingFrames(int mostSignallingFrames, Consumer<byte[]> written) {
         this.mostSignallingFrames = mostSignallingFrames;
         this.written = written;
@@ -38,7 +39,7 @@ public final class OutgoingFrames {
     /**
      * Sends or queues a frame.
      *
-     * @return false when the peer is so far behind that the link is not worth keeping
+     * @return false when more signalling waits than is allowed: the link should be closed
      */
     public boolean send(IpaFrame frame, WritableByteChannel channel) throws IOException {
         ByteBuffer octets = ByteBuffer.wrap(IpaFramer.encode(frame));
@@ -54,14 +55,14 @@ public final class OutgoingFrames {
             dropOldestSpeech();
         }
         speechFrames += isSpeech ? 1 : 0;
-        queue.addLast(new Waiting(octets, isSpeech));
+        queue.addLast(new QueuedFrame(octets, isSpeech));
         return queue.size() - speechFrames <= mostSignallingFrames;
     }
 
-    /** Writes until the peer takes no more or nothing waits. */
+    /** Writes until the channel accepts no more or the queue is empty. */
     public void flush(WritableByteChannel channel) throws IOException {
         while (!queue.isEmpty()) {
-            Waiting first = queue.peekFirst();
+            QueuedFrame first = queue.peekFirst();
             channel.write(first.octets);
             if (first.octets.hasRemaining()) {
                 return;
@@ -84,16 +85,16 @@ public final class OutgoingFrames {
         return droppedSpeechFrames;
     }
 
-    /** The connection is gone; what waited was for it alone. */
+    /** Empties the queue after the end of the connection. */
     public void clear() {
         queue.clear();
         speechFrames = 0;
     }
 
-    /** A frame of which a part has left must leave whole, or the peer would lose the framing. */
+    /** A frame that is written in part stays, or the peer would lose the framing. */
     private void dropOldestSpeech() {
-        for (Iterator<Waiting> each = queue.iterator(); each.hasNext(); ) {
-            Waiting candidate = each.next();
+        for (Iterator<QueuedFrame> each = queue.iterator(); each.hasNext(); ) {
+            QueuedFrame candidate = each.next();
             if (candidate.isSpeech && candidate.octets.position() == 0) {
                 each.remove();
                 speechFrames--;

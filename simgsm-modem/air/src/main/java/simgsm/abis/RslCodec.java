@@ -9,6 +9,7 @@ import simgsm.abis.RslMessage.ReleaseIndication;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.abis.RslMessage.SmsBroadcastCommand;
 import simgsm.air.Cause;
+import simgsm.air.Coded;
 import simgsm.air.IdentityElements;
 import simgsm.air.MessageReader;
 import simgsm.air.MobileIdentity;
@@ -20,7 +21,7 @@ import simgsm.octets.OctetWriter;
 public final class RslCodec {
     private static final int RADIO_LINK_LAYER = 0x02;
     private static final int COMMON_CHANNEL = 0x0c;
-    /** The lowest bit of the discriminator only says whether a base station looks into the message. */
+    /** The lowest bit of the discriminator says whether the message is transparent to the base station. */
     private static final int DISCRIMINATOR_MASK = 0xfe;
 
     private static final int DATA_REQUEST = 0x01;
@@ -41,13 +42,14 @@ public final class RslCodec {
     private static final int BROADCAST_COMMAND_TYPE = 0x29;
     private static final int BROADCAST_MESSAGE = 0x2a;
 
-    /** SDCCH/8 subchannel 0 in timeslot 1: the one dedicated channel of a terminal's small cell. */
-    private static final int OUR_CHANNEL = 0x41;
+    /** SDCCH/8 subchannel 0 in timeslot 1: the only dedicated channel of a terminal's cell. */
+    private static final int DEDICATED_CHANNEL = 0x41;
 
     private static final int PAGING_CHANNEL = 0x90;
 
     private RslCodec() {}
 
+    /** The payload of the message. */
     public static byte[] encode(RslMessage message) {
         if (message instanceof DataRequest data) {
             return layer3(DATA_REQUEST, data.sapi(), data.layer3());
@@ -71,6 +73,7 @@ public final class RslCodec {
         return broadcast(((SmsBroadcastCommand) message).page());
     }
 
+    /** The message of a payload. */
     public static RslMessage decode(byte[] payload) throws ProtocolViolation {
         MessageReader in = new MessageReader(payload);
         int discriminator = in.octet("RSL discriminator") & DISCRIMINATOR_MASK;
@@ -95,7 +98,7 @@ public final class RslCodec {
     }
 
     private static OctetWriter radioLink(int type, Sapi sapi) {
-        return header(RADIO_LINK_LAYER, type, OUR_CHANNEL)
+        return header(RADIO_LINK_LAYER, type, DEDICATED_CHANNEL)
                 .octet(LINK_IDENTIFIER)
                 .octet(sapi.code());
     }
@@ -124,22 +127,20 @@ public final class RslCodec {
     private static RslMessage radioLink(int type, MessageReader in) throws ProtocolViolation {
         expect(in, LINK_IDENTIFIER, "link identifier");
         Sapi sapi = sapi(in.octet("link identifier"));
-        switch (type) {
-            case DATA_REQUEST:
-                return new DataRequest(sapi, layer3(in));
-            case DATA_INDICATION:
-                return new DataIndication(sapi, layer3(in));
-            case ESTABLISH_INDICATION:
-                return new EstablishIndication(sapi, layer3(in));
-            case RELEASE_INDICATION:
-                return new ReleaseIndication(sapi);
-            case ERROR_INDICATION:
-                expect(in, LINK_CAUSE, "link layer cause");
-                MessageReader cause = in.lengthAndValue("link layer cause");
-                return new ErrorIndication(sapi, cause.octet("link layer cause") & 0x7f);
-            default:
-                throw unknown(RADIO_LINK_LAYER, type);
-        }
+        return switch (type) {
+            case DATA_REQUEST -> new DataRequest(sapi, layer3(in));
+            case DATA_INDICATION -> new DataIndication(sapi, layer3(in));
+            case ESTABLISH_INDICATION -> new EstablishIndication(sapi, layer3(in));
+            case RELEASE_INDICATION -> new ReleaseIndication(sapi);
+            case ERROR_INDICATION -> errorIndication(sapi, in);
+            default -> throw unknown(RADIO_LINK_LAYER, type);
+        };
+    }
+
+    private static ErrorIndication errorIndication(Sapi sapi, MessageReader in) throws ProtocolViolation {
+        expect(in, LINK_CAUSE, "link layer cause");
+        MessageReader cause = in.lengthAndValue("link layer cause");
+        return new ErrorIndication(sapi, cause.octet("link layer cause") & 0x7f);
     }
 
     private static RslMessage commonChannel(int type, MessageReader in) throws ProtocolViolation {
@@ -159,36 +160,26 @@ public final class RslCodec {
         throw unknown(COMMON_CHANNEL, type);
     }
 
-    /** Nothing may follow layer 3: octets there would mean that the length lies. */
+    /** The layer-3 message, which must end with the payload. */
     private static OctetString layer3(MessageReader in) throws ProtocolViolation {
         expect(in, LAYER_3_INFORMATION, "layer 3 information");
         int length = in.twoOctets("layer 3 length");
         if (length != in.remaining()) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION,
-                    "layer 3 is said to have " + length + " octets, " + in.remaining() + " are there");
+            throw ProtocolViolation.invalid("layer 3 length " + length + ", " + in.remaining() + " octets are left");
         }
         return in.rest();
     }
 
-    /** The slow associated channel (bit 7) is the same conversation. */
+    /** Bit 7, the slow associated channel, is ignored. */
     private static Sapi sapi(int link) throws ProtocolViolation {
-        switch (link & ~0x40) {
-            case 0:
-                return Sapi.SIGNALLING;
-            case 3:
-                return Sapi.SHORT_MESSAGES;
-            default:
-                throw new ProtocolViolation(
-                        Cause.INVALID_MANDATORY_INFORMATION, "link identifier " + link + " is not SAPI 0 or 3");
-        }
+        return Coded.find(Sapi.values(), link & ~0x40)
+                .orElseThrow(() -> ProtocolViolation.invalid("link identifier " + link + " is not SAPI 0 or 3"));
     }
 
     private static void expect(MessageReader in, int element, String what) throws ProtocolViolation {
         int found = in.octet(what);
         if (found != element) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION,
+            throw ProtocolViolation.invalid(
                     String.format("RSL element 0x%02x where %s (0x%02x) was expected", found, what, element));
         }
     }

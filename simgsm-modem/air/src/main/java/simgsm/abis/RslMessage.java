@@ -1,15 +1,17 @@
 package simgsm.abis;
 
+import simgsm.air.Coded;
 import simgsm.air.MobileIdentity;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /**
- * Radio signalling link messages (TS 48.058, 8) as far as a terminal with a small cell of its own needs them. Layer 3
- * travels as raw octets so that a relay or a trace need not understand it.
+ * Radio signalling link messages (TS 48.058, 8) of a terminal that carries its own cell. Layer 3 is kept as octets, so
+ * that relays and traces do not depend on it.
  */
 public sealed interface RslMessage {
-    /** Service access point of a radio link: which conversation on the channel (TS 44.005). */
-    enum Sapi {
+    /** Service access point identifier of a radio link (TS 44.005). */
+    enum Sapi implements Coded {
         /** Radio resource, mobility management, call control. */
         SIGNALLING(0),
         /** Short messages. */
@@ -21,6 +23,7 @@ public sealed interface RslMessage {
             this.code = code;
         }
 
+        @Override
         public int code() {
             return code;
         }
@@ -41,13 +44,11 @@ public sealed interface RslMessage {
     /** Up: the link layer refused something. @param cause TS 48.058, 9.3.26 */
     record ErrorIndication(Sapi sapi, int cause) implements RslMessage {
         public ErrorIndication {
-            if (cause < 0 || cause > 0x7f) {
-                throw new IllegalArgumentException("link layer cause " + cause + " is not 0 to 127");
-            }
+            Bounds.check("link layer cause", cause, 0, 0x7f);
         }
     }
 
-    /** Down: look for this mobile. */
+    /** Down: pages this mobile. */
     record PagingCommand(MobileIdentity identity) implements RslMessage {}
 
     /** Down: one whole cell broadcast page of 88 octets (TS 23.041). */
@@ -55,10 +56,7 @@ public sealed interface RslMessage {
         public static final int PAGE_LENGTH = 88;
 
         public SmsBroadcastCommand {
-            if (page.length() != PAGE_LENGTH) {
-                throw new IllegalArgumentException(
-                        "a cell broadcast page of " + page.length() + " octets, " + PAGE_LENGTH + " were expected");
-            }
+            page.requireLength("cell broadcast page", PAGE_LENGTH);
         }
     }
 }

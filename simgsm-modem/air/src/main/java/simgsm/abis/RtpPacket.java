@@ -3,6 +3,8 @@ package simgsm.abis;
 import simgsm.air.Cause;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.Bounds;
+import simgsm.octets.OctetWriter;
 
 /**
  * One 20 ms speech frame as RTP (RFC 3550), the payload of an {@link IpaFrame#SPEECH} frame.
@@ -11,15 +13,16 @@ import simgsm.air.ProtocolViolation;
  * @param sequence 0 to 65535
  * @param timestamp in samples, unsigned 32 bits
  * @param source the sender's synchronisation source, unsigned 32 bits
- * @param payload not copied, so nobody may change it
+ * @param payload not copied, so it must not change
  */
 public record RtpPacket(int payloadType, int sequence, long timestamp, long source, byte[] payload) {
     public static final int A_LAW = 8;
     public static final int GSM_FULL_RATE = 3;
 
+    /** A GSM full rate frame begins with the signature 0xd (RFC 3551, 4.5.8). */
     private static final int SIGNATURE_MASK = 0xf0;
+
     private static final int GSM_SIGNATURE = 0xd0;
-    private static final int HEADER_LENGTH = 12;
     private static final int VERSION_2 = 0x80;
     private static final int PADDING_FLAG = 0x20;
     private static final int EXTENSION_FLAG = 0x10;
@@ -30,31 +33,30 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
             throw new IllegalArgumentException(
                     "payload type " + payloadType + " does not have " + payload.length + " octets");
         }
-        if (sequence < 0 || sequence > 0xffff) {
-            throw new IllegalArgumentException("RTP sequence number " + sequence + " is not 0 to 65535");
-        }
+        Bounds.check("RTP sequence number", sequence, 0, 0xffff);
         if (timestamp < 0 || timestamp > MAX_UNSIGNED_32 || source < 0 || source > MAX_UNSIGNED_32) {
             throw new IllegalArgumentException("an RTP time stamp or source is not an unsigned 32-bit number");
         }
     }
 
-    /** How long a frame of this type is, in octets; -1 for types that we do not carry. */
+    /** Octets of a frame of this type; -1 for a type that is not supported. */
     private static int payloadLength(int payloadType) {
         return payloadType == A_LAW ? 160 : payloadType == GSM_FULL_RATE ? 33 : -1;
     }
 
+    /** The packet's octets. */
     public byte[] encode() {
-        byte[] octets = new byte[HEADER_LENGTH + payload.length];
-        octets[0] = (byte) VERSION_2;
-        octets[1] = (byte) payloadType;
-        octets[2] = (byte) (sequence >> 8);
-        octets[3] = (byte) sequence;
-        putFourOctets(octets, 4, timestamp);
-        putFourOctets(octets, 8, source);
-        System.arraycopy(payload, 0, octets, HEADER_LENGTH, payload.length);
-        return octets;
+        return new OctetWriter()
+                .octet(VERSION_2)
+                .octet(payloadType)
+                .twoOctets(sequence)
+                .fourOctets(timestamp)
+                .fourOctets(source)
+                .bytes(payload)
+                .toArray();
     }
 
+    /** The packet of these octets; contributing sources and an extension are skipped. */
     public static RtpPacket decode(byte[] octets) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);
         int flags = in.octet("RTP header");
@@ -83,11 +85,5 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
                     Cause.PROTOCOL_ERROR, "a GSM full rate frame begins with the signature D (RFC 3551, 4.5.8)");
         }
         return new RtpPacket(payloadType, sequence, timestamp, source, payload);
-    }
-
-    private static void putFourOctets(byte[] octets, int position, long value) {
-        for (int i = 0; i < 4; i++) {
-            octets[position + i] = (byte) (value >> 24 - 8 * i);
-        }
     }
 }

@@ -1,12 +1,13 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.Bounds;
 
 /** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
 public sealed interface CallControl extends Layer3Message {
     TransactionIdentifier transaction();
 
-    /** Whether this is a key of the sixteen: 0-9 * # A-D. */
+    /** Whether this is one of the 16 keys 0-9 * # A-D. */
     static boolean isKey(char key) {
         return key >= '0' && key <= '9' || key >= 'A' && key <= 'D' || key == '*' || key == '#';
     }
@@ -21,7 +22,7 @@ public sealed interface CallControl extends Layer3Message {
      * Opens a call. The mobile names the called number, the network the calling one. A mobile-originated SETUP also
      * carries the speech bearer capability, which the codec writes and does not show here.
      *
-     * @param signal what the network asks the called mobile to let its user hear
+     * @param signal the tone that the network asks the called mobile to play
      */
     record Setup(
             TransactionIdentifier transaction,
@@ -34,9 +35,9 @@ public sealed interface CallControl extends Layer3Message {
         }
     }
 
-    /** What a user is made to hear (TS 24.008, 10.5.4.23), as far as we use it. */
-    enum Signal {
-        /** Somebody else calls, while a call is under way. */
+    /** A tone that the mobile plays to its user (TS 24.008, 10.5.4.23); of the standard's codes only those in use. */
+    enum Signal implements Coded {
+        /** Another call arrives during a call. */
         CALL_WAITING(0x07);
 
         private final int code;
@@ -45,13 +46,13 @@ public sealed interface CallControl extends Layer3Message {
             this.code = code;
         }
 
-        /** The value on the wire. */
+        @Override
         public int code() {
             return code;
         }
     }
 
-    /** @param cause why the call, though confirmed, will have to wait: 17 */
+    /** @param cause 17 (user busy) when the confirmed call waits */
     record CallConfirmed(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {
         public CallConfirmed(TransactionIdentifier transaction) {
             this(transaction, Optional.empty());
@@ -109,9 +110,7 @@ public sealed interface CallControl extends Layer3Message {
     /** @param callState the sender's call state as coded in TS 24.008, 10.5.4.6 (0 to 28) */
     record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {
         public Status {
-            if (callState < 0 || callState > 0x3f) {
-                throw new IllegalArgumentException("call state " + callState + " is not 0 to 63");
-            }
+            Bounds.check("call state", callState, 0, 0x3f);
         }
     }
 }

@@ -1,25 +1,6 @@
 package simgsm.air;
 
-import java.util.Arrays;
 import java.util.Optional;
-import simgsm.air.CallControl.Alerting;
-import simgsm.air.CallControl.CallConfirmed;
-import simgsm.air.CallControl.CallProceeding;
-import simgsm.air.CallControl.Connect;
-import simgsm.air.CallControl.ConnectAcknowledge;
-import simgsm.air.CallControl.Disconnect;
-import simgsm.air.CallControl.Progress;
-import simgsm.air.CallControl.Release;
-import simgsm.air.CallControl.ReleaseComplete;
-import simgsm.air.CallControl.Setup;
-import simgsm.air.CallControl.Signal;
-import simgsm.air.CallControl.StartDtmf;
-import simgsm.air.CallControl.StartDtmfAcknowledge;
-import simgsm.air.CallControl.StartDtmfReject;
-import simgsm.air.CallControl.Status;
-import simgsm.air.CallControl.StatusEnquiry;
-import simgsm.air.CallControl.StopDtmf;
-import simgsm.air.CallControl.StopDtmfAcknowledge;
 import simgsm.air.OptionalElements.FixedElements;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
@@ -50,34 +31,34 @@ final class CallControlCodec {
     private CallControlCodec() {}
 
     static void write(OctetWriter out, CallControl message, Direction direction) {
-        if (message instanceof Setup setup) {
+        if (message instanceof CallControl.Setup setup) {
             writeSetup(out, setup, direction);
-        } else if (message instanceof CallConfirmed confirmed) {
+        } else if (message instanceof CallControl.CallConfirmed confirmed) {
             writeOptionalCause(out, confirmed.cause());
-        } else if (message instanceof Progress) {
+        } else if (message instanceof CallControl.Progress) {
             out.string(IN_BAND_TONES);
-        } else if (message instanceof StartDtmf start) {
+        } else if (message instanceof CallControl.StartDtmf start) {
             out.octet(KEYPAD_FACILITY).octet(start.key());
-        } else if (message instanceof StartDtmfAcknowledge acknowledge) {
+        } else if (message instanceof CallControl.StartDtmfAcknowledge acknowledge) {
             out.octet(KEYPAD_FACILITY).octet(acknowledge.key());
-        } else if (message instanceof StartDtmfReject reject) {
+        } else if (message instanceof CallControl.StartDtmfReject reject) {
             CauseElement.write(out, reject.cause());
-        } else if (message instanceof Alerting alerting) {
+        } else if (message instanceof CallControl.Alerting alerting) {
             writeInBand(out, alerting.inBand());
-        } else if (message instanceof Disconnect disconnect) {
+        } else if (message instanceof CallControl.Disconnect disconnect) {
             CauseElement.write(out, disconnect.cause());
             writeInBand(out, disconnect.inBand());
-        } else if (message instanceof Release release) {
+        } else if (message instanceof CallControl.Release release) {
             writeOptionalCause(out, release.cause());
-        } else if (message instanceof ReleaseComplete complete) {
+        } else if (message instanceof CallControl.ReleaseComplete complete) {
             writeOptionalCause(out, complete.cause());
-        } else if (message instanceof Status status) {
+        } else if (message instanceof CallControl.Status status) {
             CauseElement.write(out, status.cause());
             out.octet(GSM_CALL_STATE | status.callState());
         }
     }
 
-    private static void writeSetup(OctetWriter out, Setup setup, Direction direction) {
+    private static void writeSetup(OctetWriter out, CallControl.Setup setup, Direction direction) {
         out.string(direction == Direction.UPLINK ? SPEECH_FROM_MOBILE : SPEECH_FROM_NETWORK);
         setup.signal().ifPresent(signal -> out.octet(SIGNAL).octet(signal.code()));
         setup.calling().ifPresent(number -> NumberElements.writeCalling(out.octet(CALLING_NUMBER), number));
@@ -94,68 +75,49 @@ final class CallControlCodec {
         cause.ifPresent(value -> CauseElement.write(out.octet(CAUSE), value));
     }
 
-    static CallControl read(Layer3Type type, TransactionIdentifier transaction, MessageReader in, Direction direction)
+    static CallControl read(Layer3Type type, TransactionIdentifier ti, MessageReader in, Direction direction)
             throws ProtocolViolation {
-        switch (type) {
-            case SETUP:
-                return readSetup(transaction, in, direction);
-            case CALL_CONFIRMED:
-                return new CallConfirmed(transaction, readOptionalCause(in));
-            case RELEASE:
-                return new Release(transaction, readOptionalCause(in));
-            case RELEASE_COMPLETE:
-                return new ReleaseComplete(transaction, readOptionalCause(in));
-            case DISCONNECT:
-                return readDisconnect(transaction, in);
-            case ALERTING:
-                return new Alerting(transaction, readInBand(in));
-            default:
-                CallControl message = readPlain(type, transaction, in);
-                checkOptional(in);
-                return message;
-        }
+        CallControl message = switch (type) {
+            case SETUP -> readSetup(ti, in, direction);
+            case CALL_CONFIRMED -> new CallControl.CallConfirmed(ti, readOptionalCause(in));
+            case CALL_PROCEEDING -> new CallControl.CallProceeding(ti);
+            case PROGRESS -> readProgress(ti, in);
+            case ALERTING -> new CallControl.Alerting(ti, readInBand(in));
+            case CONNECT -> new CallControl.Connect(ti);
+            case CONNECT_ACKNOWLEDGE -> new CallControl.ConnectAcknowledge(ti);
+            case START_DTMF -> new CallControl.StartDtmf(ti, readKey(in));
+            case START_DTMF_ACKNOWLEDGE -> new CallControl.StartDtmfAcknowledge(ti, readKey(in));
+            case START_DTMF_REJECT -> new CallControl.StartDtmfReject(ti, CauseElement.read(in));
+            case STOP_DTMF -> new CallControl.StopDtmf(ti);
+            case STOP_DTMF_ACKNOWLEDGE -> new CallControl.StopDtmfAcknowledge(ti);
+            case DISCONNECT -> readDisconnect(ti, in);
+            case RELEASE -> new CallControl.Release(ti, readOptionalCause(in));
+            case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(ti, readOptionalCause(in));
+            case STATUS_ENQUIRY -> new CallControl.StatusEnquiry(ti);
+            default -> new CallControl.Status(ti, CauseElement.read(in), in.octet("call state") & 0x3f);
+        };
+        optional(in).skipAll();
+        return message;
     }
 
-    private static CallControl readPlain(Layer3Type type, TransactionIdentifier transaction, MessageReader in)
+    private static CallControl readProgress(TransactionIdentifier transaction, MessageReader in)
             throws ProtocolViolation {
-        switch (type) {
-            case CALL_PROCEEDING:
-                return new CallProceeding(transaction);
-            case PROGRESS:
-                in.lengthAndValue("progress indicator");
-                return new Progress(transaction);
-            case CONNECT:
-                return new Connect(transaction);
-            case CONNECT_ACKNOWLEDGE:
-                return new ConnectAcknowledge(transaction);
-            case START_DTMF:
-                return new StartDtmf(transaction, readKey(in));
-            case START_DTMF_ACKNOWLEDGE:
-                return new StartDtmfAcknowledge(transaction, readKey(in));
-            case START_DTMF_REJECT:
-                return new StartDtmfReject(transaction, CauseElement.read(in));
-            case STOP_DTMF:
-                return new StopDtmf(transaction);
-            case STOP_DTMF_ACKNOWLEDGE:
-                return new StopDtmfAcknowledge(transaction);
-            case STATUS_ENQUIRY:
-                return new StatusEnquiry(transaction);
-            default:
-                return new Status(transaction, CauseElement.read(in), in.octet("call state") & 0x3f);
-        }
+        in.lengthAndValue("progress indicator");
+        return new CallControl.Progress(transaction);
     }
 
-    /** Uplink a called number is mandatory; one that cannot be read, such as *21#, is left out (cause 28 is the network's). */
-    private static Setup readSetup(TransactionIdentifier transaction, MessageReader in, Direction direction)
+    /** Uplink a called number is mandatory; one that cannot be read, such as *21#, is left out: the network answers with cause 28. */
+    private static CallControl.Setup readSetup(TransactionIdentifier transaction, MessageReader in, Direction direction)
             throws ProtocolViolation {
-        Optional<Signal> signal = Optional.empty();
+        Optional<CallControl.Signal> signal = Optional.empty();
         Optional<Msisdn> calling = Optional.empty();
         Optional<Msisdn> called = Optional.empty();
         boolean isCalledThere = false;
         OptionalElements elements = new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY);
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
             if (identifier == SIGNAL && direction == Direction.DOWNLINK) {
-                signal = readSignal(elements.value());
+                signal =
+                        Coded.find(CallControl.Signal.values(), elements.value().octet("signal"));
             } else if (identifier == CALLING_NUMBER && calling.isEmpty()) {
                 calling = NumberElements.readOptional(elements.value());
             } else if (identifier == CALLED_NUMBER && called.isEmpty()) {
@@ -164,75 +126,56 @@ final class CallControlCodec {
             }
         }
         if (!isCalledThere && direction == Direction.UPLINK) {
-            throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, "the called number is missing");
+            throw ProtocolViolation.invalid("the called number is missing");
         }
-        return new Setup(transaction, signal, calling, called);
-    }
-
-    /** A signal that we do not know is passed over. */
-    private static Optional<Signal> readSignal(MessageReader value) throws ProtocolViolation {
-        int code = value.octet("signal");
-        return Arrays.stream(Signal.values())
-                .filter(each -> each.code() == code)
-                .findFirst();
+        return new CallControl.Setup(transaction, signal, calling, called);
     }
 
     /** Clears the call even if its cause cannot be read; cause 96 then stands for it (TS 24.008, 8.5.2). */
-    private static Disconnect readDisconnect(TransactionIdentifier transaction, MessageReader in) {
+    private static CallControl.Disconnect readDisconnect(TransactionIdentifier transaction, MessageReader in) {
         try {
-            return new Disconnect(transaction, CauseElement.read(in), readInBand(in));
+            return new CallControl.Disconnect(transaction, CauseElement.read(in), readInBand(in));
         } catch (ProtocolViolation broken) {
-            return new Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);
+            in.skipRest();
+            return new CallControl.Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);
         }
     }
 
     /** Clears the call whatever the elements say (TS 24.008, 8.5.3 and 8.5.4). */
     private static Optional<Cause> readOptionalCause(MessageReader in) {
-        OptionalElements elements = new OptionalElements(in, FixedElements.CALL_CONTROL, CAUSE);
         try {
-            for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-                if (identifier == CAUSE) {
-                    return CauseElement.readOptional(elements.value());
-                }
-            }
-            return Optional.empty();
+            return new OptionalElements(in, FixedElements.CALL_CONTROL, CAUSE)
+                    .first(CAUSE)
+                    .flatMap(CauseElement::readOptional);
         } catch (ProtocolViolation broken) {
             return Optional.of(Cause.INVALID_MANDATORY_INFORMATION);
+        } finally {
+            in.skipRest();
         }
+    }
+
+    private static OptionalElements optional(MessageReader in) {
+        return new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
     }
 
     /** Whether a progress indicator asks the mobile to listen to what the network plays (TS 24.008, 10.5.4.21, value 8). */
     private static boolean readInBand(MessageReader in) throws ProtocolViolation {
-        OptionalElements elements =
-                new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
-        boolean inBand = false;
-        for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-            if (identifier == PROGRESS_INDICATOR && elements.value().remaining() == 2) {
-                elements.value().octet("progress location");
-                inBand = (elements.value().octet("progress description") & 0x7f) == IN_BAND_AVAILABLE;
-            }
+        Optional<MessageReader> progress = optional(in).first(PROGRESS_INDICATOR);
+        if (progress.isEmpty() || progress.get().remaining() != 2) {
+            return false;
         }
-        return inBand;
+        progress.get().octet("progress location");
+        return (progress.get().octet("progress description") & 0x7f) == IN_BAND_AVAILABLE;
     }
 
     private static char readKey(MessageReader in) throws ProtocolViolation {
         if (in.octet("keypad facility") != KEYPAD_FACILITY) {
-            throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, "keypad facility is missing");
+            throw ProtocolViolation.invalid("keypad facility is missing");
         }
         char key = (char) (in.octet("key") & 0x7f);
         if (!CallControl.isKey(key)) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION, "key " + (int) key + " is none of 0-9 * # A-D");
+            throw ProtocolViolation.invalid("key " + (int) key + " is none of 0-9 * # A-D");
         }
         return key;
-    }
-
-    /** Reads over what follows; a bearer capability may stand in several messages, and all ours carry speech. */
-    private static void checkOptional(MessageReader in) throws ProtocolViolation {
-        OptionalElements elements =
-                new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
-        while (elements.next() >= 0) {
-            continue;
-        }
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.air;
 
 /** Why a call ended or a call-control message was refused (TS 24.008, 10.5.4.11 and annex H). */
-public enum Cause {
+public enum Cause implements Coded.Titled {
     UNASSIGNED_NUMBER(1, "unassigned number"),
     NO_ROUTE_TO_DESTINATION(3, "no route to destination"),
     CHANNEL_UNACCEPTABLE(6, "channel unacceptable"),
@@ -53,19 +53,6 @@ public enum Cause {
     PROTOCOL_ERROR(111, "protocol error, unspecified"),
     INTERWORKING(127, "interworking, unspecified");
 
-    private static final Cause[] BY_CODE = new Cause[128];
-
-    static {
-        for (Cause cause : values()) {
-            BY_CODE[cause.code] = cause;
-        }
-        for (int code = 0; code < BY_CODE.length; code++) {
-            if (BY_CODE[code] == null) {
-                BY_CODE[code] = BY_CODE[lastOfClass(code)];
-            }
-        }
-    }
-
     private final int code;
     private final String title;
 
@@ -74,26 +61,24 @@ public enum Cause {
         this.title = title;
     }
 
-    /** The value on the wire. */
+    @Override
     public int code() {
         return code;
     }
 
-    /** The cause's name in the standard, in lower case. */
+    @Override
     public String title() {
         return title;
     }
 
     /**
-     * The cause with this code, 0 to 127; a code that the standard does not list counts as the "unspecified" one that
-     * ends its class (10.5.4.11, notes to table 10.5.123).
+     * The cause with this code, 0 to 127; for a code that the standard does not list the "unspecified" cause that ends
+     * its class: 31 normal, 47 resources, 63 not available, 79 not implemented, 95 invalid, 111 protocol, 127
+     * interworking (10.5.4.11, notes to table 10.5.123).
      */
     public static Cause ofCode(int code) {
-        return BY_CODE[code & 0x7f];
-    }
-
-    /** 0 to 31 normal, 47 resources, 63 not available, 79 not implemented, 95 invalid, 111 protocol, 127 interworking. */
-    private static int lastOfClass(int code) {
-        return code < 32 ? 31 : code | 0x0f;
+        int lastOfClass = code < 32 ? 31 : code | 0x0f;
+        return Coded.find(values(), code)
+                .orElseGet(() -> Coded.find(values(), lastOfClass).orElseThrow());
     }
 }

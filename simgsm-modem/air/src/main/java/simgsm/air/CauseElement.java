@@ -12,7 +12,7 @@ final class CauseElement {
 
     private CauseElement() {}
 
-    /** As length and value. */
+    /** Writes a cause as length and value. */
     static void write(OctetWriter out, Cause cause) {
         out.octet(2).octet(GSM_USER).octet(LAST_OCTET | cause.code());
     }
@@ -21,7 +21,7 @@ final class CauseElement {
         return readValue(in.lengthAndValue("cause"));
     }
 
-    static Cause readValue(MessageReader value) throws ProtocolViolation {
+    private static Cause readValue(MessageReader value) throws ProtocolViolation {
         int coding = value.octet("cause");
         if ((coding & LAST_OCTET) == 0) {
             value.octet("cause's recommendation");
@@ -29,7 +29,7 @@ final class CauseElement {
         return Cause.ofCode(value.octet("cause value") & 0x7f);
     }
 
-    /** Empty for a broken one. */
+    /** The cause in an optional element; empty if it cannot be read (TS 24.008, 8.7.1). */
     static Optional<Cause> readOptional(MessageReader value) {
         try {
             return Optional.of(readValue(value));

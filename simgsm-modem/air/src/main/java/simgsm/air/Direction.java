@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Which way a message crosses the air; some octets mean different things each way. */
+/** The direction of a message on the air interface; some octets have a different meaning in each. */
 public enum Direction {
     /** From the mobile to the network. */
     UPLINK,

@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
 /** Mobile identity and location area as they stand in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
@@ -13,7 +14,7 @@ public final class IdentityElements {
 
     private IdentityElements() {}
 
-    /** As length and value. */
+    /** Writes an identity as length and value. */
     public static void writeIdentity(OctetWriter out, MobileIdentity identity) {
         if (identity instanceof Tmsi tmsi) {
             out.octet(5).octet(TMSI_FIRST_OCTET).fourOctets(tmsi.value());
@@ -28,40 +29,44 @@ public final class IdentityElements {
         }
     }
 
+    /** Reads an identity as length and value: an IMSI, IMEI or TMSI. */
     public static MobileIdentity readIdentity(MessageReader in) throws ProtocolViolation {
         return readIdentityValue(in.lengthAndValue("mobile identity"));
     }
 
     static MobileIdentity readIdentityValue(MessageReader in) throws ProtocolViolation {
         if (in.remaining() > MAX_LENGTH) {
-            throw invalid("a mobile identity of " + in.remaining() + " octets");
+            throw ProtocolViolation.invalid("a mobile identity of " + in.remaining() + " octets");
         }
         int first = in.octet("mobile identity");
-        int type = first & 0x07;
-        if (type == MobileIdentity.Type.TMSI.code()) {
-            return new Tmsi((int) in.fourOctets("TMSI"));
-        }
-        if (type != MobileIdentity.Type.IMSI.code() && type != MobileIdentity.Type.IMEI.code()) {
-            throw invalid("mobile identity type " + type + " where IMSI, IMEI or TMSI was expected");
-        }
-        String digits = digits(first, in);
+        MobileIdentity.Type type =
+                Coded.find(MobileIdentity.Type.values(), first & 0x07).orElse(MobileIdentity.Type.IMEISV);
         try {
-            return type == MobileIdentity.Type.IMSI.code() ? new Imsi(digits) : new Imei(digits);
+            return switch (type) {
+                case IMSI -> new Imsi(digits(first, in));
+                case IMEI -> new Imei(digits(first, in));
+                case TMSI -> new Tmsi((int) in.fourOctets("TMSI"));
+                case IMEISV ->
+                    throw ProtocolViolation.invalid(
+                            "mobile identity type " + (first & 0x07) + " where IMSI, IMEI or TMSI was expected");
+            };
         } catch (IllegalArgumentException wrong) {
-            throw invalid(wrong.getMessage());
+            throw ProtocolViolation.invalid(wrong.getMessage());
+        }
+    }
+
+    /** The identity in an optional element; empty if it cannot be read (TS 24.008, 8.7.1). */
+    static Optional<MobileIdentity> readOptional(MessageReader in) {
+        try {
+            return Optional.of(readIdentityValue(in));
+        } catch (ProtocolViolation broken) {
+            return Optional.empty();
         }
     }
 
     private static String digits(int first, MessageReader in) throws ProtocolViolation {
         int count = 2 * in.remaining() + ((first & ODD) != 0 ? 1 : 0);
-        return (char) ('0' + decimal(first >> 4)) + SemiOctets.readDecimal(in, Math.max(0, count - 1));
-    }
-
-    private static int decimal(int nibble) throws ProtocolViolation {
-        if (nibble > 9) {
-            throw invalid("a mobile identity begins with a digit of value " + nibble);
-        }
-        return nibble;
+        return digit(first >> 4) + SemiOctets.readDecimal(in, Math.max(0, count - 1));
     }
 
     static void writeArea(OctetWriter out, LocationArea area) {
@@ -85,12 +90,8 @@ public final class IdentityElements {
 
     private static char digit(int nibble) throws ProtocolViolation {
         if ((nibble & 0x0f) > 9) {
-            throw invalid("a location area with a digit of value " + (nibble & 0x0f));
+            throw ProtocolViolation.invalid("a digit of value " + (nibble & 0x0f));
         }
         return (char) ('0' + (nibble & 0x0f));
-    }
-
-    private static ProtocolViolation invalid(String text) {
-        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
     }
 }

@@ -6,10 +6,10 @@ import java.util.random.RandomGenerator;
 /**
  * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2).
  *
- * @param digits 15 decimal digits of which the last is the Luhn digit, or 0 as many phones send it
+ * @param digits 15 decimal digits of which the last is the Luhn digit, or 0, which many phones send instead
  */
 public record Imei(String digits) implements MobileIdentity {
-    /** Type allocation code of our own terminals: from the range reserved for tests. */
+    /** Type allocation code of the suite's terminals, from the range reserved for tests. */
     private static final String TYPE_ALLOCATION_CODE = "00101750";
 
     public Imei {
@@ -23,7 +23,7 @@ public record Imei(String digits) implements MobileIdentity {
         }
     }
 
-    /** A new identity of our own type with a random serial number. */
+    /** A new identity of the suite's type with a random serial number. */
     public static Imei random(RandomGenerator random) {
         return of(TYPE_ALLOCATION_CODE, random.nextInt(1_000_000));
     }

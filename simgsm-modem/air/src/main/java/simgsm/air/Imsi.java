@@ -22,8 +22,8 @@ public record Imsi(String digits) implements MobileIdentity {
     /**
      * The identity that an open network gives to a number: 00101 and the number padded left to ten digits.
      *
-     * @throws IllegalArgumentException for a number of more than ten digits or with a leading zero, which could not be
-     *     told from another
+     * @throws IllegalArgumentException for a number of more than ten digits or with a leading zero, because its IMSI would be
+     *     that of another number
      */
     public static Imsi ofOpenNumber(Msisdn number) {
         String digits = number.digits();
@@ -34,7 +34,7 @@ public record Imsi(String digits) implements MobileIdentity {
         return new Imsi(TEST_NETWORK + "0".repeat(OPEN_NETWORK_DIGITS - digits.length()) + digits);
     }
 
-    /** The number behind an identity made by {@link #ofOpenNumber}; empty for any other. */
+    /** The number of an identity made by {@link #ofOpenNumber}; empty for any other. */
     public Optional<Msisdn> openNumber() {
         if (digits.length() != TEST_NETWORK.length() + OPEN_NETWORK_DIGITS || !digits.startsWith(TEST_NETWORK)) {
             return Optional.empty();

@@ -3,7 +3,7 @@ package simgsm.air;
 import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
-/** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 44.018). Knows no socket and keeps no state. */
+/** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 44.018). Has no state. */
 public final class Layer3Codec {
     private static final int TYPE_MASK = 0x3f;
     private static final int SEND_SEQUENCE_BIT = 0x40;
@@ -44,8 +44,8 @@ public final class Layer3Codec {
     /**
      * The message in these octets; an uplink message's N(SD) is masked out, see {@link #sendSequence}.
      *
-     * @throws ProtocolViolation for anything that the standard does not allow, with the cause for a STATUS answer; what
-     *     to send, if anything, says {@link ProtocolErrorAnswers}
+     * @throws ProtocolViolation for anything that the standard does not allow, with the cause for a STATUS answer; see
+     *     {@link ProtocolErrorAnswers} for the messages to send
      */
     public static Layer3Message decode(byte[] octets, Direction direction) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);
@@ -87,21 +87,16 @@ public final class Layer3Codec {
         int first = in.octet("protocol discriminator");
         int type = in.octet("message type");
         int discriminator = first & 0x0f;
-        switch (discriminator) {
-            case Layer3Header.CALL_CONTROL:
-                return header(discriminator, direction, transaction(first), type & TYPE_MASK);
-            case Layer3Header.MOBILITY_MANAGEMENT:
-                checkSkipIndicator(first);
-                return header(discriminator, direction, Optional.empty(), type & TYPE_MASK);
-            case Layer3Header.RADIO_RESOURCE:
-                checkSkipIndicator(first);
-                return header(discriminator, direction, Optional.empty(), type);
-            case Layer3Header.SHORT_MESSAGES:
-                return header(discriminator, direction, transaction(first), type);
-            default:
+        return switch (discriminator) {
+            case Layer3Header.CALL_CONTROL -> header(discriminator, direction, transaction(first), type & TYPE_MASK);
+            case Layer3Header.MOBILITY_MANAGEMENT ->
+                header(discriminator, direction, skipIndicator(first), type & TYPE_MASK);
+            case Layer3Header.RADIO_RESOURCE -> header(discriminator, direction, skipIndicator(first), type);
+            case Layer3Header.SHORT_MESSAGES -> header(discriminator, direction, transaction(first), type);
+            default ->
                 throw new ProtocolViolation(
                         Cause.MESSAGE_TYPE_NON_EXISTENT, "protocol discriminator " + discriminator + " is not known");
-        }
+        };
     }
 
     private static Layer3Header header(
@@ -119,28 +114,24 @@ public final class Layer3Codec {
     }
 
     /** A message with another skip indicator is to be ignored (TS 24.007, 11.2.3.1.2). */
-    private static void checkSkipIndicator(int first) throws ProtocolViolation {
+    private static Optional<TransactionIdentifier> skipIndicator(int first) throws ProtocolViolation {
         if (first >> 4 != 0) {
             throw new ProtocolViolation(
                     Cause.PROTOCOL_ERROR, "skip indicator " + (first >> 4) + " where 0 was expected");
         }
+        return Optional.empty();
     }
 
     private static Layer3Message readBody(Layer3Header header, MessageReader in) throws ProtocolViolation {
-        Optional<Layer3Type> known = header.type();
-        if (known.isEmpty()) {
-            throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "not known " + header.direction());
-        }
-        Layer3Type type = known.get();
-        switch (header.discriminator()) {
-            case Layer3Header.CALL_CONTROL:
-                return CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
-            case Layer3Header.MOBILITY_MANAGEMENT:
-                return MobilityManagementCodec.read(type, in);
-            case Layer3Header.RADIO_RESOURCE:
-                return RadioResourceCodec.read(type, in);
-            default:
-                return ShortMessageCodec.read(header, type, in);
-        }
+        Layer3Type type = header.type()
+                .orElseThrow(() ->
+                        new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "not known " + header.direction()));
+        return switch (header.discriminator()) {
+            case Layer3Header.CALL_CONTROL ->
+                CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
+            case Layer3Header.MOBILITY_MANAGEMENT -> MobilityManagementCodec.read(type, in);
+            case Layer3Header.RADIO_RESOURCE -> RadioResourceCodec.read(type, in);
+            default -> ShortMessageCodec.read(header, type, in);
+        };
     }
 }

@@ -3,12 +3,12 @@ package simgsm.air;
 import java.util.Optional;
 
 /**
- * What stands at the head of every layer-3 message, and what an answer to a refused one needs.
+ * The header of a layer-3 message, with all that the answer to a refused one needs.
  *
  * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short messages
- * @param transaction of call control and short messages
+ * @param transaction present in call control and short messages
  * @param messageType without the send sequence number
- * @param relayReference RP message reference of a refused RP message inside a sound CP-DATA
+ * @param relayReference RP message reference of a refused RP message inside a valid CP-DATA
  */
 public record Layer3Header(
         int discriminator,
@@ -21,12 +21,12 @@ public record Layer3Header(
     public static final int RADIO_RESOURCE = 6;
     public static final int SHORT_MESSAGES = 9;
 
-    /** The message's type; empty if we do not know it in this direction. */
+    /** The message's type; empty if it is not known in this direction. */
     public Optional<Layer3Type> type() {
         return Layer3Type.of(discriminator, messageType, direction);
     }
 
-    /** The message's name, or its numbers if we do not know it. */
+    /** The message's name, or its numbers if it is not known. */
     public String name() {
         return type().map(Layer3Type::title)
                 .orElseGet(() -> String.format("message type 0x%02x of protocol %d", messageType, discriminator));

@@ -8,7 +8,7 @@ import simgsm.air.MobilityManagement.*;
 import simgsm.air.RadioResource.*;
 import simgsm.air.ShortMessageControl.*;
 
-/** Every message kind that we speak: its numbers, its name, the ways it may go (TS 24.008, 10.4; TS 24.011, 8.1.3). */
+/** All message types in use: numbers, direction, record and name (TS 24.008, 10.4; TS 24.011, 8.1.3). */
 public enum Layer3Type {
     IMSI_DETACH_INDICATION(5, 0x01, Way.UP, ImsiDetachIndication.class, "IMSI Detach Indication"),
     LOCATION_UPDATING_ACCEPT(5, 0x02, Way.DOWN, LocationUpdatingAccept.class, "Location Updating Accept"),
@@ -84,16 +84,18 @@ public enum Layer3Type {
         this.title = title;
     }
 
+    /** The type of a message. */
     public static Layer3Type of(Layer3Message message) {
         return BY_RECORD.get(message.getClass());
     }
 
-    /** The type with these numbers; empty if we do not know it or it never goes this way. */
+    /** The type with these numbers; empty if it is not known or never goes in this direction. */
     public static Optional<Layer3Type> of(int discriminator, int code, Direction direction) {
         Layer3Type type = BY_NUMBERS[(discriminator & 0x0f) << 8 | code & 0xff];
         return type == null || !type.goes(direction) ? Optional.empty() : Optional.of(type);
     }
 
+    /** The protocol discriminator; see {@link Layer3Header}. */
     public int discriminator() {
         return discriminator;
     }
@@ -108,6 +110,7 @@ public enum Layer3Type {
         return title;
     }
 
+    /** Whether messages of this type are sent in this direction. */
     public boolean goes(Direction direction) {
         return way == Way.BOTH || (way == Way.UP) == (direction == Direction.UPLINK);
     }

@@ -1,5 +1,7 @@
 package simgsm.air;
 
+import simgsm.octets.Bounds;
+
 /**
  * Location area identification (TS 24.008, 10.5.1.3).
  *
@@ -15,8 +17,6 @@ public record LocationArea(String countryCode, String networkCode, int areaCode)
         if (!countryCode.matches("[0-9]{3}") || !networkCode.matches("[0-9]{2,3}")) {
             throw new IllegalArgumentException(countryCode + "/" + networkCode + " is not MCC/MNC");
         }
-        if (areaCode < 0 || areaCode > 0xffff) {
-            throw new IllegalArgumentException("location area code " + areaCode + " is not 0 to 65535");
-        }
+        Bounds.check("location area code", areaCode, 0, 0xffff);
     }
 }

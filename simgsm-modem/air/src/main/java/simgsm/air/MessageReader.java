@@ -7,7 +7,7 @@ import simgsm.octets.OctetString;
 public final class MessageReader extends OctetReader<ProtocolViolation> {
     /** A reader of a whole message. */
     public MessageReader(byte[] octets) {
-        super(octets, text -> new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text));
+        super(octets, ProtocolViolation::invalid);
     }
 
     /** A reader of a whole message. */

@@ -1,9 +1,9 @@
 package simgsm.air;
 
-/** How a mobile names itself on the air (TS 24.008, 10.5.1.4). */
+/** An identity of a mobile in a message (TS 24.008, 10.5.1.4). */
 public sealed interface MobileIdentity permits Imsi, Imei, Tmsi {
     /** The kinds of identity that IDENTITY REQUEST may ask for, with their codes (TS 24.008, 10.5.3.4). */
-    enum Type {
+    enum Type implements Coded {
         IMSI(1),
         IMEI(2),
         IMEISV(3),
@@ -15,18 +15,9 @@ public sealed interface MobileIdentity permits Imsi, Imei, Tmsi {
             this.code = code;
         }
 
+        @Override
         public int code() {
             return code;
-        }
-
-        /** The type with this code; IllegalArgumentException for an unassigned one. */
-        public static Type ofCode(int code) {
-            for (Type type : values()) {
-                if (type.code == code) {
-                    return type;
-                }
-            }
-            throw new IllegalArgumentException("identity type " + code + " is not 1 to 4");
         }
     }
 

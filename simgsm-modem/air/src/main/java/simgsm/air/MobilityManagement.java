@@ -1,11 +1,11 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /** Mobility management messages (TS 24.008, 9.2), protocol discriminator 5. */
 public sealed interface MobilityManagement extends Layer3Message {
-
     /** What a LOCATION UPDATING REQUEST is for (TS 24.008, 10.5.3.5). */
     enum LocationUpdatingType {
         NORMAL,
@@ -14,7 +14,7 @@ public sealed interface MobilityManagement extends Layer3Message {
     }
 
     /** What a CM SERVICE REQUEST asks for (TS 24.008, 10.5.3.3). */
-    enum ServiceType {
+    enum ServiceType implements Coded {
         MOBILE_ORIGINATED_CALL(1),
         EMERGENCY_CALL(2),
         SHORT_MESSAGE(4),
@@ -26,27 +26,21 @@ public sealed interface MobilityManagement extends Layer3Message {
             this.code = code;
         }
 
+        @Override
         public int code() {
             return code;
         }
     }
 
-    /** No ciphering key is stored. */
+    /** Ciphering key sequence number (10.5.1.2) when no key is stored; 0 to 6 otherwise. */
     int NO_KEY = 7;
-
-    private static void checkLength(String what, OctetString octets, int least, int most) {
-        if (octets.length() < least || octets.length() > most) {
-            throw new IllegalArgumentException(
-                    what + " has " + octets.length() + " octets, " + least + " to " + most + " were expected");
-        }
-    }
 
     /** @param keySequence ciphering key sequence number, 0 to 6, or 7 for no key */
     record LocationUpdatingRequest(
             LocationUpdatingType updatingType, int keySequence, LocationArea oldArea, MobileIdentity identity)
             implements MobilityManagement {
         public LocationUpdatingRequest {
-            KeySequence.check(keySequence);
+            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
         }
     }
 
@@ -59,16 +53,16 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record IdentityResponse(MobileIdentity identity) implements MobilityManagement {}
 
-    /** RAND (16 octets) and, for a USIM, AUTN (16 octets). */
+    /** @param rand 16 octets; @param autn 16 octets, for a USIM only */
     record AuthenticationRequest(int keySequence, OctetString rand, Optional<OctetString> autn)
             implements MobilityManagement {
         public static final int RAND_LENGTH = 16;
         public static final int AUTN_LENGTH = 16;
 
         public AuthenticationRequest {
-            KeySequence.check(keySequence);
-            checkLength("RAND", rand, RAND_LENGTH, RAND_LENGTH);
-            autn.ifPresent(octets -> checkLength("AUTN", octets, AUTN_LENGTH, AUTN_LENGTH));
+            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
+            rand.requireLength("RAND", RAND_LENGTH);
+            autn.ifPresent(octets -> octets.requireLength("AUTN", AUTN_LENGTH));
         }
     }
 
@@ -78,7 +72,7 @@ public sealed interface MobilityManagement extends Layer3Message {
         public static final int MAX_LENGTH = 16;
 
         public AuthenticationResponse {
-            checkLength("RES", response, MIN_LENGTH, MAX_LENGTH);
+            response.requireLength("RES", MIN_LENGTH, MAX_LENGTH);
         }
     }
 
@@ -88,13 +82,13 @@ public sealed interface MobilityManagement extends Layer3Message {
         public static final int AUTS_LENGTH = 14;
 
         public AuthenticationFailure {
-            auts.ifPresent(octets -> checkLength("AUTS", octets, AUTS_LENGTH, AUTS_LENGTH));
+            auts.ifPresent(octets -> octets.requireLength("AUTS", AUTS_LENGTH));
         }
     }
 
     record TmsiReallocationComplete() implements MobilityManagement {}
 
-    /** @param networkName as it would stand on the phone's display, at most 64 characters */
+    /** @param networkName for the phone's display, at most 64 characters */
     record MmInformation(String networkName) implements MobilityManagement {
         public static final int MAX_NAME_LENGTH = 64;
 
@@ -109,7 +103,7 @@ public sealed interface MobilityManagement extends Layer3Message {
     record CmServiceRequest(ServiceType service, int keySequence, MobileIdentity identity)
             implements MobilityManagement {
         public CmServiceRequest {
-            KeySequence.check(keySequence);
+            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
         }
     }
 
@@ -117,7 +111,7 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record CmServiceReject(RejectCause cause) implements MobilityManagement {}
 
-    /** The mobile no longer wants what it has asked for, and the radio connection neither. */
+    /** The mobile cancels its CM SERVICE REQUEST and the radio connection. */
     record CmServiceAbort() implements MobilityManagement {}
 
     record ImsiDetachIndication(MobileIdentity identity) implements MobilityManagement {}

@@ -98,63 +98,50 @@ final class MobilityManagementCodec {
     }
 
     static MobilityManagement read(Layer3Type type, MessageReader in) throws ProtocolViolation {
-        switch (type) {
-            case LOCATION_UPDATING_ACCEPT:
-                return readLocationUpdatingAccept(in);
-            case AUTHENTICATION_REQUEST:
-                int keySequence = in.octet("key sequence") & 0x07;
-                OctetString rand = in.string(AuthenticationRequest.RAND_LENGTH, "RAND");
-                return new AuthenticationRequest(
-                        keySequence, rand, element(in, AUTN, AuthenticationRequest.AUTN_LENGTH));
-            case AUTHENTICATION_RESPONSE:
-                return readAuthenticationResponse(in);
-            case AUTHENTICATION_FAILURE:
-                RejectCause cause = RejectCause.ofCode(in.octet("reject cause"));
-                return new AuthenticationFailure(cause, element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
-            case MM_INFORMATION:
-                return readInformation(in);
-            default:
-                MobilityManagement message = readPlain(type, in);
-                firstElement(in, -1);
-                return message;
-        }
+        MobilityManagement message = switch (type) {
+            case LOCATION_UPDATING_REQUEST -> readLocationUpdatingRequest(in);
+            case LOCATION_UPDATING_ACCEPT -> readLocationUpdatingAccept(in);
+            case LOCATION_UPDATING_REJECT -> new LocationUpdatingReject(readCause(in));
+            case IDENTITY_REQUEST -> new IdentityRequest(identityType(in.octet("identity type") & 0x07));
+            case IDENTITY_RESPONSE -> new IdentityResponse(IdentityElements.readIdentity(in));
+            case AUTHENTICATION_REQUEST -> readAuthenticationRequest(in);
+            case AUTHENTICATION_RESPONSE -> readAuthenticationResponse(in);
+            case AUTHENTICATION_REJECT -> new AuthenticationReject();
+            case AUTHENTICATION_FAILURE ->
+                new AuthenticationFailure(readCause(in), element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
+            case TMSI_REALLOCATION_COMPLETE -> new TmsiReallocationComplete();
+            case CM_SERVICE_REQUEST -> readCmServiceRequest(in);
+            case CM_SERVICE_ACCEPT -> new CmServiceAccept();
+            case CM_SERVICE_ABORT -> new CmServiceAbort();
+            case CM_SERVICE_REJECT -> new CmServiceReject(readCause(in));
+            case IMSI_DETACH_INDICATION -> readImsiDetach(in);
+            case MM_INFORMATION -> readInformation(in);
+            default -> new MmStatus(readCause(in));
+        };
+        optional(in).skipAll();
+        return message;
     }
 
-    private static MobilityManagement readPlain(Layer3Type type, MessageReader in) throws ProtocolViolation {
-        switch (type) {
-            case LOCATION_UPDATING_REQUEST:
-                return readLocationUpdatingRequest(in);
-            case LOCATION_UPDATING_REJECT:
-                return new LocationUpdatingReject(RejectCause.ofCode(in.octet("reject cause")));
-            case IDENTITY_REQUEST:
-                return new IdentityRequest(identityType(in.octet("identity type") & 0x07));
-            case IDENTITY_RESPONSE:
-                return new IdentityResponse(IdentityElements.readIdentity(in));
-            case AUTHENTICATION_REJECT:
-                return new AuthenticationReject();
-            case TMSI_REALLOCATION_COMPLETE:
-                return new TmsiReallocationComplete();
-            case CM_SERVICE_REQUEST:
-                return readCmServiceRequest(in);
-            case CM_SERVICE_ACCEPT:
-                return new CmServiceAccept();
-            case CM_SERVICE_ABORT:
-                return new CmServiceAbort();
-            case CM_SERVICE_REJECT:
-                return new CmServiceReject(RejectCause.ofCode(in.octet("reject cause")));
-            case IMSI_DETACH_INDICATION:
-                in.octet("classmark 1");
-                return new ImsiDetachIndication(IdentityElements.readIdentity(in));
-            default:
-                return new MmStatus(RejectCause.ofCode(in.octet("reject cause")));
-        }
+    private static RejectCause readCause(MessageReader in) throws ProtocolViolation {
+        return RejectCause.ofCode(in.octet("reject cause"));
+    }
+
+    private static AuthenticationRequest readAuthenticationRequest(MessageReader in) throws ProtocolViolation {
+        int keySequence = in.octet("key sequence") & 0x07;
+        OctetString rand = in.string(AuthenticationRequest.RAND_LENGTH, "RAND");
+        return new AuthenticationRequest(keySequence, rand, element(in, AUTN, AuthenticationRequest.AUTN_LENGTH));
+    }
+
+    private static ImsiDetachIndication readImsiDetach(MessageReader in) throws ProtocolViolation {
+        in.octet("classmark 1");
+        return new ImsiDetachIndication(IdentityElements.readIdentity(in));
     }
 
     private static LocationUpdatingRequest readLocationUpdatingRequest(MessageReader in) throws ProtocolViolation {
         int typeAndKey = in.octet("location updating type");
         int type = typeAndKey & 0x03;
         if (type >= LocationUpdatingType.values().length) {
-            throw invalid("location updating type " + type + " is not 0 to 2");
+            throw ProtocolViolation.invalid("location updating type " + type + " is not 0 to 2");
         }
         LocationArea area = IdentityElements.readArea(in);
         in.octet("classmark 1");
@@ -164,73 +151,48 @@ final class MobilityManagementCodec {
 
     private static LocationUpdatingAccept readLocationUpdatingAccept(MessageReader in) throws ProtocolViolation {
         LocationArea area = IdentityElements.readArea(in);
-        Optional<MessageReader> identity = firstElement(in, MOBILE_IDENTITY);
-        try {
-            return new LocationUpdatingAccept(
-                    area,
-                    identity.isPresent()
-                            ? Optional.of(IdentityElements.readIdentityValue(identity.get()))
-                            : Optional.empty());
-        } catch (ProtocolViolation broken) {
-            return new LocationUpdatingAccept(area, Optional.empty());
-        }
+        Optional<MessageReader> identity = optional(in).first(MOBILE_IDENTITY);
+        return new LocationUpdatingAccept(area, identity.flatMap(IdentityElements::readOptional));
     }
 
     private static CmServiceRequest readCmServiceRequest(MessageReader in) throws ProtocolViolation {
         int serviceAndKey = in.octet("CM service type");
-        for (ServiceType service : ServiceType.values()) {
-            if (service.code() == (serviceAndKey & 0x0f)) {
-                in.lengthAndValue("classmark 2");
-                return new CmServiceRequest(service, serviceAndKey >> 4 & 0x07, IdentityElements.readIdentity(in));
-            }
-        }
-        throw invalid("CM service type " + (serviceAndKey & 0x0f) + " is none of 1, 2, 4, 8");
+        int code = serviceAndKey & 0x0f;
+        ServiceType service = Coded.find(ServiceType.values(), code)
+                .orElseThrow(() -> ProtocolViolation.invalid("CM service type " + code + " is none of 1, 2, 4, 8"));
+        in.lengthAndValue("classmark 2");
+        return new CmServiceRequest(service, serviceAndKey >> 4 & 0x07, IdentityElements.readIdentity(in));
     }
 
     private static AuthenticationResponse readAuthenticationResponse(MessageReader in) throws ProtocolViolation {
-        OctetString sres = in.string(SRES_LENGTH, "SRES");
-        Optional<MessageReader> extension = firstElement(in, RESPONSE_EXTENSION);
-        OctetWriter all = new OctetWriter().string(sres);
-        if (extension.isPresent() && extension.get().remaining() <= AuthenticationResponse.MAX_LENGTH - SRES_LENGTH) {
-            all.string(extension.get().rest());
-        }
-        return new AuthenticationResponse(OctetString.of(all.toArray()));
+        OctetWriter all = new OctetWriter().string(in.string(SRES_LENGTH, "SRES"));
+        optional(in)
+                .first(RESPONSE_EXTENSION)
+                .filter(extension -> extension.remaining() <= AuthenticationResponse.MAX_LENGTH - SRES_LENGTH)
+                .ifPresent(extension -> all.string(extension.rest()));
+        return new AuthenticationResponse(all.toOctetString());
     }
 
     private static MmInformation readInformation(MessageReader in) throws ProtocolViolation {
-        Optional<MessageReader> name = firstElement(in, FULL_NETWORK_NAME);
+        Optional<MessageReader> name = optional(in).first(FULL_NETWORK_NAME);
         return new MmInformation(name.isPresent() ? NetworkName.read(name.get()) : "");
     }
 
     private static MobileIdentity.Type identityType(int code) throws ProtocolViolation {
-        try {
-            return MobileIdentity.Type.ofCode(code);
-        } catch (IllegalArgumentException wrong) {
-            throw invalid(wrong.getMessage());
-        }
+        return Coded.find(MobileIdentity.Type.values(), code)
+                .orElseThrow(() -> ProtocolViolation.invalid("identity type " + code + " is not 1 to 4"));
     }
 
     /** An optional element of exactly this length; one of another length counts as absent. */
     private static Optional<OctetString> element(MessageReader in, int identifier, int length)
             throws ProtocolViolation {
-        return firstElement(in, identifier)
+        return optional(in)
+                .first(identifier)
                 .filter(value -> value.remaining() == length)
                 .map(MessageReader::rest);
     }
 
-    /** The first element with this identifier; all others are checked and skipped. */
-    private static Optional<MessageReader> firstElement(MessageReader in, int wanted) throws ProtocolViolation {
-        MessageReader found = null;
-        OptionalElements elements = new OptionalElements(in, FixedElements.MOBILITY_MANAGEMENT);
-        for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-            if (identifier == wanted && found == null) {
-                found = elements.value();
-            }
-        }
-        return Optional.ofNullable(found);
-    }
-
-    private static ProtocolViolation invalid(String text) {
-        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
+    private static OptionalElements optional(MessageReader in) {
+        return new OptionalElements(in, FixedElements.MOBILITY_MANAGEMENT);
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.air;
 
 /**
- * A telephone number as dialled or shown: 1 to 15 digits (ITU-T E.164), without a plus sign.
+ * A telephone number: 1 to 15 digits (ITU-T E.164), without a plus sign.
  *
  * @param digits decimal digits only
  */
@@ -14,7 +14,7 @@ public record Msisdn(String digits) {
         }
     }
 
-    /** By hand, because numbers are made by the ten thousand a second and a pattern takes its time. */
+    /** No regular expression, because some 10 000 numbers are made a second under load. */
     private static boolean isDigits(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) < '0' || text.charAt(i) > '9') {
@@ -24,7 +24,7 @@ public record Msisdn(String digits) {
         return true;
     }
 
-    /** Reads a number as people write it: a leading plus sign is dropped. IllegalArgumentException says what is wrong. */
+    /** Reads a number with or without a leading plus sign; IllegalArgumentException for anything else. */
     public static Msisdn parse(String text) {
         return new Msisdn(text.startsWith("+") ? text.substring(1) : text);
     }

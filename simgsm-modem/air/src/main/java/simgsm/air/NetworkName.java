@@ -17,7 +17,7 @@ final class NetworkName {
 
     private NetworkName() {}
 
-    /** As length and value; the name is short enough, see {@link MobilityManagement.MmInformation}. */
+    /** Writes a name of at most 64 characters, see {@link MobilityManagement.MmInformation}, as length and value. */
     static void write(OctetWriter out, String name) {
         int start = out.openLength();
         if (name.matches("[" + SAME_IN_GSM_AND_ASCII + "]*")) {

@@ -7,7 +7,7 @@ import simgsm.octets.OctetWriter;
 final class NumberElements {
     /** No extension octet, international number, ISDN numbering plan (E.164). */
     private static final int INTERNATIONAL = 0x91;
-    /** The same, with an octet on presentation and screening to follow. */
+    /** The same, followed by an octet with presentation and screening. */
     private static final int INTERNATIONAL_EXTENDED = 0x11;
     /** Presentation allowed; user provided, verified and passed. */
     private static final int PRESENTATION = 0x81;
@@ -16,7 +16,7 @@ final class NumberElements {
 
     private NumberElements() {}
 
-    /** As length and value: a called number, or an SMSC's address. */
+    /** Writes a called number, or an SMSC's address, as length and value. */
     static void writeCalled(OctetWriter out, Msisdn number) {
         int start = out.openLength();
         out.octet(INTERNATIONAL);
@@ -24,6 +24,7 @@ final class NumberElements {
         out.closeLength(start);
     }
 
+    /** Writes a calling number as length and value. */
     static void writeCalling(OctetWriter out, Msisdn number) {
         int start = out.openLength();
         out.octet(INTERNATIONAL_EXTENDED).octet(PRESENTATION);
@@ -39,11 +40,11 @@ final class NumberElements {
         try {
             return new Msisdn(SemiOctets.read(value));
         } catch (IllegalArgumentException wrong) {
-            throw new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, wrong.getMessage());
+            throw ProtocolViolation.invalid(wrong.getMessage());
         }
     }
 
-    /** Empty for a number that is none: a broken optional element counts as absent (TS 24.008, 8.7.1). */
+    /** The number in an optional element; empty if it cannot be read (TS 24.008, 8.7.1). */
     static Optional<Msisdn> readOptional(MessageReader value) {
         try {
             return Optional.of(read(value));

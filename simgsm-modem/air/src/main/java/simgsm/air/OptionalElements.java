@@ -1,10 +1,10 @@
 package simgsm.air;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
- * Walks the optional elements at the end of a message, so that what is not known can be passed over (TS 24.007,
- * 11.2.4):
+ * Walks the optional elements at the end of a message and skips those that are not known (TS 24.007, 11.2.4):
  *
  * <pre>
  *   1xxx....   one octet, value inside          skipped when unknown
@@ -12,7 +12,7 @@ import java.util.Arrays;
  *   0xxxxxxx   identifier, length, value        skipped when unknown
  * </pre>
  *
- * Elements of a fixed length have no length octet, so a reader must be told of all that a protocol may send. A cut
+ * Elements of a fixed length have no length octet, so the walk has to know all that a protocol may send. A truncated
  * optional element counts as absent (TS 24.008, 8.7.1).
  */
 public final class OptionalElements {
@@ -38,15 +38,30 @@ public final class OptionalElements {
         }
     }
 
-    /** @param understood the identifiers that the caller reads and that would be refused otherwise */
+    /** @param understood identifiers below 0x10 that are not refused */
     public OptionalElements(MessageReader in, FixedElements fixed, int... understood) {
         this.in = in;
         this.fixed = fixed;
         this.understood = understood;
     }
 
+    /** The value of the next element with this identifier; the elements before it are skipped, those after it left. */
+    public Optional<MessageReader> first(int wanted) throws ProtocolViolation {
+        for (int identifier = next(); identifier >= 0; identifier = next()) {
+            if (identifier == wanted) {
+                return Optional.of(value);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Skips all elements. */
+    void skipAll() throws ProtocolViolation {
+        first(-1);
+    }
+
     /** The next element's identifier, or -1 at the end. */
-    public int next() throws ProtocolViolation {
+    int next() throws ProtocolViolation {
         while (in.hasMore()) {
             int identifier = in.octet("element identifier");
             if (identifier < 0x80) {
@@ -56,16 +71,15 @@ public final class OptionalElements {
         return -1;
     }
 
-    /** The value of the element that {@link #next} has just named. */
-    public MessageReader value() {
+    /** The value of the element whose identifier {@link #next} returned last. */
+    MessageReader value() {
         return value;
     }
 
     private int longElement(int identifier) throws ProtocolViolation {
         boolean known = isUnderstood(identifier);
         if (identifier < 0x10 && !known) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION,
+            throw ProtocolViolation.invalid(
                     String.format("element 0x%02x must be understood and is not known here", identifier));
         }
         int length = fixed.lengths[identifier];

@@ -4,17 +4,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a party sends when it has received a layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9). The
- * answers go the other way than the refused message went.
+ * The answers to a received layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9), in the opposite
+ * direction.
  */
 public final class ProtocolErrorAnswers {
     private ProtocolErrorAnswers() {}
 
     /**
-     * The messages to send, in order; empty for what is to be ignored: a message without a readable head, and one that
-     * itself reports an error, so that two parties never answer each other for ever.
+     * The messages to send, in order. Empty for a message without a readable header, and for one that itself reports an
+     * error, or two parties would answer each other without end.
      *
-     * @param callState the own state of the transaction's call as TS 24.008, 10.5.4.6 codes it, 0 if there is none
+     * @param callState state of the transaction's call at this side as coded in TS 24.008, 10.5.4.6; 0 if there is no call
      */
     public static List<Layer3Message> to(ProtocolViolation violation, int callState) {
         return violation
@@ -28,16 +28,13 @@ public final class ProtocolErrorAnswers {
         if (type.isPresent() && reportsAnError(type.get())) {
             return List.of();
         }
-        switch (header.discriminator()) {
-            case Layer3Header.CALL_CONTROL:
-                return List.of(callControl(header, type, cause, callState));
-            case Layer3Header.MOBILITY_MANAGEMENT:
-                return List.of(mobilityManagement(type, RejectCause.ofCode(cause.code())));
-            case Layer3Header.RADIO_RESOURCE:
-                return List.of(new RadioResource.RrStatus(cause.code()));
-            default:
-                return shortMessage(header, cause);
-        }
+        return switch (header.discriminator()) {
+            case Layer3Header.CALL_CONTROL -> List.of(callControl(header, type, cause, callState));
+            case Layer3Header.MOBILITY_MANAGEMENT ->
+                List.of(mobilityManagement(type, RejectCause.ofCode(cause.code())));
+            case Layer3Header.RADIO_RESOURCE -> List.of(new RadioResource.RrStatus(cause.code()));
+            default -> shortMessage(header, cause);
+        };
     }
 
     private static boolean reportsAnError(Layer3Type type) {
@@ -47,7 +44,7 @@ public final class ProtocolErrorAnswers {
                 || type == Layer3Type.CP_ERROR;
     }
 
-    /** A refused SETUP has made no call, so it is released at once (TS 24.008, 8.5.1). */
+    /** A refused SETUP creates no call, so RELEASE COMPLETE is the answer (TS 24.008, 8.5.1). */
     private static Layer3Message callControl(
             Layer3Header header, Optional<Layer3Type> type, Cause cause, int callState) {
         TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
@@ -57,7 +54,7 @@ public final class ProtocolErrorAnswers {
         return new CallControl.Status(transaction, cause, callState);
     }
 
-    /** Requests are rejected by their own message (TS 24.008, 4.4.4.9 and 4.5.1.7). */
+    /** Two requests have a reject message of their own (TS 24.008, 4.4.4.9 and 4.5.1.7). */
     private static Layer3Message mobilityManagement(Optional<Layer3Type> type, RejectCause cause) {
         if (type.equals(Optional.of(Layer3Type.LOCATION_UPDATING_REQUEST))) {
             return new MobilityManagement.LocationUpdatingReject(cause);
@@ -68,7 +65,7 @@ public final class ProtocolErrorAnswers {
         return new MobilityManagement.MmStatus(cause);
     }
 
-    /** A sound CP-DATA around a broken RP message is acknowledged; the RP layer then refuses. */
+    /** A valid CP-DATA with a broken RP message is acknowledged, and the RP layer refuses. */
     private static List<Layer3Message> shortMessage(Layer3Header header, Cause cause) {
         TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
         return header.relayReference()

@@ -3,16 +3,16 @@ package simgsm.air;
 import java.util.Optional;
 
 /**
- * A received message or frame that breaks its standard; the text says what was wrong and what was expected. It carries
- * what could be read of a layer-3 message, so that {@link ProtocolErrorAnswers} can answer it.
+ * A received message or frame that breaks its standard; the text says what was wrong and what was expected. It has the
+ * header of a layer-3 message, as far as it was readable, for {@link ProtocolErrorAnswers}.
  *
- * <p>It has no stack trace: a peer may cause any number of these, and the trace would only show the codec.
+ * <p>It has no stack trace: a peer may cause any number of violations, and the trace would only show the codec.
  */
 public final class ProtocolViolation extends Exception {
     private final Cause cause;
     private final transient Layer3Header header;
 
-    /** @param cause what a STATUS message answers: 96 invalid mandatory information, 97 message type non-existent, ... */
+    /** @param cause for a STATUS answer: 96 invalid mandatory information, 97 message type non-existent, ... */
     public ProtocolViolation(Cause cause, String text) {
         this(cause, text, null);
     }
@@ -23,16 +23,22 @@ public final class ProtocolViolation extends Exception {
         this.header = header;
     }
 
+    /** A violation with cause 96, invalid mandatory information. */
+    public static ProtocolViolation invalid(String text) {
+        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
+    }
+
+    /** The cause for a STATUS answer. */
     public Cause statusCause() {
         return cause;
     }
 
-    /** The header of the refused layer-3 message; empty if not even that could be read, or for other layers. */
+    /** The header of the refused layer-3 message; empty if it could not be read either, or for other layers. */
     public Optional<Layer3Header> header() {
         return Optional.ofNullable(header);
     }
 
-    /** The same violation, now known to be of this message; a header that is already there stays. */
+    /** The same violation with this header; a header that is already set stays. */
     ProtocolViolation in(Layer3Header refused) {
         return header != null ? this : new ProtocolViolation(cause, refused.name() + ": " + getMessage(), refused);
     }

@@ -22,24 +22,18 @@ final class RadioResourceCodec {
     }
 
     static RadioResource read(Layer3Type type, MessageReader in) throws ProtocolViolation {
-        RadioResource message = readPlain(type, in);
-        OptionalElements elements = new OptionalElements(in, FixedElements.NONE);
-        while (elements.next() >= 0) {
-            continue;
-        }
+        RadioResource message = switch (type) {
+            case PAGING_RESPONSE -> readPagingResponse(in);
+            case CHANNEL_RELEASE -> new ChannelRelease(in.octet("RR cause"));
+            default -> new RrStatus(in.octet("RR cause"));
+        };
+        new OptionalElements(in, FixedElements.NONE).skipAll();
         return message;
     }
 
-    private static RadioResource readPlain(Layer3Type type, MessageReader in) throws ProtocolViolation {
-        switch (type) {
-            case PAGING_RESPONSE:
-                int keySequence = in.octet("key sequence") & 0x07;
-                in.lengthAndValue("classmark 2");
-                return new PagingResponse(keySequence, IdentityElements.readIdentity(in));
-            case CHANNEL_RELEASE:
-                return new ChannelRelease(in.octet("RR cause"));
-            default:
-                return new RrStatus(in.octet("RR cause"));
-        }
+    private static PagingResponse readPagingResponse(MessageReader in) throws ProtocolViolation {
+        int keySequence = in.octet("key sequence") & 0x07;
+        in.lengthAndValue("classmark 2");
+        return new PagingResponse(keySequence, IdentityElements.readIdentity(in));
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.air;
 
 /** Why mobility management refused (TS 24.008, 10.5.3.6 and annex G). */
-public enum RejectCause {
+public enum RejectCause implements Coded.Titled {
     IMSI_UNKNOWN_IN_HLR(2, "IMSI unknown in HLR"),
     ILLEGAL_MS(3, "illegal MS"),
     IMSI_UNKNOWN_IN_VLR(4, "IMSI unknown in VLR"),
@@ -29,23 +29,18 @@ public enum RejectCause {
         this.title = title;
     }
 
-    /** The value on the wire. */
+    @Override
     public int code() {
         return code;
     }
 
-    /** The cause's name in the standard, in lower case. */
+    @Override
     public String title() {
         return title;
     }
 
     /** The cause with this code; a code that the standard does not list is taken as PROTOCOL_ERROR. */
     public static RejectCause ofCode(int code) {
-        for (RejectCause cause : values()) {
-            if (cause.code == code) {
-                return cause;
-            }
-        }
-        return PROTOCOL_ERROR;
+        return Coded.find(values(), code).orElse(PROTOCOL_ERROR);
     }
 }

@@ -1,10 +1,11 @@
 package simgsm.air;
 
 import java.util.Optional;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /**
- * The RP layer of short messages (TS 24.011, 7.3), carried in CP-DATA. The codec tells the two directions apart.
+ * The RP layer of short messages (TS 24.011, 7.3), carried in CP-DATA. The two directions have different message types on the wire.
  */
 public sealed interface RelayMessage {
     int MAX_TPDU_LENGTH = 232;
@@ -17,28 +18,19 @@ public sealed interface RelayMessage {
         return octets > 0 && octets <= MAX_TPDU_LENGTH;
     }
 
-    private static void checkReference(int reference) {
-        if (reference < 0 || reference > 0xff) {
-            throw new IllegalArgumentException("RP message reference " + reference + " is not 0 to 255");
-        }
-    }
-
     private static void checkTpdu(OctetString tpdu) {
-        if (!isTpduLength(tpdu.length())) {
-            throw new IllegalArgumentException(
-                    "a TPDU of " + tpdu.length() + " octets, 1 to " + MAX_TPDU_LENGTH + " were expected");
-        }
+        tpdu.requireLength("TPDU", 1, MAX_TPDU_LENGTH);
     }
 
     /**
-     * A transfer unit on its way.
+     * Carries a transfer unit.
      *
      * @param serviceCenter the SMSC's address: RP-DA uplink, RP-OA downlink
      * @param tpdu SUBMIT uplink, DELIVER or STATUS-REPORT downlink (TS 23.040), at most 232 octets
      */
     record RpData(int reference, Msisdn serviceCenter, OctetString tpdu) implements RelayMessage {
         public RpData {
-            checkReference(reference);
+            Bounds.checkOctet("RP message reference", reference);
             checkTpdu(tpdu);
         }
     }
@@ -46,21 +38,21 @@ public sealed interface RelayMessage {
     /** @param tpdu an optional DELIVER-REPORT or SUBMIT-REPORT */
     record RpAck(int reference, Optional<OctetString> tpdu) implements RelayMessage {
         public RpAck {
-            checkReference(reference);
+            Bounds.checkOctet("RP message reference", reference);
             tpdu.ifPresent(RelayMessage::checkTpdu);
         }
     }
 
     record RpError(int reference, RpCause cause) implements RelayMessage {
         public RpError {
-            checkReference(reference);
+            Bounds.checkOctet("RP message reference", reference);
         }
     }
 
-    /** The mobile has memory for messages again. */
+    /** The mobile has free memory for messages again. */
     record RpSmma(int reference) implements RelayMessage {
         public RpSmma {
-            checkReference(reference);
+            Bounds.checkOctet("RP message reference", reference);
         }
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.air;
 
 /** Why a short message was refused by the relay layer (TS 24.011, 8.2.5.4). */
-public enum RpCause {
+public enum RpCause implements Coded.Titled {
     UNASSIGNED_NUMBER(1, "unassigned number"),
     OPERATOR_DETERMINED_BARRING(8, "operator determined barring"),
     CALL_BARRED(10, "call barred"),
@@ -31,23 +31,18 @@ public enum RpCause {
         this.title = title;
     }
 
-    /** The value on the wire. */
+    @Override
     public int code() {
         return code;
     }
 
-    /** The cause's name in the standard, in lower case. */
+    @Override
     public String title() {
         return title;
     }
 
     /** The cause with this code; a code that the standard does not list is taken as PROTOCOL_ERROR. */
     public static RpCause ofCode(int code) {
-        for (RpCause cause : values()) {
-            if (cause.code == code) {
-                return cause;
-            }
-        }
-        return PROTOCOL_ERROR;
+        return Coded.find(values(), code).orElse(PROTOCOL_ERROR);
     }
 }

@@ -36,7 +36,8 @@ public final class SemiOctets {
         String digits = readCounted(in, count);
         for (int i = 0; i < digits.length(); i++) {
             if (digits.charAt(i) > '9' || digits.charAt(i) < '0') {
-                throw invalid("a digit \"" + digits.charAt(i) + "\" where only decimal ones may stand");
+                throw ProtocolViolation.invalid(
+                        "a digit \"" + digits.charAt(i) + "\" where only decimal ones may stand");
             }
         }
         return digits;
@@ -51,7 +52,8 @@ public final class SemiOctets {
             if (digits.length() < count) {
                 append(digits, pair >> 4);
             } else if (pair >> 4 != FILLER) {
-                throw invalid("an odd number of digits ends with " + (pair >> 4) + " instead of a filler");
+                throw ProtocolViolation.invalid(
+                        "an odd number of digits ends with " + (pair >> 4) + " instead of a filler");
             }
         }
         return digits.toString();
@@ -59,7 +61,7 @@ public final class SemiOctets {
 
     private static void append(StringBuilder digits, int nibble) throws ProtocolViolation {
         if (nibble == FILLER) {
-            throw invalid("a filler inside a number");
+            throw ProtocolViolation.invalid("a filler inside a number");
         }
         digits.append(SYMBOLS.charAt(nibble));
     }
@@ -70,9 +72,5 @@ public final class SemiOctets {
             throw new IllegalArgumentException("\"" + digit + "\" is no digit of a telephone number");
         }
         return code;
-    }
-
-    private static ProtocolViolation invalid(String text) {
-        return new ProtocolViolation(Cause.INVALID_MANDATORY_INFORMATION, text);
     }
 }

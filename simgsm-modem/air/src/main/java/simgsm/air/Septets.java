@@ -12,7 +12,7 @@ package simgsm.air;
 public final class Septets {
     private Septets() {}
 
-    /** How many octets hold this many septets behind the fill bits. */
+    /** The number of octets for these fill bits and septets. */
     public static int octetCount(int septets, int fillBits) {
         return (septets * 7 + fillBits + 7) / 8;
     }

@@ -13,7 +13,7 @@ import simgsm.octets.OctetWriter;
 
 /** What follows the message type in CP messages, and the RP messages inside CP-DATA (TS 24.011, 7 and 8). */
 final class ShortMessageCodec {
-    /** RP message types from the mobile; the network's are greater by one. */
+    /** RP message types from the mobile; those from the network are greater by 1. */
     private static final int RP_DATA = 0;
 
     private static final int RP_ACK = 2;
@@ -54,7 +54,7 @@ final class ShortMessageCodec {
         }
     }
 
-    /** Originator, then destination; the mobile's own is always empty. */
+    /** Writes originator, then destination; the one of the mobile is always empty. */
     private static void writeAddresses(OctetWriter out, Msisdn serviceCenter, Direction direction) {
         if (direction == Direction.UPLINK) {
             NumberElements.writeCalled(out.octet(0), serviceCenter);
@@ -66,14 +66,11 @@ final class ShortMessageCodec {
 
     static ShortMessageControl read(Layer3Header header, Layer3Type type, MessageReader in) throws ProtocolViolation {
         TransactionIdentifier transaction = header.transaction().orElseThrow();
-        switch (type) {
-            case CP_DATA:
-                return new CpData(transaction, readRelay(header, in.lengthAndValue("CP user data")));
-            case CP_ACK:
-                return new CpAck(transaction);
-            default:
-                return new CpError(transaction, in.octet("CP cause") & 0x7f);
-        }
+        return switch (type) {
+            case CP_DATA -> new CpData(transaction, readRelay(header, in.lengthAndValue("CP user data")));
+            case CP_ACK -> new CpAck(transaction);
+            default -> new CpError(transaction, in.octet("CP cause") & 0x7f);
+        };
     }
 
     private static RelayMessage readRelay(Layer3Header header, MessageReader in) throws ProtocolViolation {
@@ -93,24 +90,19 @@ final class ShortMessageCodec {
 
     private static RelayMessage readRelay(int type, int reference, MessageReader in, Direction direction)
             throws ProtocolViolation {
-        boolean fromNetwork = (type & 1) == 1;
-        if (fromNetwork == (direction == Direction.DOWNLINK)) {
-            switch (type & ~1) {
-                case RP_DATA:
-                    return readData(reference, in, direction);
-                case RP_ACK:
-                    return new RpAck(reference, readUserData(in));
-                case RP_ERROR:
-                    MessageReader cause = in.lengthAndValue("RP cause");
-                    return new RpError(reference, RpCause.ofCode(cause.octet("RP cause") & 0x7f));
-                case RP_SMMA:
-                    if (!fromNetwork) {
-                        return new RpSmma(reference);
-                    }
-                    break;
-                default:
-                    break;
-            }
+        boolean fromNetwork = direction == Direction.DOWNLINK;
+        switch (fromNetwork ? type - 1 : type) {
+            case RP_DATA:
+                return readData(reference, in, direction);
+            case RP_ACK:
+                return new RpAck(reference, readUserData(in));
+            case RP_ERROR:
+                MessageReader cause = in.lengthAndValue("RP cause");
+                return new RpError(reference, RpCause.ofCode(cause.octet("RP cause") & 0x7f));
+            case RP_SMMA:
+                if (!fromNetwork) {
+                    return new RpSmma(reference);
+                }
         }
         throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "RP message type " + type + " " + direction);
     }
@@ -120,27 +112,17 @@ final class ShortMessageCodec {
         MessageReader destination = in.lengthAndValue("RP destination address");
         Msisdn serviceCenter = NumberElements.read(direction == Direction.UPLINK ? destination : originator);
         OctetString tpdu = in.lengthAndValue("RP user data").rest();
-        checkTpdu(tpdu);
+        if (!RelayMessage.isTpduLength(tpdu.length())) {
+            throw ProtocolViolation.invalid("RP user data of " + tpdu.length() + " octets, 1 to "
+                    + RelayMessage.MAX_TPDU_LENGTH + " were expected");
+        }
         return new RpData(reference, serviceCenter, tpdu);
     }
 
     private static Optional<OctetString> readUserData(MessageReader in) throws ProtocolViolation {
-        OptionalElements elements = new OptionalElements(in, OptionalElements.FixedElements.NONE);
-        for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
-            if (identifier == RP_USER_DATA
-                    && RelayMessage.isTpduLength(elements.value().remaining())) {
-                return Optional.of(elements.value().rest());
-            }
-        }
-        return Optional.empty();
-    }
-
-    private static void checkTpdu(OctetString tpdu) throws ProtocolViolation {
-        if (!RelayMessage.isTpduLength(tpdu.length())) {
-            throw new ProtocolViolation(
-                    Cause.INVALID_MANDATORY_INFORMATION,
-                    "RP user data of " + tpdu.length() + " octets, 1 to " + RelayMessage.MAX_TPDU_LENGTH
-                            + " were expected");
-        }
+        return new OptionalElements(in, OptionalElements.FixedElements.NONE)
+                .first(RP_USER_DATA)
+                .filter(value -> RelayMessage.isTpduLength(value.remaining()))
+                .map(MessageReader::rest);
     }
 }

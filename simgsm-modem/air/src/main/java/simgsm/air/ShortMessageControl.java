@@ -1,5 +1,7 @@
 package simgsm.air;
 
+import simgsm.octets.Bounds;
+
 /** The CP layer of short messages (TS 24.011, 7.2), protocol discriminator 9, on SAPI 3. */
 public sealed interface ShortMessageControl extends Layer3Message {
     TransactionIdentifier transaction();
@@ -13,9 +15,7 @@ public sealed interface ShortMessageControl extends Layer3Message {
      *     with the protocol state, 111 protocol error */
     record CpError(TransactionIdentifier transaction, int cause) implements ShortMessageControl {
         public CpError {
-            if (cause < 0 || cause > 0x7f) {
-                throw new IllegalArgumentException("CP cause " + cause + " is not 0 to 127");
-            }
+            Bounds.check("CP cause", cause, 0, 0x7f);
         }
     }
 }

@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Temporary mobile subscriber identity: four octets that only one visitor register understands (TS 23.003, 2.4). */
+/** Temporary mobile subscriber identity: four octets assigned by a visitor location register (TS 23.003, 2.4). */
 public record Tmsi(int value) implements MobileIdentity {
     @Override
     public Type type() {

@@ -1,5 +1,7 @@
 package simgsm.air;
 
+import simgsm.octets.Bounds;
+
 /**
  * The transaction identifier of call control and short-message messages (TS 24.007, 11.2.3.1.3).
  *
@@ -8,12 +10,10 @@ package simgsm.air;
  */
 public record TransactionIdentifier(int value, boolean fromOtherSide) {
     public TransactionIdentifier {
-        if (value < 0 || value > 6) {
-            throw new IllegalArgumentException("transaction identifier " + value + " is not 0 to 6");
-        }
+        Bounds.check("transaction identifier", value, 0, 6);
     }
 
-    /** The identifier that the receiver of a message writes into its answers. */
+    /** The same transaction with the other TI flag: for the answers of the receiver of a message. */
     public TransactionIdentifier answered() {
         return new TransactionIdentifier(value, !fromOtherSide);
     }

@@ -1,8 +1,7 @@
 /**
- * The air interface: identities, layer-3 messages of TS 24.008 and TS 24.011 as records, their codec, and the framing
- * (IPA and RSL) that carries them over TCP. Knows no socket.
+ * The air interface: identities, the layer-3 messages of TS 24.008 and TS 24.011 as records, and their codec. A new
+ * message is a record, a row of {@link simgsm.air.Layer3Type} and a line in the codec of its protocol.
  *
- * <p>Read first: {@link simgsm.air.Layer3Message}, then {@link simgsm.air.Layer3Codec}, then {@link simgsm.air.RslMessage}
- * and {@link simgsm.air.IpaFrame}.
+ * <p>Read first: {@link simgsm.air.Layer3Message}, then {@link simgsm.air.Layer3Codec}.
  */
 package simgsm.air;

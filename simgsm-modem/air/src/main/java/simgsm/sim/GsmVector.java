@@ -4,16 +4,17 @@ import java.util.Arrays;
 import simgsm.octets.OctetString;
 
 /**
- * What a GSM network needs of a challenge, made from the third generation's values by the conversion functions c2 and c3
+ * The GSM authentication vector of a challenge, derived from the UMTS values by the conversion functions c2 and c3
  * (TS 33.102, 6.8.1.2).
  *
  * @param sres the card's answer, 4 octets
- * @param kc the ciphering key, 8 octets; derived and never used, since nothing is ciphered here
+ * @param kc the ciphering key, 8 octets; not used, because the suite does not cipher
  */
 public record GsmVector(OctetString sres, OctetString kc) {
     public static final int SRES_LENGTH = 4;
     public static final int KC_LENGTH = 8;
 
+    /** The vector of a challenge. */
     public static GsmVector of(Milenage functions, OctetString rand) {
         byte[] res = functions.f2(rand).toArray();
         byte[] ck = functions.f3(rand).toArray();
@@ -23,7 +24,7 @@ public record GsmVector(OctetString sres, OctetString kc) {
                 OctetString.of(Milenage.xor(folded(ck, KC_LENGTH), folded(ik, KC_LENGTH))));
     }
 
-    /** All pieces of this length, one upon the other. */
+    /** The exclusive or of all pieces of this length. */
     private static byte[] folded(byte[] octets, int length) {
         byte[] result = new byte[length];
         for (int from = 0; from < octets.length; from += length) {

@@ -7,16 +7,16 @@ import javax.crypto.spec.SecretKeySpec;
 import simgsm.octets.OctetString;
 
 /**
- * The example set of authentication functions that most cards have (TS 35.206): f1 to f5* over AES-128 with the key K and
+ * MILENAGE, the authentication functions of most cards (TS 35.206): f1 to f5* over AES-128 with the key K and
  * the operator's value OPc, 16 octets each. The constants are the standard's: r1 to r5 are 64, 0, 32, 64 and 96 bits, c1
  * to c5 are 0, 1, 2, 4 and 8. One thread at a time.
  */
 public final class Milenage {
     /** K, OP, OPc and RAND. */
     public static final int KEY_LENGTH = 16;
-    /** SQN: the number of the challenge, as the USIM counts them. */
+    /** SQN, the sequence number of a challenge. */
     public static final int SEQUENCE_LENGTH = 6;
-    /** AMF: what the operator says about the challenge. */
+    /** AMF, the authentication management field. */
     public static final int MANAGEMENT_LENGTH = 2;
 
     private static final int BLOCK_LENGTH = 16;
@@ -32,23 +32,23 @@ public final class Milenage {
         this.opc = checked("OPc", opc, KEY_LENGTH);
     }
 
-    /** The operator's value OP made unusable for any other key: OP xor E[OP] under K (TS 35.206, 4.1). */
+    /** Derives OPc from OP and K: OP xor E[OP] under K (TS 35.206, 4.1). */
     public static OctetString opc(OctetString k, OctetString op) {
         byte[] value = checked("OP", op, KEY_LENGTH);
         return OctetString.of(xor(encrypt(cipher(checked("K", k, KEY_LENGTH)), value), value));
     }
 
-    /** MAC-A, 8 octets: the network's proof that it knows K. */
+    /** MAC-A, 8 octets: authenticates the network. */
     public OctetString f1(OctetString rand, OctetString sqn, OctetString amf) {
         return part(firstOutput(rand, sqn, amf), 0, MAC_LENGTH);
     }
 
-    /** MAC-S, 8 octets: the card's proof when it asks for resynchronisation. */
+    /** MAC-S, 8 octets: authenticates the card in a resynchronisation. */
     public OctetString f1Star(OctetString rand, OctetString sqn, OctetString amf) {
         return part(firstOutput(rand, sqn, amf), MAC_LENGTH, 2 * MAC_LENGTH);
     }
 
-    /** RES, 8 octets: the card's answer. */
+    /** RES, 8 octets: the response of the card. */
     public OctetString f2(OctetString rand) {
         return part(output(rand, 0, 1), BLOCK_LENGTH - RESPONSE_LENGTH, BLOCK_LENGTH);
     }
@@ -63,7 +63,7 @@ public final class Milenage {
         return part(output(rand, 8, 4), 0, BLOCK_LENGTH);
     }
 
-    /** AK, 6 octets: hides SQN in a challenge. */
+    /** AK, 6 octets: anonymity key, which conceals SQN in a challenge. */
     public OctetString f5(OctetString rand) {
         return part(output(rand, 0, 1), 0, SEQUENCE_LENGTH);
     }
@@ -73,30 +73,30 @@ public final class Milenage {
         return part(output(rand, 12, 8), 0, SEQUENCE_LENGTH);
     }
 
-    /** OUT1: SQN and AMF twice over, turned by r1 and mixed with the ciphered challenge. */
+    /** OUT1: SQN and AMF, twice, rotated by r1 and combined with the encrypted challenge. */
     private byte[] firstOutput(OctetString rand, OctetString sqn, OctetString amf) {
         byte[] once = Arrays.copyOf(checked("SQN", sqn, SEQUENCE_LENGTH), BLOCK_LENGTH / 2);
         System.arraycopy(checked("AMF", amf, MANAGEMENT_LENGTH), 0, once, SEQUENCE_LENGTH, MANAGEMENT_LENGTH);
         byte[] in1 = Arrays.copyOf(once, BLOCK_LENGTH);
         System.arraycopy(once, 0, in1, BLOCK_LENGTH / 2, BLOCK_LENGTH / 2);
-        byte[] turned = turned(xor(in1, opc), BLOCK_LENGTH / 2);
-        return xor(encrypt(cipher, xor(challenge(rand), turned)), opc);
+        byte[] rotated = rotated(xor(in1, opc), BLOCK_LENGTH / 2);
+        return xor(encrypt(cipher, xor(challenge(rand), rotated)), opc);
     }
 
-    /** OUT2 to OUT5. @param turnOctets r of the function, in octets; @param constant the last octet of its c */
-    private byte[] output(OctetString rand, int turnOctets, int constant) {
-        byte[] in = turned(xor(challenge(rand), opc), turnOctets);
+    /** OUT2 to OUT5. @param rotation r of the function, octets; @param constant the last octet of its c */
+    private byte[] output(OctetString rand, int rotation, int constant) {
+        byte[] in = rotated(xor(challenge(rand), opc), rotation);
         in[BLOCK_LENGTH - 1] ^= (byte) constant;
         return xor(encrypt(cipher, in), opc);
     }
 
-    /** TEMP. */
+    /** TEMP: the encrypted challenge. */
     private byte[] challenge(OctetString rand) {
         return encrypt(cipher, xor(checked("RAND", rand, KEY_LENGTH), opc));
     }
 
-    /** To the left, that is towards the first octet. */
-    private static byte[] turned(byte[] block, int octets) {
+    /** Rotated to the left, that is towards the first octet. */
+    private static byte[] rotated(byte[] block, int octets) {
         byte[] result = new byte[BLOCK_LENGTH];
         for (int i = 0; i < BLOCK_LENGTH; i++) {
             result[i] = block[(i + octets) % BLOCK_LENGTH];
@@ -117,14 +117,10 @@ public final class Milenage {
     }
 
     private static byte[] checked(String what, OctetString octets, int length) {
-        if (octets.length() != length) {
-            throw new IllegalArgumentException(
-                    what + " has " + octets.length() + " octets, " + length + " were expected");
-        }
-        return octets.toArray();
+        return octets.requireLength(what, length).toArray();
     }
 
-    /** One block at a time, so the mode that hides nothing is the right one (TS 35.206, 5). */
+    /** ECB, because each call encrypts a single block (TS 35.206, 5). */
     private static Cipher cipher(byte[] key) {
         try {
             Cipher made = Cipher.getInstance("AES/ECB/NoPadding");
@@ -139,7 +135,7 @@ public final class Milenage {
         try {
             return cipher.doFinal(block);
         } catch (GeneralSecurityException e) {
-            throw new IllegalStateException("a whole block is always taken: " + e.getMessage(), e);
+            throw new IllegalStateException("AES refused a whole block: " + e.getMessage(), e);
         }
     }
 }

@@ -13,8 +13,8 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 
 /**
- * A file of cards: what a network's operator lists ({@code --hlr}), and, with one or a few of its lines, what a terminal
- * has in its slot ({@code --sim}). UTF-8 text; {@code #} begins a comment; each line is one of
+ * A file of SIMs: those of a network ({@code --hlr}) or, with some of its lines, those of the terminals of a program
+ * ({@code --sim}). UTF-8 text; {@code #} begins a comment; each line is one of
  *
  * <pre>
  *   sim number=5550100 imsi=001010005550100 k=HEX opc=HEX [barred]
@@ -22,15 +22,15 @@ import simgsm.air.Msisdn;
  *   barred-imei 490154203237518
  * </pre>
  *
- * where HEX is 32 hexadecimal digits. No number and no IMSI may stand twice.
+ * where HEX is 32 hexadecimal digits. Each number and each IMSI may occur once only.
  *
- * @param barredEquipment terminals that nobody may register with
+ * @param barredEquipment terminals that may not register
  */
 public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipment) {
-    /** A class or a campus; a file that says more is not one of ours. */
+    /** Most SIMs in a file. */
     public static final int MAX_SUBSCRIPTIONS = 100_000;
 
-    /** No card at all. */
+    /** A file without SIMs. */
     public static final SimFile EMPTY = new SimFile(List.of(), Set.of());
 
     private static final int SHOWN = 5;
@@ -43,7 +43,7 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
     /**
      * Reads a file.
      *
-     * @throws IOException naming the file, and the line and what was expected there if it holds something else
+     * @throws IOException naming the file and, for content that is not understood, the line and what was expected there
      */
     public static SimFile read(Path file) throws IOException {
         List<String> lines;
@@ -55,6 +55,7 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
         return new SimFileReader(file.toString()).read(lines);
     }
 
+    /** The card of a number. */
     public Optional<SimCard> cardOf(Msisdn number) {
         return subscriptions.stream()
                 .map(Subscription::card)
@@ -62,12 +63,12 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
                 .findFirst();
     }
 
-    /** The only card that there is; empty if there are none or several. */
+    /** The card if the file has exactly one. */
     public Optional<SimCard> onlyCard() {
         return subscriptions.size() == 1 ? Optional.of(subscriptions.get(0).card()) : Optional.empty();
     }
 
-    /** The numbers for an error's text: the first few. */
+    /** The first 5 numbers, for the text of an error. */
     public String numbers() {
         String shown = subscriptions.stream()
                 .limit(SHOWN)

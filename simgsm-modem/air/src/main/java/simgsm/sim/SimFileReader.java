@@ -13,7 +13,7 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.octets.OctetString;
 
-/** Reads the lines of a {@link SimFile}. Nothing is guessed: what is not understood is an error. */
+/** Reads the lines of a {@link SimFile}; anything else than its format is an error. */
 final class SimFileReader {
     private static final String LINES = "sim ... or barred-imei IMEI";
     private static final String BYTE_ORDER_MARK = "\ufeff";
@@ -83,7 +83,7 @@ final class SimFileReader {
         subscriptions.add(new Subscription(card, isBarred));
     }
 
-    /** Never shows the value: it may be a key. */
+    /** The error does not contain the value, because it may be a key. */
     private static void addField(Map<String, String> fields, String word) {
         int equals = word.indexOf('=');
         String name = equals < 0 ? word : word.substring(0, equals);

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 
-/** The cards of the SIM file that {@code --sim FILE} names: one for each terminal of a program. */
+/** The SIMs of {@code --sim FILE} for the terminals of a program. */
 public final class SimSlot {
     private final Optional<Path> path;
     private final SimFile file;
@@ -24,7 +24,7 @@ public final class SimSlot {
         return new SimSlot(path, path.isPresent() ? SimFile.read(path.get()) : SimFile.EMPTY);
     }
 
-    /** Whether there is no file: then the terminals live in an open network. */
+    /** Whether no file was given: the terminals then use an open network. */
     public boolean isEmpty() {
         return path.isEmpty();
     }
@@ -32,8 +32,8 @@ public final class SimSlot {
     /**
      * The card for a terminal; empty without a file.
      *
-     * @param number which one; without it the file must hold just one
-     * @throws IllegalArgumentException if the file has no such card, or leaves the choice open
+     * @param number of the card; without it the file must hold exactly one
+     * @throws IllegalArgumentException if the file has no such card, or several and no number is given
      */
     public Optional<SimCard> card(Optional<Msisdn> number) {
         if (isEmpty()) {

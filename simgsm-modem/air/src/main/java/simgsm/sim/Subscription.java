@@ -1,8 +1,8 @@
 package simgsm.sim;
 
 /**
- * A subscriber as an operator enters him.
+ * A subscriber in the network's list.
  *
- * @param isBarred whether the operator lets nobody register with this card; on a card itself without meaning
+ * @param isBarred whether the network refuses registrations with this card; ignored in a terminal
  */
 public record Subscription(SimCard card, boolean isBarred) {}

@@ -1,10 +1,10 @@
 package simgsm.sms;
 
-/** How text stands in a user part, and how much of it fits (TS 23.040, 9.2.3.24). */
+/** Coding of the text of a user part, and the length that fits (TS 23.040, 9.2.3.24). */
 public enum Alphabet {
     /** Septets, packed. */
     GSM_7BIT(160, 153),
-    /** Data; read as text it is Latin-1, one character an octet. */
+    /** Data; as text it is read as ISO 8859-1, one character an octet. */
     OCTETS(140, 134),
     /** Two octets a character; a character beyond the first plane takes a surrogate pair. */
     UCS2(70, 67);
@@ -22,12 +22,12 @@ public enum Alphabet {
         return unitsInOnePart;
     }
 
-    /** The same in each part of several, beside the header of 6 octets. */
+    /** The same in each part of several, with a header of 6 octets. */
     public int unitsInEachOfMany() {
         return unitsInEachOfMany;
     }
 
-    /** The smallest alphabet that carries this text unharmed. */
+    /** The alphabet that codes this text without loss in the fewest octets. */
     public static Alphabet of(String text) {
         return GsmAlphabet.encodes(text) ? GSM_7BIT : UCS2;
     }

@@ -2,9 +2,10 @@ package simgsm.sms;
 
 import java.util.List;
 import java.util.Optional;
+import simgsm.octets.Bounds;
 
 /**
- * The data coding scheme of cell broadcast, which also names languages (TS 23.038, 5).
+ * The data coding scheme of cell broadcast, which may also state the language (TS 23.038, 5).
  *
  * @param octet 0 to 255
  */
@@ -13,22 +14,20 @@ public record BroadcastCoding(int octet) {
     public static final BroadcastCoding GSM_7BIT = new BroadcastCoding(0x0f);
     /** UCS-2, no class, language unspecified. */
     public static final BroadcastCoding UCS2 = new BroadcastCoding(0x48);
-    /** UCS-2 behind a language in two letters. */
+    /** UCS-2 after a language of two letters. */
     public static final BroadcastCoding UCS2_WITH_LANGUAGE = new BroadcastCoding(0x11);
-    /** GSM 7-bit behind a language in two letters and a carriage return. */
+    /** GSM 7-bit after a language of two letters and a carriage return. */
     public static final BroadcastCoding GSM_7BIT_WITH_LANGUAGE = new BroadcastCoding(0x10);
 
     private static final int FURTHER_LANGUAGES = 0x20;
-    /** ISO 639 codes by the octet; the last of the sixteen is "unspecified". */
+    /** ISO 639 codes by the octet, 0 to 14; 15 is "unspecified". */
     private static final List<String> LANGUAGES =
             List.of("de", "en", "it", "fr", "es", "nl", "sv", "da", "pt", "fi", "no", "el", "tr", "hu", "pl");
 
     private static final List<String> MORE_LANGUAGES = List.of("cs", "he", "ar", "ru", "is");
 
     public BroadcastCoding {
-        if (octet < 0 || octet > 0xff) {
-            throw new IllegalArgumentException("broadcast coding " + octet + " is not 0 to 255");
-        }
+        Bounds.checkOctet("broadcast coding", octet);
     }
 
     /** @param language two letters of ISO 639, or empty */
@@ -63,7 +62,7 @@ public record BroadcastCoding(int octet) {
         return octet == GSM_7BIT_WITH_LANGUAGE.octet || octet == UCS2_WITH_LANGUAGE.octet;
     }
 
-    /** The language that the octet itself names. */
+    /** The language that the octet states. */
     public Optional<String> language() {
         if (octet < LANGUAGES.size()) {
             return Optional.of(LANGUAGES.get(octet));

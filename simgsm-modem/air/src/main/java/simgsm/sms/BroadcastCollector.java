@@ -8,18 +8,18 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A phone's side of cell broadcast: gathers pages in any order and gives each message once, however often the cell
- * repeats it (TS 23.041, 9.4.1.2.1). Remembers at most {@link #MAX_MESSAGES}, the oldest is forgotten first.
+ * Cell broadcast in a phone: collects pages in any order and returns each message once, however often the cell repeats
+ * it (TS 23.041, 9.4.1.2.1). Keeps at most {@link #MAX_MESSAGES} messages; the oldest is dropped first.
  */
 public final class BroadcastCollector {
     public static final int MAX_MESSAGES = 64;
 
     private record Key(int messageIdentifier, BroadcastSerial serial) {}
 
-    /** The pages so far; null once the message has been shown. */
+    /** The pages received; null for a message that is complete. */
     private final Map<Key, CellBroadcastPage[]> messages = new LinkedHashMap<>();
 
-    /** With nothing shown yet. */
+    /** An empty collector. */
     public BroadcastCollector() {}
 
     /** The whole message if this page was the last one missing. */

@@ -1,9 +1,9 @@
 package simgsm.sms;
 
 /**
- * The serial number of a broadcast message: a phone shows each code and update once (TS 23.041, 9.4.1.2.1).
+ * The serial number of a broadcast message; a phone shows each code and update once (TS 23.041, 9.4.1.2.1).
  *
- * @param scope where the message is new: 0 cell and shown at once, 1 network, 2 area, 3 cell
+ * @param scope area in which the code is unique: 0 cell, displayed immediately, 1 network, 2 location area, 3 cell
  * @param code tells messages with the same identifier apart, 0 to 1023
  * @param update counts changes of the same message, 0 to 15
  */
@@ -15,8 +15,8 @@ public record BroadcastSerial(int scope, int code, int update) {
 
     public BroadcastSerial {
         if (scope < 0 || scope > 3 || code < 0 || code > MAX_CODE || update < 0 || update > MAX_UPDATE) {
-            throw new IllegalArgumentException(
-                    "broadcast serial of scope " + scope + ", code " + code + ", update " + update + " cannot be");
+            throw new IllegalArgumentException("broadcast serial of scope " + scope + ", code " + code + ", update "
+                    + update + " are out of range");
         }
     }
 
@@ -25,6 +25,7 @@ public record BroadcastSerial(int scope, int code, int update) {
         return scope << 14 | code << 4 | update;
     }
 
+    /** The serial of the two octets. */
     public static BroadcastSerial ofValue(int value) {
         return new BroadcastSerial(value >> 14 & 0x03, value >> 4 & MAX_CODE, value & MAX_UPDATE);
     }

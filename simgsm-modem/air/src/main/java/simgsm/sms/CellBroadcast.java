@@ -9,7 +9,7 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * A broadcast message, and how its text becomes pages and comes back.
+ * A broadcast message, and its division into pages.
  *
  * @param messageIdentifier the channel, 0 to 65535
  * @param language two letters of ISO 639, if the sender named one
@@ -22,8 +22,8 @@ public record CellBroadcast(
     private static final String FILLER = "\r";
 
     /**
-     * The pages of a text, in the smallest alphabet that carries it unharmed. Line ends become line feeds, because
-     * carriage returns fill pages up.
+     * The pages of a text, in the alphabet that codes it without loss in the fewest octets. Line ends become line feeds, because
+     * carriage returns are the padding.
      *
      * @throws IllegalArgumentException for a text of more than 15 pages: 1395 septets or 615 characters of UCS-2
      */
@@ -67,7 +67,7 @@ public record CellBroadcast(
                 first.messageIdentifier(), first.serial(), language(first), pages.size(), text.toString());
     }
 
-    /** The language is followed by a carriage return. */
+    /** Septets of the language and the carriage return after it. */
     private static int leaderSeptets(String leader) {
         return leader.isEmpty() ? 0 : leader.length() + 1;
     }
@@ -79,30 +79,26 @@ public record CellBroadcast(
         return OctetString.of(Arrays.copyOf(Septets.pack(filled, 0), CellBroadcastPage.CONTENT_LENGTH));
     }
 
-    /** The language is packed into two octets, the room of one character. */
+    /** The language is packed into two octets, the size of one character. */
     private static OctetString characters(String leader, String text) {
         OctetWriter out = new OctetWriter();
         out.bytes(Septets.pack(GsmAlphabet.encode(leader), 0)).bytes(Ucs2.encode(text));
         while (out.length() < CellBroadcastPage.CONTENT_LENGTH) {
             out.bytes(Ucs2.encode(FILLER));
         }
-        return OctetString.of(out.toArray());
+        return out.toOctetString();
     }
 
     private static String text(CellBroadcastPage page) {
         boolean languageLeads = page.coding().languageLeadsText();
-        String text;
-        switch (page.coding().alphabet()) {
-            case GSM_7BIT:
-                byte[] codes = Septets.unpack(page.content().toArray(), SEPTETS, 0);
-                text = GsmAlphabet.decode(Arrays.copyOfRange(codes, languageLeads ? 3 : 0, SEPTETS));
-                break;
-            case UCS2:
-                text = Ucs2.decode(page.content().toArray(), languageLeads ? 2 : 0);
-                break;
-            default:
-                text = page.content().toString();
-        }
+        byte[] octets = page.content().toArray();
+        String text = switch (page.coding().alphabet()) {
+            case GSM_7BIT ->
+                GsmAlphabet.decode(
+                        Arrays.copyOfRange(Septets.unpack(octets, SEPTETS, 0), languageLeads ? 3 : 0, SEPTETS));
+            case UCS2 -> Ucs2.decode(octets, languageLeads ? 2 : 0);
+            case OCTETS -> page.content().toString();
+        };
         int end = text.length();
         while (end > 0 && text.charAt(end - 1) == '\r') {
             end--;

@@ -2,6 +2,7 @@ package simgsm.sms;
 
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
@@ -15,7 +16,7 @@ import simgsm.octets.OctetWriter;
  * @param messageIdentifier the channel that phones listen to, 0 to 65535
  * @param page 1 to {@code pages}
  * @param pages 1 to 15
- * @param content 82 octets: 93 septets or 41 two-octet characters, filled up with carriage returns
+ * @param content 82 octets: 93 septets or 41 two-octet characters, padded with carriage returns
  */
 public record CellBroadcastPage(
         BroadcastSerial serial,
@@ -29,30 +30,26 @@ public record CellBroadcastPage(
     public static final int MAX_PAGES = 15;
 
     public CellBroadcastPage {
-        if (messageIdentifier < 0 || messageIdentifier > 0xffff) {
-            throw new IllegalArgumentException("broadcast channel " + messageIdentifier + " is not 0 to 65535");
-        }
+        Bounds.check("broadcast channel", messageIdentifier, 0, 0xffff);
         if (pages < 1 || pages > MAX_PAGES || page < 1 || page > pages) {
-            throw new IllegalArgumentException("page " + page + " of " + pages + " cannot be");
+            throw new IllegalArgumentException("page " + page + " of " + pages + " is not 1 to 15 of 1 to 15");
         }
-        if (content.length() != CONTENT_LENGTH) {
-            throw new IllegalArgumentException(
-                    "a page of " + content.length() + " octets, " + CONTENT_LENGTH + " were expected");
-        }
+        content.requireLength("a page's content", CONTENT_LENGTH);
     }
 
+    /** The octets of the page. */
     public OctetString encode() {
         OctetWriter out = new OctetWriter();
         out.twoOctets(serial.value()).twoOctets(messageIdentifier);
         out.octet(coding.octet()).octet(page << 4 | pages).string(content);
-        return OctetString.of(out.toArray());
+        return out.toOctetString();
     }
 
-    /** A page number that makes no sense counts as page 1 of 1, as the standard asks (9.4.1.2.4). */
+    /** The page of these octets; a page number out of range is read as page 1 of 1 (9.4.1.2.4). */
     public static CellBroadcastPage decode(OctetString octets) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);
         if (octets.length() != LENGTH) {
-            throw Violations.invalid(
+            throw ProtocolViolation.invalid(
                     "a broadcast page of " + octets.length() + " octets, " + LENGTH + " were expected");
         }
         BroadcastSerial serial = BroadcastSerial.ofValue(in.twoOctets("serial number"));
@@ -61,7 +58,8 @@ public record CellBroadcastPage(
         int numbers = in.octet("page parameter");
         int page = numbers >> 4;
         int pages = numbers & 0x0f;
-        boolean sense = page >= 1 && page <= pages;
-        return new CellBroadcastPage(serial, messageIdentifier, coding, sense ? page : 1, sense ? pages : 1, in.rest());
+        boolean isValid = page >= 1 && page <= pages;
+        return new CellBroadcastPage(
+                serial, messageIdentifier, coding, isValid ? page : 1, isValid ? pages : 1, in.rest());
     }
 }

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The broadcast channels (message identifiers) that a phone wants to see; TS 31.102 calls it the CBMI list. Written as
+ * The broadcast channels (message identifiers) that a phone shows; the CBMI list of TS 31.102. Written as
  * {@code 50,919,4370-4399}, {@code all} or {@code none}.
  */
 public final class ChannelList {
     public static final ChannelList ALL = new ChannelList(List.of(new Range(0, 0xffff)));
     public static final ChannelList NONE = new ChannelList(List.of());
 
-    /** As many as a SIM has room for, and more than anybody writes. */
+    /** Channels and ranges in one list: the most that EF CBMI of a SIM holds. */
     static final int MAX_RANGES = 255;
 
     private static final int MAX_CHANNEL = 0xffff;
@@ -63,6 +63,7 @@ public final class ChannelList {
         return new Range(first, last);
     }
 
+    /** Whether the channel is in the list. */
     public boolean contains(int channel) {
         return ranges.stream().anyMatch(range -> channel >= range.first && channel <= range.last);
     }
@@ -77,7 +78,7 @@ public final class ChannelList {
         return ranges.hashCode();
     }
 
-    /** What {@link #parse} reads. */
+    /** The form that {@link #parse} reads. */
     @Override
     public String toString() {
         if (equals(ALL)) {

@@ -1,9 +1,9 @@
 package simgsm.sms;
 
 /**
- * Which part of which message a user part is (TS 23.040, 9.2.3.24.1).
+ * The place of a user part in its message (TS 23.040, 9.2.3.24.1).
  *
- * @param reference 0 to 255, or to 65535 in the wide form; the same in all parts of a message
+ * @param reference 0 to 255, or to 65535 in the 16-bit form; the same in all parts of a message
  * @param total 1 to 255
  * @param part 1 to {@code total}
  */
@@ -13,7 +13,7 @@ public record Concatenation(int reference, int total, int part) {
     public Concatenation {
         if (reference < 0 || reference > 0xffff || total > MAX_PARTS || part < 1 || part > total) {
             throw new IllegalArgumentException(
-                    "part " + part + " of " + total + " with reference " + reference + " cannot be");
+                    "part " + part + " of " + total + " with reference " + reference + " is out of range");
         }
     }
 }

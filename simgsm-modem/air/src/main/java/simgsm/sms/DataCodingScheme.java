@@ -1,8 +1,9 @@
 package simgsm.sms;
 
 import java.util.OptionalInt;
+import simgsm.octets.Bounds;
 
-/** TP-DCS: which alphabet, and for which class of message (TS 23.038, 4). */
+/** TP-DCS: alphabet and class of a message (TS 23.038, 4). */
 public record DataCodingScheme(int octet) {
     public static final DataCodingScheme GSM_7BIT = new DataCodingScheme(0x00);
     public static final DataCodingScheme OCTETS = new DataCodingScheme(0x04);
@@ -12,17 +13,15 @@ public record DataCodingScheme(int octet) {
     private static final int HAS_CLASS = 0x10;
 
     public DataCodingScheme {
-        if (octet < 0 || octet > 0xff) {
-            throw new IllegalArgumentException("data coding scheme " + octet + " is not 0 to 255");
-        }
+        Bounds.checkOctet("data coding scheme", octet);
     }
 
-    /** The plain scheme of an alphabet. */
+    /** The scheme of an alphabet, without a class. */
     public static DataCodingScheme of(Alphabet alphabet) {
         return alphabet == Alphabet.GSM_7BIT ? GSM_7BIT : alphabet == Alphabet.UCS2 ? UCS2 : OCTETS;
     }
 
-    /** Reserved codings count as GSM 7-bit, as the standard asks; compressed text as octets. */
+    /** The alphabet; for reserved codings GSM 7-bit, as in the standard, for compressed text octets. */
     public Alphabet alphabet() {
         int group = octet >> 4;
         if (isGeneral()) {

@@ -1,13 +1,15 @@
 package simgsm.sms;
 
+import simgsm.octets.Bounds;
+
 /**
  * SMS-DELIVER, from the centre to a mobile.
  *
- * @param moreMessages further messages wait in the centre; on the air the bit is inverted (TP-MMS)
- * @param statusReportIndication TP-SRI: the sender will get a report
+ * @param moreMessages TP-MMS, inverted on the air: further messages wait in the centre
+ * @param statusReportIndication TP-SRI: the sender receives a report
  * @param replyPath TP-RP
  * @param protocolIdentifier TP-PID, 0 for plain messages
- * @param timestamp TP-SCTS, when the centre took the message
+ * @param timestamp TP-SCTS, time of acceptance by the centre
  */
 public record DeliverTpdu(
         boolean moreMessages,
@@ -19,6 +21,6 @@ public record DeliverTpdu(
         UserData userData)
         implements Tpdu {
     public DeliverTpdu {
-        TpduCodec.checkOctet("TP-PID", protocolIdentifier);
+        Bounds.checkOctet("TP-PID", protocolIdentifier);
     }
 }

@@ -29,17 +29,17 @@ public final class DeliveryStatus {
 
     private DeliveryStatus() {}
 
-    /** Nothing more will be tried, and the receiver has the message. */
+    /** Whether the receiver has the message. */
     public static boolean isDelivered(int status) {
         return status < 0x20;
     }
 
-    /** The centre goes on trying. */
+    /** Whether the centre makes further attempts. */
     public static boolean isPending(int status) {
         return status >= 0x20 && status < 0x40;
     }
 
-    /** In words, in English. */
+    /** The status in words, in English. */
     public static String title(int status) {
         String fallback = isPending(status)
                 ? "still trying"

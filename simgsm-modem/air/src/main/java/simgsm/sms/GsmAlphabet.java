@@ -6,14 +6,14 @@ import java.util.Map;
 
 /** The GSM 7-bit default alphabet with its extension table (TS 23.038, 6.2.1). */
 public final class GsmAlphabet {
-    /** Leads a code of the extension table. */
+    /** Precedes a code of the extension table. */
     static final int ESCAPE = 0x1b;
 
     static final int CARRIAGE_RETURN = 0x0d;
 
     private static final char NO_CHARACTER = '\uffff';
 
-    /** Codes 0x00 to 0x7f in order; the place of the escape holds no character. */
+    /** Characters of the codes 0x00 to 0x7f; the escape has none. */
     private static final String TABLE = "@£$¥èéùìòÇ\nØø\rÅå"
             + "Δ_ΦΓΛΩΠΨΣΘΞ" + NO_CHARACTER + "ÆæßÉ"
             + " !\"#¤%&'()*+,-./"
@@ -27,7 +27,7 @@ public final class GsmAlphabet {
             0x0a, '\f', 0x14, '^', 0x28, '{', 0x29, '}', 0x2f, '\\', 0x3c, '[', 0x3d, '~', 0x3e, ']', 0x40, '|', 0x65,
             '€');
 
-    /** Code by character; those of the extension table carry the escape in the higher octet. */
+    /** Code by character; codes of the extension table have the escape in the higher octet. */
     private static final Map<Character, Integer> CODES = new HashMap<>();
 
     static {
@@ -46,7 +46,7 @@ public final class GsmAlphabet {
         return text.chars().allMatch(character -> CODES.containsKey((char) character));
     }
 
-    /** How many septets a character takes: 1, or 2 with its escape. */
+    /** Septets of a character: 1, or 2 with the escape. */
     static int septetCount(char character) {
         return code(character) > 0x7f ? 2 : 1;
     }
@@ -66,8 +66,8 @@ public final class GsmAlphabet {
     }
 
     /**
-     * The text of these codes. An escape before a code without extension shows that code's plain character, a double
-     * escape a blank, an escape at the end nothing (TS 23.038, 6.2.1.1).
+     * The text of these codes. An escape before a code without extension is skipped, a double escape is a space, an
+     * escape at the end is dropped (TS 23.038, 6.2.1.1).
      */
     public static String decode(byte[] codes) {
         StringBuilder text = new StringBuilder(codes.length);

@@ -3,19 +3,20 @@ package simgsm.sms;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Text into user parts: as few as possible, in the smallest alphabet that carries the text unharmed. */
+/** Divides a text into the fewest user parts, in the alphabet that codes it without loss in the fewest octets. */
 public final class MessageSplitter {
     /**
-     * What a text will take, for a counter beside the place where it is written.
+     * The size of a text, for the counter of a text field.
      *
-     * @param units septets or two-octet characters that the text takes
+     * @param units septets or two-octet characters of the text
      * @param parts 1 to 255, or more if the text is too long to be sent
-     * @param unitsLeft how many more fit into the last part
+     * @param unitsLeft units that still fit into the last part
      */
     public record Measure(Alphabet alphabet, int units, int parts, int unitsLeft) {}
 
     private MessageSplitter() {}
 
+    /** The size of a text. */
     public static Measure measure(String text) {
         Alphabet alphabet = Alphabet.of(text);
         int units = units(text, alphabet);
@@ -36,7 +37,7 @@ public final class MessageSplitter {
     public static List<UserData> split(String text, int reference) {
         Alphabet alphabet = Alphabet.of(text);
         if (units(text, alphabet) <= alphabet.unitsInOnePart()) {
-            return List.of(UserPartWriter.write(text, alphabet, new byte[0]));
+            return List.of(UserData.of(text, alphabet, new byte[0]));
         }
         List<String> pieces = pieces(text, alphabet, alphabet.unitsInEachOfMany());
         if (pieces.size() > Concatenation.MAX_PARTS) {
@@ -46,7 +47,7 @@ public final class MessageSplitter {
         List<UserData> parts = new ArrayList<>(pieces.size());
         for (String piece : pieces) {
             Concatenation place = new Concatenation(reference & 0xff, pieces.size(), parts.size() + 1);
-            parts.add(UserPartWriter.write(piece, alphabet, UserDataHeader.of(place)));
+            parts.add(UserData.of(piece, alphabet, UserDataHeader.of(place)));
         }
         return parts;
     }
@@ -59,7 +60,7 @@ public final class MessageSplitter {
                 : text.length();
     }
 
-    /** Cuts where a piece is full, never between an escape and its code or inside a surrogate pair. */
+    /** Pieces of at most this many units, cut neither between an escape and its code nor inside a surrogate pair. */
     static List<String> pieces(String text, Alphabet alphabet, int unitsInEach) {
         List<String> pieces = new ArrayList<>();
         int start = 0;

@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Puts the parts of messages together again, in whatever order and however often they come. Memory is bounded: beyond
- * {@link #MAX_MESSAGES} unfinished messages the oldest is dropped, and each after a day.
+ * Joins the parts of messages, in any order and with repetitions. Beyond {@link #MAX_MESSAGES} unfinished messages the
+ * oldest is dropped, and each after 24 h.
  */
 public final class Reassembler {
-    /** Unfinished messages of all senders together. */
+    /** Unfinished messages of all senders. */
     public static final int MAX_MESSAGES = 64;
 
-    static final long PATIENCE_NANOS = 24L * 60 * 60 * 1_000_000_000;
+    static final long EXPIRY_NANOS = 24L * 60 * 60 * 1_000_000_000;
 
-    /** References are only unique for one sender; two messages of different lengths cannot be the same. */
+    /** A reference is unique for one sender only, and messages with different numbers of parts are different. */
     private record Key(SmsAddress sender, int reference, int total) {}
 
     private static final class Unfinished {
@@ -51,7 +51,7 @@ public final class Reassembler {
 
     private final Map<Key, Unfinished> unfinished = new LinkedHashMap<>();
 
-    /** With nothing begun. */
+    /** An empty reassembler. */
     public Reassembler() {}
 
     /** The whole text if this part was the last one missing. */
@@ -60,7 +60,7 @@ public final class Reassembler {
         if (place.isEmpty() || place.get().total() == 1) {
             return Optional.of(data.text());
         }
-        dropTheOld(nowNanos);
+        dropExpired(nowNanos);
         Key key = new Key(sender, place.get().reference(), place.get().total());
         Unfinished message = unfinished.get(key);
         if (message == null || message.contradicts(place.get().part(), data)) {
@@ -74,12 +74,12 @@ public final class Reassembler {
         return Optional.of(message.text());
     }
 
-    /** How many messages have parts missing. */
+    /** The number of messages with missing parts. */
     public int unfinishedCount() {
         return unfinished.size();
     }
 
-    /** Replaces an unfinished message whose reference has come round again. */
+    /** Replaces an unfinished message with the same reference. */
     private Unfinished begin(Key key, long nowNanos) {
         unfinished.remove(key);
         if (unfinished.size() == MAX_MESSAGES) {
@@ -92,7 +92,7 @@ public final class Reassembler {
         return message;
     }
 
-    private void dropTheOld(long nowNanos) {
-        unfinished.values().removeIf(message -> nowNanos - message.sinceNanos > PATIENCE_NANOS);
+    private void dropExpired(long nowNanos) {
+        unfinished.values().removeIf(message -> nowNanos - message.sinceNanos > EXPIRY_NANOS);
     }
 }

@@ -28,7 +28,7 @@ public record SmsAddress(int type, int plan, String value) {
 
     public SmsAddress {
         if (type < 0 || type > 7 || plan < 0 || plan > 15) {
-            throw new IllegalArgumentException("type of number " + type + " or plan " + plan + " cannot be");
+            throw new IllegalArgumentException("type of number " + type + " or plan " + plan + " is out of range");
         }
         boolean fits = type == LETTERS
                 ? GsmAlphabet.encodes(value) && GsmAlphabet.encode(value).length <= MAX_SEPTETS
@@ -38,16 +38,17 @@ public record SmsAddress(int type, int plan, String value) {
         }
     }
 
+    /** The address of an international number. */
     public static SmsAddress of(Msisdn number) {
         return new SmsAddress(INTERNATIONAL, ISDN, number.digits());
     }
 
-    /** A sender's name, as of a service. */
+    /** The name of a sender, such as a service. */
     public static SmsAddress ofLetters(String name) {
         return new SmsAddress(LETTERS, 0, name);
     }
 
-    /** The telephone number; empty for letters and for keys that no number has. */
+    /** The telephone number; empty for letters and for the digits * # a-c. */
     public Optional<Msisdn> number() {
         boolean isNumber = type != LETTERS && !value.isEmpty() && value.length() <= Msisdn.MAX_DIGITS;
         for (int i = 0; isNumber && i < value.length(); i++) {
@@ -79,7 +80,7 @@ public record SmsAddress(int type, int plan, String value) {
     static SmsAddress read(MessageReader in) throws ProtocolViolation {
         int halfOctets = in.octet("address length");
         if (halfOctets > MAX_DIGITS) {
-            throw Violations.invalid("an address of " + halfOctets + " digits, at most " + MAX_DIGITS);
+            throw ProtocolViolation.invalid("an address of " + halfOctets + " digits, at most " + MAX_DIGITS);
         }
         int typeAndPlan = in.octet("type of address");
         int type = typeAndPlan >> 4 & 0x07;

@@ -1,12 +1,14 @@
 package simgsm.sms;
 
+import simgsm.octets.Bounds;
+
 /**
  * SMS-STATUS-REPORT, from the centre to the mobile that sent a message.
  *
- * @param moreMessages further messages wait in the centre; on the air the bit is inverted (TP-MMS)
+ * @param moreMessages TP-MMS, inverted on the air: further messages wait in the centre
  * @param reference TP-MR of the message reported on
- * @param timestamp TP-SCTS, when the centre took that message
- * @param discharged TP-DT, when it was delivered or last tried
+ * @param timestamp TP-SCTS, time of acceptance of that message by the centre
+ * @param discharged TP-DT, time of delivery or of the last attempt
  * @param status TP-ST, see {@link DeliveryStatus}
  */
 public record StatusReportTpdu(
@@ -18,7 +20,7 @@ public record StatusReportTpdu(
         int status)
         implements Tpdu {
     public StatusReportTpdu {
-        TpduCodec.checkOctet("TP-MR", reference);
-        TpduCodec.checkOctet("TP-ST", status);
+        Bounds.checkOctet("TP-MR", reference);
+        Bounds.checkOctet("TP-ST", status);
     }
 }

@@ -1,16 +1,17 @@
 package simgsm.sms;
 
 import java.util.Optional;
+import simgsm.octets.Bounds;
 
 /**
  * SMS-SUBMIT, from a mobile to the centre.
  *
- * @param rejectDuplicates TP-RD: refuse what has the same reference, destination and sender as a message still held
+ * @param rejectDuplicates TP-RD: refuse a message with reference, destination and sender of one that still waits
  * @param statusReportRequest TP-SRR
  * @param replyPath TP-RP
  * @param reference TP-MR, 0 to 255
  * @param protocolIdentifier TP-PID, 0 for plain messages
- * @param validity how long to try; without it the centre decides
+ * @param validity TP-VP; without it the centre decides
  */
 public record SubmitTpdu(
         boolean rejectDuplicates,
@@ -23,11 +24,11 @@ public record SubmitTpdu(
         UserData userData)
         implements Tpdu {
     public SubmitTpdu {
-        TpduCodec.checkOctet("TP-MR", reference);
-        TpduCodec.checkOctet("TP-PID", protocolIdentifier);
+        Bounds.checkOctet("TP-MR", reference);
+        Bounds.checkOctet("TP-PID", protocolIdentifier);
     }
 
-    /** A plain message with a report of its delivery, tried for a day. */
+    /** A message with a status report, valid for one day. */
     public static SubmitTpdu of(int reference, SmsAddress destination, UserData userData) {
         return new SubmitTpdu(
                 false, true, false, reference, destination, 0, Optional.of(ValidityPeriod.Relative.ONE_DAY), userData);

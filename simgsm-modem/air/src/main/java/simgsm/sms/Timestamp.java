@@ -7,8 +7,8 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * TP-SCTS, TP-DT, TP-VP: seconds of local time and the zone in quarters of an hour (TS 23.040, 9.2.3.11). The octets
- * stay as they came, even where they make no sense.
+ * TP-SCTS, TP-DT, TP-VP: local time to the second and its zone in quarters of an hour (TS 23.040, 9.2.3.11). The octets
+ * are kept, valid or not.
  *
  * <pre>
  *   YY MM DD hh mm ss zz   each with its digits swapped; the sign of zz is bit 4 of its octet
@@ -19,15 +19,14 @@ public record Timestamp(OctetString octets) {
 
     private static final int WEST = 0x08;
     private static final int QUARTER_SECONDS = 15 * 60;
-    /** Two-digit years from here on are of the last century, when GSM began. */
+    /** Two-digit years from 90 on are 1990 to 1999. */
     private static final int FIRST_YEAR = 90;
 
     public Timestamp {
-        if (octets.length() != LENGTH) {
-            throw new IllegalArgumentException("a time stamp of " + octets.length() + " octets, not " + LENGTH);
-        }
+        octets.requireLength("a time stamp", LENGTH);
     }
 
+    /** The stamp of a time; fractions of seconds are dropped. */
     public static Timestamp of(OffsetDateTime time) {
         OctetWriter out = new OctetWriter();
         out.octet(swapped(time.getYear() % 100)).octet(swapped(time.getMonthValue()));
@@ -35,10 +34,10 @@ public record Timestamp(OctetString octets) {
         out.octet(swapped(time.getMinute())).octet(swapped(time.getSecond()));
         int quarters = time.getOffset().getTotalSeconds() / QUARTER_SECONDS;
         out.octet(swapped(Math.abs(quarters)) | (quarters < 0 ? WEST : 0));
-        return new Timestamp(OctetString.of(out.toArray()));
+        return new Timestamp(out.toOctetString());
     }
 
-    /** A digit that is none counts as 0, and a date that does not exist as the nearest one that does. */
+    /** The time; an invalid digit is read as 0, a field out of range as the nearest valid value. */
     public OffsetDateTime toOffsetDateTime() {
         byte[] fields = octets.toArray();
         int twoDigits = number(fields[0], 0x0f);

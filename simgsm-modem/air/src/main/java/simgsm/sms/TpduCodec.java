@@ -27,12 +27,7 @@ public final class TpduCodec {
 
     private TpduCodec() {}
 
-    static void checkOctet(String what, int value) {
-        if (value < 0 || value > 0xff) {
-            throw new IllegalArgumentException(what + " " + value + " is not 0 to 255");
-        }
-    }
-
+    /** The octets of a unit. */
     public static OctetString encode(Tpdu tpdu) {
         OctetWriter out = new OctetWriter();
         if (tpdu instanceof SubmitTpdu submit) {
@@ -42,13 +37,13 @@ public final class TpduCodec {
         } else {
             writeReport(out, (StatusReportTpdu) tpdu);
         }
-        return OctetString.of(out.toArray());
+        return out.toOctetString();
     }
 
     /**
      * The unit in these octets.
      *
-     * @param direction types mean different units each way: SUBMIT goes up, DELIVER and STATUS-REPORT down
+     * @param direction types mean different units in each direction: SUBMIT goes up, DELIVER and STATUS-REPORT down
      * @throws ProtocolViolation for any other or broken unit
      */
     public static Tpdu decode(OctetString octets, Direction direction) throws ProtocolViolation {
@@ -65,7 +60,7 @@ public final class TpduCodec {
             return readReport(first, in);
         }
         throw new ProtocolViolation(
-                Cause.MESSAGE_TYPE_NON_EXISTENT, "TP message type " + type + " " + direction + " is not taken");
+                Cause.MESSAGE_TYPE_NON_EXISTENT, "TP message type " + type + " " + direction + " is not supported");
     }
 
     private static void writeSubmit(OctetWriter out, SubmitTpdu submit) {
@@ -171,16 +166,12 @@ public final class TpduCodec {
     }
 
     private static Optional<ValidityPeriod> readValidity(int format, MessageReader in) throws ProtocolViolation {
-        switch (format) {
-            case VALIDITY_RELATIVE:
-                return Optional.of(new ValidityPeriod.Relative(in.octet("TP-VP")));
-            case VALIDITY_ABSOLUTE:
-                return Optional.of(new ValidityPeriod.Absolute(readTimestamp(in)));
-            case VALIDITY_ENHANCED:
-                return Optional.of(new ValidityPeriod.Enhanced(in.string(Timestamp.LENGTH, "TP-VP")));
-            default:
-                return Optional.empty();
-        }
+        return switch (format) {
+            case VALIDITY_RELATIVE -> Optional.of(new ValidityPeriod.Relative(in.octet("TP-VP")));
+            case VALIDITY_ABSOLUTE -> Optional.of(new ValidityPeriod.Absolute(readTimestamp(in)));
+            case VALIDITY_ENHANCED -> Optional.of(new ValidityPeriod.Enhanced(in.string(Timestamp.LENGTH, "TP-VP")));
+            default -> Optional.empty();
+        };
     }
 
     private static Timestamp readTimestamp(MessageReader in) throws ProtocolViolation {
@@ -194,7 +185,7 @@ public final class TpduCodec {
         try {
             return new UserData((first & HAS_HEADER) != 0, coding, length, octets);
         } catch (IllegalArgumentException wrong) {
-            throw Violations.invalid(wrong.getMessage());
+            throw ProtocolViolation.invalid(wrong.getMessage());
         }
     }
 }

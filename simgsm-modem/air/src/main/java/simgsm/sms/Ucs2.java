@@ -1,6 +1,6 @@
 package simgsm.sms;
 
-/** Two octets a character, the higher first; unlike a charset it leaves even half a surrogate pair as it is. */
+/** UCS-2, the higher octet first. Unlike UTF-16 of the JDK, it keeps single surrogates. */
 final class Ucs2 {
     private Ucs2() {}
 
@@ -13,7 +13,7 @@ final class Ucs2 {
         return octets;
     }
 
-    /** From {@code start} on; a single octet at the end is dropped. */
+    /** The text of the octets from {@code start} on; a single octet at the end is dropped. */
     static String decode(byte[] octets, int start) {
         StringBuilder text = new StringBuilder((octets.length - start) / 2);
         for (int i = start; i + 1 < octets.length; i += 2) {

@@ -4,10 +4,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.Septets;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /**
- * One user part as it travels: kept as octets, so that a centre hands on exactly what it was given.
+ * The user data of one part. The octets are kept, so that a centre forwards exactly what it received.
  *
  * <pre>
  *   octets:  [ header length | header ]  [ fill bits ]  text
@@ -23,52 +25,63 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
     public UserData {
         boolean septets = coding.alphabet() == Alphabet.GSM_7BIT;
         int most = septets ? MAX_SEPTETS : MAX_OCTETS;
-        if (length < 0 || length > most) {
-            throw new IllegalArgumentException("a user data length of " + length + " is not 0 to " + most);
-        }
-        int expected = octetCount(coding, length);
-        if (octets.length() != expected) {
-            throw new IllegalArgumentException(
-                    "user data of " + octets.length() + " octets, its length says " + expected);
-        }
+        Bounds.check("user data length", length, 0, most);
+        octets.requireLength("user data", octetCount(coding, length));
         if (hasHeader && (octets.length() == 0 || headerOctets(octets) > octets.length())) {
             throw new IllegalArgumentException("a user data header longer than the user data");
         }
     }
 
-    /** How many octets a user part of this TP-UDL has. */
+    /** Octets of user data with this TP-UDL. */
     static int octetCount(DataCodingScheme coding, int length) {
         return coding.alphabet() == Alphabet.GSM_7BIT ? Septets.octetCount(length, 0) : length;
     }
 
     /** A message of one part; IllegalArgumentException if the text does not fit. */
     public static UserData of(String text) {
-        return UserPartWriter.write(text, Alphabet.of(text), new byte[0]);
+        return of(text, Alphabet.of(text), new byte[0]);
     }
 
-    /** Which part of which message this is; empty for a message of one part or a header that makes no sense. */
+    /** One part with a header, its own length first, or without one if the array is empty. */
+    static UserData of(String text, Alphabet alphabet, byte[] header) {
+        boolean hasHeader = header.length > 0;
+        DataCodingScheme coding = DataCodingScheme.of(alphabet);
+        OctetWriter out = new OctetWriter().bytes(header);
+        if (alphabet == Alphabet.GSM_7BIT) {
+            byte[] codes = GsmAlphabet.encode(text);
+            int headerSeptets = headerSeptets(header.length);
+            out.bytes(Septets.pack(codes, headerSeptets * 7 - header.length * 8));
+            return new UserData(hasHeader, coding, headerSeptets + codes.length, out.toOctetString());
+        }
+        out.bytes(Ucs2.encode(text));
+        return new UserData(hasHeader, coding, out.length(), out.toOctetString());
+    }
+
+    /** Septets of a header with its fill bits. */
+    private static int headerSeptets(int headerOctets) {
+        return (headerOctets * 8 + 6) / 7;
+    }
+
+    /** The place of this part in its message; empty for a message of one part or an invalid header. */
     public Optional<Concatenation> concatenation() {
         return hasHeader ? UserDataHeader.concatenation(octets) : Optional.empty();
     }
 
-    /** The text; for {@link Alphabet#OCTETS} one Latin-1 character an octet. */
+    /** The text; for {@link Alphabet#OCTETS} one ISO 8859-1 character an octet. */
     public String text() {
         byte[] all = octets.toArray();
         int header = headerLength();
-        switch (coding.alphabet()) {
-            case GSM_7BIT:
-                int headerSeptets = (header * 8 + 6) / 7;
-                int fillBits = headerSeptets * 7;
-                byte[] codes = unpackBehind(all, fillBits, Math.max(0, length - headerSeptets));
-                return GsmAlphabet.decode(codes);
-            case UCS2:
-                return Ucs2.decode(all, header);
-            default:
-                return new String(all, header, all.length - header, StandardCharsets.ISO_8859_1);
-        }
+        return switch (coding.alphabet()) {
+            case GSM_7BIT -> {
+                int headerSeptets = headerSeptets(header);
+                yield GsmAlphabet.decode(unpack(all, headerSeptets * 7, Math.max(0, length - headerSeptets)));
+            }
+            case UCS2 -> Ucs2.decode(all, header);
+            case OCTETS -> new String(all, header, all.length - header, StandardCharsets.ISO_8859_1);
+        };
     }
 
-    /** What follows the header, as octets; of use for {@link Alphabet#OCTETS} and {@link Alphabet#UCS2}. */
+    /** The octets after the header, for {@link Alphabet#OCTETS} and {@link Alphabet#UCS2}. */
     public OctetString body() {
         byte[] all = octets.toArray();
         return OctetString.of(Arrays.copyOfRange(all, headerLength(), all.length));
@@ -79,10 +92,10 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
     }
 
     private static int headerOctets(OctetString octets) {
-        return (octets.toArray()[0] & 0xff) + 1;
+        return octets.octet(0) + 1;
     }
 
-    private static byte[] unpackBehind(byte[] octets, int bits, int count) {
+    private static byte[] unpack(byte[] octets, int bits, int count) {
         byte[] text = Arrays.copyOfRange(octets, Math.min(octets.length, bits / 8), octets.length);
         return Septets.unpack(text, count, bits % 8);
     }

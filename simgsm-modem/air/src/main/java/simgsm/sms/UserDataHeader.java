@@ -5,7 +5,7 @@ import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 
-/** The elements in front of the text: identifier, length, value (TS 23.040, 9.2.3.24). */
+/** The user data header before the text: elements of identifier, length and value (TS 23.040, 9.2.3.24). */
 final class UserDataHeader {
     private static final int CONCATENATION_8_BIT = 0x00;
     private static final int CONCATENATION_16_BIT = 0x08;
@@ -24,7 +24,7 @@ final class UserDataHeader {
         };
     }
 
-    /** The last sound concatenation element; elements that make no sense are ignored (TS 23.040, 9.2.3.24.1). */
+    /** The last valid concatenation element; invalid ones are ignored (TS 23.040, 9.2.3.24.1). */
     static Optional<Concatenation> concatenation(OctetString userData) {
         Optional<Concatenation> found = Optional.empty();
         try {

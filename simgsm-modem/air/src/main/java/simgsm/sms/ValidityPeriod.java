@@ -2,11 +2,12 @@ package simgsm.sms;
 
 import java.time.Duration;
 import java.time.Instant;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
-/** TP-VP: how long the centre shall try (TS 23.040, 9.2.3.12). */
+/** TP-VP: the time for which the centre attempts delivery (TS 23.040, 9.2.3.12). */
 public sealed interface ValidityPeriod {
-    /** When the centre gives up a message that it took at this moment. */
+    /** The end of the period of a message that the centre accepted at this time. */
     Instant expiry(Instant accepted);
 
     /** @param octet 0 to 255: steps of 5 min to 12 h, 30 min to 24 h, days to 30, weeks to 63 */
@@ -15,9 +16,7 @@ public sealed interface ValidityPeriod {
         public static final Relative LONGEST = new Relative(255);
 
         public Relative {
-            if (octet < 0 || octet > 0xff) {
-                throw new IllegalArgumentException("validity period " + octet + " is not 0 to 255");
-            }
+            Bounds.checkOctet("validity period", octet);
         }
 
         public Duration duration() {
@@ -43,34 +42,28 @@ public sealed interface ValidityPeriod {
         }
     }
 
-    /** The rare third form, kept as its seven octets; the first says what the others mean. */
+    /** The third form, seven octets of which the first gives the format of the others. */
     record Enhanced(OctetString octets) implements ValidityPeriod {
         private static final int RELATIVE = 1;
         private static final int SECONDS = 2;
         private static final int HOURS_MINUTES_SECONDS = 3;
 
         public Enhanced {
-            if (octets.length() != Timestamp.LENGTH) {
-                throw new IllegalArgumentException("an enhanced validity period has 7 octets");
-            }
+            octets.requireLength("an enhanced validity period", Timestamp.LENGTH);
         }
 
-        /** An extension or a reserved form counts as no validity period: the longest. */
+        /** An extension or a reserved format is read as the longest period. */
         @Override
         public Instant expiry(Instant accepted) {
             byte[] fields = octets.toArray();
             boolean extended = (fields[0] & 0x80) != 0;
-            switch (extended ? 0 : fields[0] & 0x07) {
-                case RELATIVE:
-                    return new Relative(fields[1] & 0xff).expiry(accepted);
-                case SECONDS:
-                    return accepted.plusSeconds(fields[1] & 0xff);
-                case HOURS_MINUTES_SECONDS:
-                    return accepted.plusSeconds(
-                            3600L * swapped(fields[1]) + 60L * swapped(fields[2]) + swapped(fields[3]));
-                default:
-                    return Relative.LONGEST.expiry(accepted);
-            }
+            return switch (extended ? 0 : fields[0] & 0x07) {
+                case RELATIVE -> new Relative(fields[1] & 0xff).expiry(accepted);
+                case SECONDS -> accepted.plusSeconds(fields[1] & 0xff);
+                case HOURS_MINUTES_SECONDS ->
+                    accepted.plusSeconds(3600L * swapped(fields[1]) + 60L * swapped(fields[2]) + swapped(fields[3]));
+                default -> Relative.LONGEST.expiry(accepted);
+            };
         }
 
         private static int swapped(byte octet) {

@@ -2,6 +2,7 @@ package simgsm.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Message;
@@ -15,8 +16,8 @@ import simgsm.octets.OctetString;
 import simgsm.trace.MessageText.Field;
 
 /**
- * What a terminal says that it can do, for people who watch. Nothing here depends on it, so the messages' records pass
- * over it, and it is read off the octets once more.
+ * The capabilities of a terminal in words. No part of the suite depends on them, so the messages' records leave them out,
+ * and they are read from the octets here.
  */
 final class CapabilityTexts {
     private static final int BEARER_CAPABILITY = 0x04;
@@ -30,7 +31,7 @@ final class CapabilityTexts {
             List.of("reserved", "full rate only", "half rate preferred", "full rate preferred");
     /** Revision levels (10.5.1.5) by code. */
     private static final List<String> REVISIONS = List.of("phase 1", "phase 2", "release 99 or later", "reserved");
-    /** Where the classmark stands when the message type is the second octet. */
+    /** Index of the classmark octet: after the message type, after the location area, after the CM service type. */
     private static final int AFTER_TYPE = 2;
 
     private static final int AFTER_AREA = 8;
@@ -55,14 +56,12 @@ final class CapabilityTexts {
 
     private static void addBearer(List<Field> fields, MessageReader in, Direction direction) throws ProtocolViolation {
         in.part(2, "header");
-        OptionalElements elements =
-                new OptionalElements(in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER);
-        int identifier = elements.next();
-        while (identifier >= 0) {
-            if (identifier == BEARER_CAPABILITY && elements.value().hasMore()) {
-                fields.add(new Field("bearer capability", bearer(elements.value(), direction)));
-            }
-            identifier = elements.next();
+        Optional<MessageReader> bearer = new OptionalElements(
+                        in, FixedElements.CALL_CONTROL, BEARER_CAPABILITY, BACKUP_BEARER)
+                .first(BEARER_CAPABILITY)
+                .filter(MessageReader::hasMore);
+        if (bearer.isPresent()) {
+            fields.add(new Field("bearer capability", bearer(bearer.get(), direction)));
         }
     }
 
@@ -84,13 +83,13 @@ final class CapabilityTexts {
         return String.join(", ", words);
     }
 
-    /** FR3 is full rate speech version 3, and so on: odd codes are half rate ones, versions count from 1. */
+    /** FR3 is full rate speech version 3: odd codes are half rate, versions count from 1. */
     private static String speechVersion(int code) {
         return (code % 2 == 0 ? "FR" : "HR") + (code / 2 + 1);
     }
 
-    private static void addClassmark(List<Field> fields, OctetString octets, int place) {
-        int classmark = octets.toArray()[place] & 0xff;
+    private static void addClassmark(List<Field> fields, OctetString octets, int index) {
+        int classmark = octets.octet(index);
         fields.add(new Field(
                 "classmark", REVISIONS.get(classmark >> 5 & 0x03) + ", power class " + ((classmark & 0x07) + 1)));
     }

@@ -4,20 +4,18 @@ import java.lang.reflect.RecordComponent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import simgsm.air.Cause;
+import simgsm.air.Coded;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
-import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage;
-import simgsm.air.RpCause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.trace.MessageText.Field;
 
-/** The components of message records as fields in words; a new message kind needs no line here. */
+/** The components of message records as fields in words, by reflection. */
 final class FieldTexts {
     private FieldTexts() {}
 
-    /** Components in their order; an absent optional one is left out, a record inside is told by its own components. */
+    /** Adds the components in their order; absent optional ones are left out, the RP message of a CP-DATA by its components. */
     static void add(List<Field> fields, Object message) {
         for (RecordComponent component : message.getClass().getRecordComponents()) {
             Object value = value(component, message);
@@ -33,13 +31,7 @@ final class FieldTexts {
     }
 
     static String text(Object value) {
-        if (value instanceof Cause cause) {
-            return cause.code() + " " + cause.title();
-        }
-        if (value instanceof RejectCause cause) {
-            return cause.code() + " " + cause.title();
-        }
-        if (value instanceof RpCause cause) {
+        if (value instanceof Coded.Titled cause) {
             return cause.code() + " " + cause.title();
         }
         if (value instanceof MobileIdentity identity) {

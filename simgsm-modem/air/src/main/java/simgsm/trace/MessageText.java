@@ -16,12 +16,12 @@ import simgsm.air.ShortMessageControl;
 import simgsm.octets.OctetString;
 
 /**
- * A message in words, for people who watch the air: its name, its fields in order, its octets.
+ * A message in words: its name, its fields in order, its octets.
  *
  * @param name as the standard has it: "Setup", "CP-DATA (RP-DATA SUBMIT)", "Paging Command"
  */
 public record MessageText(String name, List<Field> fields, OctetString octets) {
-    /** One line: what a part of the message is called, and what it says. */
+    /** A part of the message: its name and its value. */
     public record Field(String name, String value) {
         @Override
         public String toString() {
@@ -35,7 +35,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         fields = List.copyOf(fields);
     }
 
-    /** Of a layer-3 message's octets, sound or not; a broken one says what is wrong with it. */
+    /** The text of a layer-3 message; of a broken one the cause and what is wrong. */
     public static MessageText ofLayer3(OctetString octets, Direction direction) {
         List<Field> fields = new ArrayList<>();
         int sendSequence = Layer3Codec.sendSequence(octets.toArray());
@@ -55,7 +55,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         }
     }
 
-    /** Of an RSL message; one that carries layer 3 is told as that. */
+    /** The text of an RSL message, or of the layer-3 message that it carries. */
     public static MessageText ofRsl(RslMessage message) {
         if (message instanceof RslMessage.EstablishIndication establish) {
             return ofLayer3(establish.layer3(), Direction.UPLINK);
@@ -71,7 +71,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         return new MessageText(nameOf(message), fields, OctetString.of(RslCodec.encode(message)));
     }
 
-    /** The name of a message that is already decoded. */
+    /** The name of a layer-3 message. */
     public static String nameOf(Layer3Message message, Direction direction) {
         String name = Layer3Type.of(message).title();
         return message instanceof ShortMessageControl.CpData data
@@ -79,7 +79,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
                 : name;
     }
 
-    /** The name of an RSL message itself, whatever it carries. */
+    /** The name of an RSL message, without the layer-3 message that it carries. */
     public static String nameOf(RslMessage message) {
         if (message instanceof RslMessage.PagingCommand) {
             return "Paging Command";
@@ -90,7 +90,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         return FieldTexts.spaced(message.getClass().getSimpleName(), true);
     }
 
-    /** The transfer unit of a short message inside; empty for every other message. */
+    /** The transfer unit of a short message in a layer-3 message; empty for every other message. */
     public static Optional<OctetString> tpdu(OctetString layer3, Direction direction) {
         try {
             return Layer3Codec.decode(layer3.toArray(), direction) instanceof ShortMessageControl.CpData data
@@ -112,18 +112,14 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         return relay instanceof RelayMessage.RpError ? "RP-ERROR" : "RP-SMMA";
     }
 
-    /** TP-MTI (TS 23.040, 9.2.3.1): the same number means another unit each way. */
+    /** TP-MTI (TS 23.040, 9.2.3.1): the same number means another unit in each direction. */
     private static String transferName(int type, Direction direction) {
         boolean up = direction == Direction.UPLINK;
-        switch (type) {
-            case 0:
-                return up ? "DELIVER-REPORT" : "DELIVER";
-            case 1:
-                return up ? "SUBMIT" : "SUBMIT-REPORT";
-            case 2:
-                return up ? "COMMAND" : "STATUS-REPORT";
-            default:
-                return "reserved";
-        }
+        return switch (type) {
+            case 0 -> up ? "DELIVER-REPORT" : "DELIVER";
+            case 1 -> up ? "SUBMIT" : "SUBMIT-REPORT";
+            case 2 -> up ? "COMMAND" : "STATUS-REPORT";
+            default -> "reserved";
+        };
     }
 }

@@ -1,5 +1,6 @@
 package simgsm.trace;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
@@ -17,6 +18,17 @@ import simgsm.sms.ValidityPeriod;
 
 /** Transfer units of short messages in words. */
 public final class TpduText {
+    /** Type of number (TS 23.040, 9.1.2.5) by code. */
+    private static final List<String> ADDRESS_TYPES = List.of(
+            "unknown",
+            "international",
+            "national",
+            "network specific",
+            "subscriber",
+            "alphanumeric",
+            "abbreviated",
+            "reserved");
+
     private TpduText() {}
 
     /** A line for each field, {@code name: value}, in the order of the octets; the unit's name comes first. */
@@ -79,17 +91,7 @@ public final class TpduText {
     }
 
     private static String address(SmsAddress address) {
-        String[] types = {
-            "unknown",
-            "international",
-            "national",
-            "network specific",
-            "subscriber",
-            "alphanumeric",
-            "abbreviated",
-            "reserved"
-        };
-        return address.value() + " (" + types[address.type()] + ", plan " + address.plan() + ")";
+        return address.value() + " (" + ADDRESS_TYPES.get(address.type()) + ", plan " + address.plan() + ")";
     }
 
     private static String coding(DataCodingScheme coding) {

@@ -45,7 +45,7 @@ class CodesTest {
     @ParameterizedTest
     @EnumSource
     void identityTypesComeBack(MobileIdentity.Type type) {
-        assertSame(type, MobileIdentity.Type.ofCode(type.code()));
+        assertSame(type, Coded.find(MobileIdentity.Type.values(), type.code()).orElseThrow());
     }
 
     @ParameterizedTest
@@ -67,7 +67,8 @@ class CodesTest {
     @ParameterizedTest
     @CsvSource({"0", "5", "8"})
     void anUnassignedIdentityTypeIsRefused(int code) {
-        assertThrows(IllegalArgumentException.class, () -> MobileIdentity.Type.ofCode(code));
+        byte[] identityRequest = {5, 0x18, (byte) code};
+        assertThrows(ProtocolViolation.class, () -> Layer3Codec.decode(identityRequest, Direction.DOWNLINK));
     }
 
     private static <T> void assertDistinct(T[] values, ToIntFunction<T> code) {

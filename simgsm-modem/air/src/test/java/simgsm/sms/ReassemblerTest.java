@@ -81,7 +81,7 @@ class ReassemblerTest {
         List<UserData> parts = MessageSplitter.split("a".repeat(200), 1);
         reassembler.accept(ALICE, parts.get(0), 5);
 
-        assertEquals(Optional.empty(), reassembler.accept(ALICE, parts.get(1), 6 + Reassembler.PATIENCE_NANOS));
+        assertEquals(Optional.empty(), reassembler.accept(ALICE, parts.get(1), 6 + Reassembler.EXPIRY_NANOS));
         assertEquals(1, reassembler.unfinishedCount());
     }
 }

@@ -40,6 +40,25 @@ public final class OctetString {
         return octets.length;
     }
 
+    /**
+     * Checks the number of octets.
+     *
+     * @return this
+     * @throws IllegalArgumentException as "what has 5 octets, 16 were expected" if it is another
+     */
+    public OctetString requireLength(String what, int expected) {
+        return requireLength(what, expected, expected);
+    }
+
+    /** Checks that there are {@code least} to {@code most} octets; see {@link #requireLength(String, int)}. */
+    public OctetString requireLength(String what, int least, int most) {
+        if (octets.length < least || octets.length > most) {
+            throw new IllegalArgumentException(what + " has " + octets.length + " octets, "
+                    + (least == most ? "" : least + " to ") + most + " were expected");
+        }
+        return this;
+    }
+
     /** A copy of the octets. */
     public byte[] toArray() {
         return octets.clone();

@@ -6,8 +6,8 @@ import java.util.Arrays;
 
 /** Appends octets to an array that grows. Numbers have their highest octet first unless the writer was made otherwise. */
 public final class OctetWriter {
-    /** Long enough for every message of a call and for most short messages without growing. */
-    private static final int INITIAL_CAPACITY = 64;
+    /** Octets; enough for a speech frame with its headers and for almost every message. */
+    private static final int INITIAL_CAPACITY = 256;
 
     private final boolean isLittleEndian;
     private byte[] octets = new byte[INITIAL_CAPACITY];
@@ -134,6 +134,11 @@ public final class OctetWriter {
     /** A copy of what was written. */
     public byte[] toArray() {
         return Arrays.copyOf(octets, length);
+    }
+
+    /** What was written. */
+    public OctetString toOctetString() {
+        return OctetString.adopting(toArray());
     }
 
     private void reserve(int count) {

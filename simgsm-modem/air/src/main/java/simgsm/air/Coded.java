@@ -1,0 +1,20 @@
+package simgsm.air;
+
+import java.util.Arrays;
+import java.util.Optional;
+
+/** A value of a message's field that has a code on the wire. */
+public interface Coded {
+    /** The value on the wire. */
+    int code();
+
+    /** The value with this code, if there is one. */
+    static <V extends Coded> Optional<V> find(V[] values, int code) {
+        return Arrays.stream(values).filter(value -> value.code() == code).findFirst();
+    }
+
+    /** A cause: its title is the name in the standard, in lower case. */
+    interface Titled extends Coded {
+        String title();
+    }
+}
