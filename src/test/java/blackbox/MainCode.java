@@ -15,12 +15,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** The compiled main code of all modules that the poms list, and the modules' descriptors. */
-final class MainCode {
+public final class MainCode {
     private static final Pattern MODULE = Pattern.compile("<module>([^<]+)</module>");
 
-    static final List<Path> FOLDERS = foldersUnder(Dist.root());
+    public static final List<Path> FOLDERS = foldersUnder(Dist.root());
 
-    static final JavaClasses CLASSES = new ClassFileImporter()
+    public static final JavaClasses CLASSES = new ClassFileImporter()
             .importPaths(FOLDERS.stream().map(MainCode::classes).toList());
 
     private MainCode() {}
@@ -43,16 +43,16 @@ final class MainCode {
     }
 
     /** The descriptor of the module in a folder, with its packages. */
-    static ModuleDescriptor descriptor(Path folder) {
+    public static ModuleDescriptor descriptor(Path folder) {
         return ModuleFinder.of(classes(folder)).findAll().iterator().next().descriptor();
     }
 
-    static List<ModuleDescriptor> descriptors() {
+    public static List<ModuleDescriptor> descriptors() {
         return FOLDERS.stream().map(MainCode::descriptor).toList();
     }
 
     /** All packages, sorted. */
-    static List<String> packages() {
+    public static List<String> packages() {
         return descriptors().stream()
                 .flatMap(module -> module.packages().stream())
                 .filter(MainCode::isOurs)
@@ -60,13 +60,13 @@ final class MainCode {
                 .toList();
     }
 
-    static boolean isOurs(String packageName) {
+    public static boolean isOurs(String packageName) {
         return Stream.of("vericommand", "simgsm", "simrobot")
                 .anyMatch(root -> packageName.equals(root) || packageName.startsWith(root + "."));
     }
 
     /** The main source files of all modules, without package-info and module-info. */
-    static List<Path> sources() {
+    public static List<Path> sources() {
         return FOLDERS.stream()
                 .flatMap(folder -> filesUnder(folder.resolve("src/main/java")))
                 .filter(file -> file.toString().endsWith(".java"))
@@ -82,7 +82,7 @@ final class MainCode {
         }
     }
 
-    static String read(Path file) {
+    public static String read(Path file) {
         try {
             return Files.readString(file);
         } catch (IOException e) {

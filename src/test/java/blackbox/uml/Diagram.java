@@ -1,0 +1,55 @@
+package blackbox.uml;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import blackbox.Dist;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** A diagram's source in {@code docs/uml} that the code prints. */
+final class Diagram {
+    static final Path FOLDER = Dist.root().resolve("docs").resolve("uml");
+
+    private static final boolean WRITES = Boolean.getBoolean("uml.write");
+
+    private Diagram() {}
+
+    /** The head of a diagram that lies in a folder of {@code docs/uml}. */
+    static String head(String title) {
+        return "@startuml\n!include ../look.iuml\ntitle " + title + "\n";
+    }
+
+    /** Compares a diagram with its file; with {@code -Duml.write=true} writes the file. */
+    static void hold(String file, String text) throws IOException {
+        Path path = FOLDER.resolve(file);
+        if (WRITES) {
+            Files.createDirectories(path.getParent());
+            Files.writeString(path, text);
+        }
+        assertEquals(
+                text,
+                Files.exists(path) ? Files.readString(path).replace("\r", "") : "no such file",
+                file + " has drifted from the code; package-info of blackbox.uml says how to write it anew");
+    }
+
+    /** Requires that a folder holds these printed diagrams and no others with the prefix. */
+    static void holdOnly(String folder, String prefix, Set<String> expected) throws IOException {
+        try (Stream<Path> files = Files.list(FOLDER.resolve(folder))) {
+            Set<String> there = files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.startsWith(prefix) && name.endsWith(".puml"))
+                    .collect(Collectors.toCollection(TreeSet::new));
+            assertEquals(new TreeSet<>(expected), there);
+        }
+    }
+
+    /** {@code "Mobile call"} becomes {@code mobile-call}. */
+    static String fileName(String title) {
+        return title.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-").replaceAll("^-|-$", "");
+    }
+}
