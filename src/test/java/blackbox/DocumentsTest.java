@@ -72,6 +72,23 @@ class DocumentsTest {
         assertEquals(Set.of(), named);
     }
 
+    @Test
+    void theDiagramsOfTheTestsNameOnlyClassesThatAreThere() throws IOException {
+        Set<String> named = new TreeSet<>();
+        try (Stream<Path> diagrams = Files.list(Dist.root().resolve("docs/uml/testing"))) {
+            for (Path diagram :
+                    diagrams.filter(file -> file.toString().endsWith(".puml")).toList()) {
+                Matcher names = Pattern.compile("\\b([A-Z]\\w*Test)\\b").matcher(Files.readString(diagram));
+                while (names.find()) {
+                    named.add(names.group(1));
+                }
+            }
+        }
+        assertTrue(named.size() >= 10, named.toString());
+        named.removeAll(testClasses());
+        assertEquals(Set.of(), named);
+    }
+
     /** The names of all test classes of the repository. */
     static Set<String> testClasses() throws IOException {
         try (Stream<Path> files = Files.walk(Dist.root())) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.Queue;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import simgsm.abis.IpaFrame;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.Link;
@@ -14,14 +15,21 @@ import simgsm.station.Uplink;
 /** One station's connection to the exchange without a socket; it can be made to lose what the station sends. */
 final class VirtualLink {
     final MobileStation station;
-    private final Exchange exchange;
+    private final Supplier<Exchange> exchange;
+    private final SuiteTrace trace;
     private final Queue<Runnable> underWay;
     private final LongSupplier clockNanos;
     private boolean losesSpeech;
     private boolean losesAll;
     private Link atExchange;
 
-    VirtualLink(MobileStation station, Exchange exchange, Queue<Runnable> underWay, LongSupplier clockNanos) {
+    VirtualLink(
+            MobileStation station,
+            Supplier<Exchange> exchange,
+            Queue<Runnable> underWay,
+            LongSupplier clockNanos,
+            SuiteTrace trace) {
+        this.trace = trace;
         this.station = station;
         this.exchange = exchange;
         this.underWay = underWay;
@@ -29,8 +37,17 @@ final class VirtualLink {
     }
 
     void up() {
-        atExchange = exchange.linkOpened(clockNanos.getAsLong(), new Down(), "memory");
+        atExchange = exchange.get().linkOpened(clockNanos.getAsLong(), new Down(), "memory");
         station.linkUp(new Up(), clockNanos.getAsLong());
+    }
+
+    /** The connection breaks. */
+    void down() {
+        station.linkDown(clockNanos.getAsLong());
+    }
+
+    private String number() {
+        return station.identity().number().toString();
     }
 
     /** From here on nothing of what the station says in a call arrives. */
@@ -46,8 +63,9 @@ final class VirtualLink {
     private final class Up implements Uplink {
         @Override
         public void send(IpaFrame frame) {
+            trace.frame(number(), true, frame);
             if (!losesAll && !(losesSpeech && frame.stream() == IpaFrame.SPEECH)) {
-                underWay.add(() -> exchange.frameReceived(clockNanos.getAsLong(), atExchange, frame));
+                underWay.add(() -> exchange.get().frameReceived(clockNanos.getAsLong(), atExchange, frame));
             }
         }
 
@@ -60,6 +78,7 @@ final class VirtualLink {
     private final class Down implements LinkPort {
         @Override
         public void send(IpaFrame frame) {
+            trace.frame(number(), false, frame);
             underWay.add(() -> station.frameArrived(frame, clockNanos.getAsLong()));
         }
 

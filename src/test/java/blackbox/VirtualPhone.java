@@ -20,13 +20,13 @@ import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 
 /** A phone of a {@link VirtualSuite}: the real handset on the real station. */
-final class VirtualPhone {
+public final class VirtualPhone {
     /** Key and time are all that a person adds to a tone: 100 ms and as much again. */
     private static final double SECONDS_PER_KEY = 0.2;
 
-    final List<String> tones = new ArrayList<>();
-    final List<Integer> releaseCauses = new ArrayList<>();
-    final List<String> messages = new ArrayList<>();
+    public final List<String> tones = new ArrayList<>();
+    public final List<Integer> releaseCauses = new ArrayList<>();
+    public final List<String> messages = new ArrayList<>();
     /** Of the messages that the network has taken. */
     int sentCount;
 
@@ -35,36 +35,35 @@ final class VirtualPhone {
     private final MobileStation station;
     VirtualLink link;
 
-    VirtualPhone(VirtualSuite suite, StationIdentity identity) {
+    VirtualPhone(VirtualSuite suite, StationIdentity identity, Sim sim) {
         this.suite = suite;
         handset = new Handset(identity.number(), KeyMode.IN_BAND, new Ears(), AudioOutput.SILENT, () -> Instant.EPOCH);
-        station =
-                new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, handset.mouth(), handset.ears());
+        station = new MobileStation(identity, sim, StationOptions.STANDARD, handset.mouth(), handset.ears());
         handset.attach(StationSide.of(station));
     }
 
-    MobileStation station() {
+    public MobileStation station() {
         return station;
     }
 
-    void dial(String number) {
+    public void dial(String number) {
         assertEquals(Optional.empty(), handset.dial(new Msisdn(number)));
         suite.settle();
     }
 
     /** Presses the keys; when this returns the last has been heard. Blanks are for the reader. */
-    void press(String keys) {
+    public void press(String keys) {
         List<DtmfKey> pressed = DtmfKey.sequence(keys.replace(" ", ""));
         assertEquals(Optional.empty(), handset.press(pressed));
         suite.seconds(pressed.size() * SECONDS_PER_KEY);
     }
 
-    void hangUp() {
+    public void hangUp() {
         assertEquals(Optional.empty(), handset.hangUp());
         suite.settle();
     }
 
-    void message(String to, String text) {
+    public void message(String to, String text) {
         assertEquals(Optional.empty(), handset.sendMessage(new Msisdn(to), text));
         suite.settle();
     }

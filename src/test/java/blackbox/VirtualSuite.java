@@ -1,17 +1,18 @@
 package blackbox;
 
-import java.time.Instant;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
-import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.subscriber.HomeRegister;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
@@ -29,23 +30,21 @@ import vericommand.VeriCommandSettings;
  * are handed over in memory in the order in which they were sent, time moves in speech frames of 20 ms, so minutes of a
  * call take moments and every run is the same.
  */
-final class VirtualSuite {
-    static final String ROBOT = "5550200";
-    static final String PHONE = "5550100";
+public final class VirtualSuite {
+    public static final String ROBOT = "5550200";
+    public static final String PHONE = "5550100";
     private static final long FRAME_NANOS = 20_000_000;
 
     /** The console lines of the robot. */
     final List<String> robotLines = new ArrayList<>();
 
-    final SimulatedRobot robot;
+    public final SimulatedRobot robot;
     private final Deque<Runnable> underWay = new ArrayDeque<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     private final List<VirtualLink> links = new ArrayList<>();
     private final Simulation simulation = new Simulation(World.bare(), 1);
-    private final Exchange exchange = new Exchange(
-            new ExchangeSettings("SimGSM", 1, Instant.parse("2026-11-21T12:00:00Z")),
-            (ticket, entries) -> commit(ticket),
-            event -> {});
+    private final VirtualCenter center;
+    private final SuiteTrace trace;
     private long nowNanos;
 
     VirtualSuite() {
@@ -53,6 +52,26 @@ final class VirtualSuite {
     }
 
     VirtualSuite(VeriCommandSettings.OnHangup onHangup, String... operators) {
+        this(SuiteTrace.NONE, HomeRegister.OPEN, Optional.empty(), onHangup, operators);
+    }
+
+    /**
+     * An observed suite.
+     *
+     * @param journal the folder of the centre's journal; without it messages are kept in memory
+     */
+    public VirtualSuite(SuiteTrace trace, HomeRegister home, Optional<Path> journal) {
+        this(trace, home, journal, VeriCommandSettings.OnHangup.STOP);
+    }
+
+    private VirtualSuite(
+            SuiteTrace trace,
+            HomeRegister home,
+            Optional<Path> journal,
+            VeriCommandSettings.OnHangup onHangup,
+            String... operators) {
+        this.trace = trace;
+        center = new VirtualCenter(underWay, () -> nowNanos, trace, home, journal);
         robot = simulation.addRobot("robot");
         TelephoneRobot telephone = new TelephoneRobot(
                 robot,
@@ -61,13 +80,42 @@ final class VirtualSuite {
                 StationOptions.STANDARD,
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
-        telephone.listen(new RobotEventPrinter("robot", event -> robotLines.add(event.toString())));
+        telephone.listen(new RobotEventPrinter("robot", event -> robotLine(event.toString())));
         connect(telephone.station());
     }
 
+    private void robotLine(String line) {
+        robotLines.add(line);
+        trace.robotLine(line);
+    }
+
+    /** Kills the centre's process and starts another; every link breaks and is made again. */
+    public void restartCenter() {
+        underWay.clear();
+        center.start();
+        links.forEach(VirtualLink::down);
+        seconds(2);
+        links.forEach(VirtualLink::up);
+        seconds(0.5);
+    }
+
+    /** The centre's core; all links lead to it. */
+    public Exchange exchange() {
+        return center.exchange();
+    }
+
+    public long nowNanos() {
+        return nowNanos;
+    }
+
     /** A phone that has registered. */
-    VirtualPhone phone(String number) {
-        VirtualPhone phone = new VirtualPhone(this, identity(number, "SimGSM phone"));
+    public VirtualPhone phone(String number) {
+        return phone(number, Sim.WITHOUT_KEY);
+    }
+
+    /** A phone with this card; it registers where the network takes the card. */
+    public VirtualPhone phone(String number, Sim sim) {
+        VirtualPhone phone = new VirtualPhone(this, identity(number, "SimGSM phone"), sim);
         phone.link = connect(phone.station());
         return phone;
     }
@@ -85,20 +133,21 @@ final class VirtualSuite {
         return robotLines.stream().filter(line -> line.startsWith(beginning)).toList();
     }
 
-    void seconds(double seconds) {
+    public void seconds(double seconds) {
         for (long frame = Math.round(seconds * 50); frame > 0; frame--) {
             for (long step = 0; step < FRAME_NANOS; step += Simulation.STEP_NANOS) {
                 nowNanos += Simulation.STEP_NANOS;
                 simulation.step();
             }
             links.forEach(link -> link.station.timePassed(nowNanos));
-            exchange.advance(nowNanos);
+            exchange().advance(nowNanos);
             settle();
+            trace.frameTimeOver();
         }
     }
 
     /** What was sent arrives, and what that brings about, until all is quiet. */
-    void settle() {
+    public void settle() {
         for (Runnable next = underWay.poll(); next != null; next = underWay.poll()) {
             next.run();
         }
@@ -109,14 +158,10 @@ final class VirtualSuite {
     }
 
     private VirtualLink connect(MobileStation station) {
-        VirtualLink link = new VirtualLink(station, exchange, underWay, () -> nowNanos);
+        VirtualLink link = new VirtualLink(station, this::exchange, underWay, () -> nowNanos, trace);
         links.add(link);
         link.up();
         seconds(0.1);
         return link;
-    }
-
-    private void commit(long ticket) {
-        underWay.add(() -> exchange.committed(nowNanos, ticket, true));
     }
 }

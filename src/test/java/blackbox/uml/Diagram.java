@@ -38,13 +38,24 @@ final class Diagram {
                 file + " has drifted from the code; package-info of blackbox.uml says how to write it anew");
     }
 
-    /** Requires that a folder holds these printed diagrams and no others with the prefix. */
+    /** Requires that a folder holds these printed diagrams and no others with the prefix; when writing, deletes others. */
     static void holdOnly(String folder, String prefix, Set<String> expected) throws IOException {
+        if (WRITES) {
+            for (String name : printed(folder, prefix)) {
+                if (!expected.contains(name)) {
+                    Files.delete(FOLDER.resolve(folder).resolve(name));
+                    Files.deleteIfExists(FOLDER.resolve(folder).resolve(name.replace(".puml", ".svg")));
+                }
+            }
+        }
+        assertEquals(new TreeSet<>(expected), printed(folder, prefix));
+    }
+
+    private static Set<String> printed(String folder, String prefix) throws IOException {
         try (Stream<Path> files = Files.list(FOLDER.resolve(folder))) {
-            Set<String> there = files.map(file -> file.getFileName().toString())
+            return files.map(file -> file.getFileName().toString())
                     .filter(name -> name.startsWith(prefix) && name.endsWith(".puml"))
                     .collect(Collectors.toCollection(TreeSet::new));
-            assertEquals(new TreeSet<>(expected), there);
         }
     }
 

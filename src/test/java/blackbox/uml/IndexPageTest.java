@@ -1,0 +1,88 @@
+package blackbox.uml;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+
+/** {@code docs/uml/README.md} lists every diagram by folder and kind, printed from the files' names and titles. */
+@Isolated("reads what the other tests write with -Duml.write=true")
+class IndexPageTest {
+    private static final String HEAD = """
+            # UML
+
+            The paper's set: analysis, design, implementation and testing. State, class and component diagrams are printed from the
+            compiled classes, sequences from runs of the real cores with a clock moved by hand; tests in `blackbox.uml` compare
+            them. The others are written by hand. This page is printed, too.
+
+            Write all printed sources anew, then draw every SVG:
+
+                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
+                mvn -o -q -N -Puml exec:java
+
+            The first command reports the SVG files that it has made stale; after the second, `mvn verify` is green. The robot's
+            status is also printed by `java -jar target/dist/vericommand.jar --diagram`.
+            """;
+
+    /** Folder and prefix of the file names, with the section's heading; an empty prefix takes what is left. */
+    private static final List<List<String>> SECTIONS = List.of(
+            List.of("", "", "Status"),
+            List.of("analysis", "", "Analysis (by hand)"),
+            List.of("design", "sequence-", "Design: sequences (recorded)"),
+            List.of("design", "state-", "Design: state machines (printed)"),
+            List.of("design", "activity-", "Design: activities (by hand)"),
+            List.of("implementation", "modules", "Implementation: modules (printed)"),
+            List.of("implementation", "packages-", "Implementation: packages of each module (printed)"),
+            List.of("implementation", "", "Implementation: deployment (by hand)"),
+            List.of("testing", "", "Testing: classes, boundaries, cause-effect graphs (by hand)"));
+
+    @Test
+    void thePageListsEveryDiagram() throws IOException {
+        Map<String, String> titles = titles();
+        StringBuilder page = new StringBuilder(HEAD);
+        for (List<String> section : SECTIONS) {
+            page.append("\n## ").append(section.get(2)).append("\n\n");
+            String start = section.get(0).isEmpty() ? "" : section.get(0) + "/";
+            for (String file : List.copyOf(titles.keySet())) {
+                if (file.startsWith(start + section.get(1)) && file.indexOf('/') == start.length() - 1) {
+                    page.append("[%s](%s)<br><a href=\"%s\"><img src=\"%s\" width=\"360\" alt=\"%s\"></a>\n\n"
+                            .formatted(titles.get(file), file, file, file, titles.remove(file)));
+                }
+            }
+            page.setLength(page.length() - 1);
+        }
+        page.append("\n## Design: public face of each package (printed)\n\n");
+        titles.forEach((file, title) ->
+                page.append("- [").append(title).append("](").append(file).append(")\n"));
+        Diagram.hold("README.md", page.toString());
+    }
+
+    /** The SVG of each diagram, relative to {@code docs/uml}, and its title. */
+    private static Map<String, String> titles() throws IOException {
+        Map<String, String> titles = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(Diagram.FOLDER)) {
+            for (Path file :
+                    files.filter(path -> path.toString().endsWith(".puml")).toList()) {
+                String title = Files.readAllLines(file).stream()
+                        .filter(line -> line.startsWith("title "))
+                        .findFirst()
+                        .orElseThrow()
+                        .substring("title ".length())
+                        .strip();
+                titles.put(
+                        Diagram.FOLDER
+                                .relativize(file)
+                                .toString()
+                                .replace('\\', '/')
+                                .replace(".puml", ".svg"),
+                        title);
+            }
+        }
+        return titles;
+    }
+}
