@@ -64,7 +64,7 @@ final class VirtualCenter {
             Journal journal = Journal.open(new TracedDisk(new FileDisk(folder.get())));
             exchange = new Exchange(settings, new TracedStore(journal), event -> {});
             trace.stored("Journal", "M3", "restore messages and subscribers");
-            exchange.restore(journal.restored());
+            exchange.restore(journal.stored());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
