@@ -119,8 +119,26 @@ public final class RobotPainter {
         g.moved(view.screenX(xMeters), view.screenY(yMeters), -headingRadians, inside);
     }
 
+    /** A robot and its name, moved in one coordinate system and turned in another inside it. */
+    void movable(RobotSnapshot robot) {
+        at(robot.xMeters(), robot.yMeters(), 0, () -> {
+            g.moved(0, 0, -robot.headingRadians(), () -> body(Ink.ROBOT));
+            name(robot, 0, 0);
+        });
+    }
+
+    private void name(RobotSnapshot robot, double x, double y) {
+        g.ink(Ink.TEXT);
+        g.text(robot.name(), Face.SMALL, x, y - reach() - g.px(6));
+    }
+
+    /** How far from its centre a robot's name and status mark stand, pixels. */
+    private double reach() {
+        return Math.max(g.px(12), 0.36 * scale);
+    }
+
     /** The body with wheels, axle, sonars and heading mark, at the origin. */
-    public void body(Ink ink) {
+    private void body(Ink ink) {
         Outline body = Outline.polygon(Arrays.stream(Pioneer2Dx.octagon())
                         .flatMapToDouble(Arrays::stream)
                         .toArray())
@@ -225,11 +243,10 @@ public final class RobotPainter {
     void badge(RobotSnapshot robot, boolean named) {
         double x = view.screenX(robot.xMeters());
         double y = view.screenY(robot.yMeters());
-        double reach = Math.max(g.px(12), 0.36 * scale);
         if (robot.status() != RobotStatus.STOPPED && robot.status() != RobotStatus.MOVING) {
             double r = g.px(6);
-            double bx = x + reach * 0.8;
-            double by = y - reach * 0.8;
+            double bx = x + reach() * 0.8;
+            double by = y - reach() * 0.8;
             Outline ground = Outline.circle(bx, by, r + g.px(3));
             g.ink(Ink.CARD);
             g.fill(ground);
@@ -239,8 +256,7 @@ public final class RobotPainter {
             StatusLook.mark(robot.status()).draw(g, bx, by, r, StatusLook.ink(robot.status()));
         }
         if (named) {
-            g.ink(Ink.TEXT);
-            g.text(robot.name(), Face.SMALL, x, y - reach - g.px(6));
+            name(robot, x, y);
         }
     }
 }

@@ -3,9 +3,9 @@ package simrobot.drawing;
 import simrobot.world.Area;
 
 /**
- * Which part of the world is seen, and how large; the one place where y turns from up (world) to down (screen).
+ * The part of the world that is shown, and its scale. It turns metres, y up, into pixels, y down.
  *
- * @param centerX place in the middle of the view, metres
+ * @param centerX place in the centre of the view, metres
  * @param pixelsPerMeter in logical pixels
  * @param width of the view in logical pixels
  */
@@ -17,7 +17,17 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         pixelsPerMeter = Math.max(LEAST_PIXELS_PER_METER, Math.min(MOST_PIXELS_PER_METER, pixelsPerMeter));
     }
 
-    /** All of an area with some room around it. */
+    /** A view of the area's proportion, with a longer side and a least shorter side in pixels, margins included. */
+    public static Viewport picture(Area area, double longSide, double leastSide, double margin) {
+        double wide = Math.max(1, area.maxXMeters() - area.minXMeters());
+        double high = Math.max(1, area.maxYMeters() - area.minYMeters());
+        double scale = (longSide - 2 * margin) / Math.max(wide, high);
+        double width = Math.rint(Math.max(leastSide, wide * scale + 2 * margin));
+        double height = Math.rint(Math.max(leastSide, high * scale + 2 * margin));
+        return fitting(area, width, height, margin);
+    }
+
+    /** All of an area with a margin around it. */
     public static Viewport fitting(Area area, double width, double height, double marginPixels) {
         double wide = Math.max(area.maxXMeters() - area.minXMeters(), 1);
         double high = Math.max(area.maxYMeters() - area.minYMeters(), 1);
@@ -44,7 +54,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return centerY - (screenY - height / 2) / pixelsPerMeter;
     }
 
-    /** Larger or smaller, the place under that pixel staying where it is. */
+    /** Enlarged by a factor about a pixel. */
     public Viewport zoomedAt(double screenX, double screenY, double factor) {
         Viewport scaled = new Viewport(centerX, centerY, pixelsPerMeter * factor, width, height);
         return new Viewport(
@@ -55,7 +65,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
                 height);
     }
 
-    /** Moved so that the world follows the hand by that many pixels. */
+    /** Moved so that the world shifts by that many pixels. */
     public Viewport draggedBy(double dx, double dy) {
         return centeredOn(centerX - dx / pixelsPerMeter, centerY + dy / pixelsPerMeter);
     }
@@ -64,7 +74,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return new Viewport(xMeters, yMeters, pixelsPerMeter, width, height);
     }
 
-    /** The same middle and scale in a view of another size. */
+    /** The same centre and scale in a view of another size. */
     public Viewport sized(double newWidth, double newHeight) {
         return new Viewport(centerX, centerY, pixelsPerMeter, newWidth, newHeight);
     }

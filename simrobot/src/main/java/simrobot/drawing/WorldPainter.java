@@ -58,6 +58,13 @@ public final class WorldPainter {
         }
     }
 
+    /** Treadmills at rest, and each robot in a group {@code robot}, which a script can move and turn. */
+    public static void movableRobots(Canvas g, SimulationSnapshot scene, Viewport view) {
+        new FloorPainter(g, view).treadmills(scene.world(), 0);
+        RobotPainter painter = new RobotPainter(g, view);
+        scene.robots().forEach(robot -> g.group("robot", () -> painter.movable(robot)));
+    }
+
     /** The directions of x and y; headings count anticlockwise from x. */
     private static void axes(Canvas g, Viewport view) {
         double x = g.px(18);

@@ -8,11 +8,11 @@ import simrobot.camera.PictureFile;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** Pictures for all who look: each robot's is drawn once for a scene, however many look at it. */
+/** The camera pictures of all clients: each robot's is drawn once for a scene. */
 final class CameraPictureCache {
     private static final int MOST_KEPT = 64;
 
-    /** A robot's picture as JPEG; the same object as long as nobody asks for a newer scene. */
+    /** A robot's picture as JPEG; the same object until a newer scene is requested. */
     record Shot(SimulationSnapshot scene, byte[] jpeg) {}
 
     private final Camera camera = new Camera();

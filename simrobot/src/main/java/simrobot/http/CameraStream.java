@@ -12,8 +12,9 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * One who watches a camera: multipart/x-mixed-replace, a part for each picture that differs from the last, and now and then
- * one that does not, to find out whether anybody is still there. Ends when the client or the robot goes.
+ * A camera's pictures for one client: multipart/x-mixed-replace, a part for each picture that differs from the last, and one
+ * a second that does not, which finds out whether the client is still connected. Ends when the client closes the connection or
+ * the robot is removed.
  */
 final class CameraStream implements Runnable {
     static final String BOUNDARY = "simrobot-frame";
@@ -54,9 +55,9 @@ final class CameraStream implements Runnable {
                 next = Math.max(next + periodNanos, System.nanoTime());
                 pauseUntil(next);
             }
-        } catch (IOException | IllegalStateException gone) {
-            LOG.log(Level.DEBUG, "a stream of {0} ends: {1}", robot, gone.getMessage());
-        } catch (InterruptedException ending) {
+        } catch (IOException | IllegalStateException ended) {
+            LOG.log(Level.DEBUG, "a stream of {0} ends: {1}", robot, ended.getMessage());
+        } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
@@ -68,7 +69,7 @@ final class CameraStream implements Runnable {
         }
     }
 
-    /** @return false when the robot is there no more */
+    /** @return false when the robot has been removed */
     private boolean sendPicture(OutputStream body) throws IOException, InterruptedException {
         SimulationSnapshot scene = scenes.now();
         Optional<RobotSnapshot> here = scene.robot(robot);
@@ -79,7 +80,7 @@ final class CameraStream implements Runnable {
         long now = System.nanoTime();
         if (!Arrays.equals(jpeg, sent) || now - sentNanos >= SAME_AGAIN_NANOS) {
             byte[] head = ascii("Content-Type: image/jpeg\r\nContent-Length: " + jpeg.length + "\r\n\r\n");
-            // the boundary behind it goes with it: browsers show a part when they see its end
+            // with the next boundary: browsers show a part when they have read its end
             byte[] tail = ascii("\r\n--" + BOUNDARY + "\r\n");
             byte[] part = Arrays.copyOf(head, head.length + jpeg.length + tail.length);
             System.arraycopy(jpeg, 0, part, head.length, jpeg.length);
@@ -102,14 +103,14 @@ final class CameraStream implements Runnable {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** Whether the client has taken nothing for so long. */
-    boolean isStuck(long nowNanos, long patienceNanos) {
+    /** Whether a write has been blocked for longer than the limit. */
+    boolean isBlocked(long nowNanos, long limitNanos) {
         long since = writingSince;
-        return since != NOT_WRITING && nowNanos - since > patienceNanos;
+        return since != NOT_WRITING && nowNanos - since > limitNanos;
     }
 
-    /** Ends it from another thread; a write that hangs fails. */
-    void cut() {
+    /** Ends the stream from another thread; a blocked write fails. */
+    void close() {
         exchange.close();
     }
 }

@@ -11,39 +11,39 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** All who watch cameras: at most so many, each on a thread of its own, so that nobody waits for a slow one. */
+/** The camera streams of all clients, at most 16, each on a thread of its own, so that a slow client delays no other. */
 final class CameraStreams implements AutoCloseable {
     static final int MOST = 16;
 
-    /** Pictures a second, unless {@code ?fps=N} asks for others. */
+    /** Pictures a second without {@code ?fps=N}. */
     private static final double USUAL_RATE = 10;
 
     private static final int MOST_RATE = 20;
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
-    private static final long LOOK_MILLIS = 1000;
+    private static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long CHECK_MILLIS = 1000;
     private static final Pattern RATE = Pattern.compile("(?:.*&)?fps=([^&]*)(?:&.*)?");
 
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
     private final Semaphore places = new Semaphore(MOST);
     private final Set<CameraStream> running = ConcurrentHashMap.newKeySet();
-    private final Thread warden = new Thread(this::watch, "camera streams");
+    private final Thread watchdog = new Thread(this::watch, "camera streams");
 
     CameraStreams(SceneCache scenes, CameraPictureCache cameras) {
         this.scenes = scenes;
         this.cameras = cameras;
-        warden.setDaemon(true);
+        watchdog.setDaemon(true);
     }
 
     void start() {
-        warden.start();
+        watchdog.start();
     }
 
-    /** Answers with a stream, or with its headers only when no more was asked for. */
+    /** Answers with a stream; HEAD with its headers only. */
     void begin(HttpExchange exchange, String robot) throws IOException, RequestException {
         double rate = rate(exchange.getRequestURI().getRawQuery());
-        boolean bare = exchange.getRequestMethod().equals("HEAD");
-        if (!bare && !places.tryAcquire()) {
+        boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
+        if (!headersOnly && !places.tryAcquire()) {
             exchange.getResponseHeaders().set("Retry-After", "5");
             throw new RequestException(WebResponse.UNAVAILABLE, "all " + MOST + " streams are taken, expected later");
         }
@@ -51,7 +51,7 @@ final class CameraStreams implements AutoCloseable {
         headers.set("Content-Type", "multipart/x-mixed-replace; boundary=" + CameraStream.BOUNDARY);
         headers.set("Cache-Control", "no-store");
         headers.set("X-Content-Type-Options", "nosniff");
-        if (bare) {
+        if (headersOnly) {
             exchange.sendResponseHeaders(WebResponse.OK, -1);
             exchange.close();
         } else {
@@ -61,10 +61,10 @@ final class CameraStreams implements AutoCloseable {
 
     private void watch(HttpExchange exchange, String robot, double rate) throws IOException {
         try {
-            headersOf(exchange);
-        } catch (IOException | RuntimeException gone) {
+            sendHeaders(exchange);
+        } catch (IOException | RuntimeException failure) {
             places.release();
-            throw gone;
+            throw failure;
         }
         CameraStream stream = new CameraStream(exchange, robot, rate, scenes, cameras);
         running.add(stream);
@@ -81,8 +81,8 @@ final class CameraStreams implements AutoCloseable {
         thread.start();
     }
 
-    /** Of no length known; the connection ends with the stream. */
-    private static void headersOf(HttpExchange exchange) throws IOException {
+    /** The length is unknown, so the connection ends with the stream. */
+    private static void sendHeaders(HttpExchange exchange) throws IOException {
         exchange.getResponseHeaders().set("Connection", "close");
         exchange.sendResponseHeaders(WebResponse.OK, 0);
     }
@@ -106,20 +106,20 @@ final class CameraStreams implements AutoCloseable {
     private void watch() {
         try {
             while (true) {
-                Thread.sleep(LOOK_MILLIS);
+                Thread.sleep(CHECK_MILLIS);
                 long now = System.nanoTime();
                 running.stream()
-                        .filter(stream -> stream.isStuck(now, PATIENCE_NANOS))
-                        .forEach(CameraStream::cut);
+                        .filter(stream -> stream.isBlocked(now, WRITE_LIMIT_NANOS))
+                        .forEach(CameraStream::close);
             }
-        } catch (InterruptedException ending) {
+        } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
     @Override
     public void close() {
-        warden.interrupt();
-        running.forEach(CameraStream::cut);
+        watchdog.interrupt();
+        running.forEach(CameraStream::close);
     }
 }

@@ -47,7 +47,7 @@ final class JsonText {
         return this;
     }
 
-    /** With so many decimals; never in exponential form, never minus zero. */
+    /** A number with that number of decimals, never with an exponent, never minus zero. */
     JsonText value(double value, int decimals) {
         separate();
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);

@@ -1,23 +1,33 @@
 package simrobot.http;
 
+import static simgsm.draw.SvgCanvas.escaped;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.ResourceBundle;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import simgsm.console.TextBundle;
+import simgsm.draw.Appearance;
+import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * The one page: the map, a table of the robots, and their cameras. It fetches nothing from elsewhere. A script refreshes
- * it in place; a browser without scripts loads it again every few seconds.
+ * The page: the map, the cameras and a table of the robots. It loads nothing from other servers. A script refreshes it in
+ * place; without scripts a browser reloads it every 3 s.
  */
 final class Page {
-    /** Nothing from elsewhere, whatever stands in a name. */
+    /** Keeps a browser from loading anything from elsewhere, whatever a robot's name contains. */
     static final String POLICY =
             "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self';"
                     + " connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-    /** So many pictures a browser fetches at ease. */
+    /** Each camera is a request every 150 ms. */
     private static final int MOST_CAMERAS = 12;
 
     private static final int MOST_ROWS = 200;
@@ -26,8 +36,13 @@ final class Page {
     private final String template;
 
     Page(Locale language) {
-        texts = WebTexts.in(language);
-        template = Template.read("page.html");
+        Locale locale = TextBundle.bundleLocale(language);
+        texts = new TextBundle(ResourceBundle.getBundle("simrobot.http.messages", locale), Locale.ROOT);
+        try (InputStream in = Page.class.getResourceAsStream("page.html")) {
+            template = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     String of(SimulationSnapshot scene, WebSource source) {
@@ -41,6 +56,8 @@ final class Page {
         String cameras = seeing.stream().limit(MOST_CAMERAS).map(this::camera).collect(Collectors.joining());
         int more = seeing.size() - MOST_CAMERAS;
         return template.replace("{{language}}", texts.of("page.language"))
+                .replace("{{light}}", WorldMap.variables(Appearance.LIGHT))
+                .replace("{{dark}}", WorldMap.variables(Appearance.DARK))
                 .replace("{{h.robots}}", word("page.robots"))
                 .replace("{{h.cameras}}", word("page.cameras"))
                 .replace("{{pause}}", word("page.pause"))
@@ -48,46 +65,50 @@ final class Page {
                 .replace("{{lost}}", word("page.lost"))
                 .replace("{{data}}", word("page.data"))
                 .replace("{{th}}", heads())
-                .replace("{{more}}", more > 0 ? "<p>" + Html.text(texts.of("page.more", more)) + "</p>" : "")
+                .replace("{{more}}", more > 0 ? "<p>" + escaped(texts.of("page.more", more)) + "</p>" : "")
                 .replace("{{cameras}}", cameras)
                 .replace("{{rows}}", rows)
                 .replace("{{map}}", WorldMap.svg(scene, texts.of("page.map", world)))
-                // last, for it is the world's own
-                .replace("{{world}}", Html.text(world));
+                // last, because a world's name may contain any of the words above
+                .replace("{{world}}", escaped(world));
     }
 
     private String word(String key) {
-        return Html.text(texts.of(key));
+        return escaped(texts.of(key));
     }
 
     private String heads() {
-        return java.util.stream.Stream.of("name", "number", "status", "place", "heading", "speed", "battery")
+        return Stream.of("name", "number", "status", "place", "heading", "speed", "battery")
                 .map(column -> "<th scope=\"col\">" + word("robot." + column) + "</th>")
                 .collect(Collectors.joining());
     }
 
     private static String row(RobotSnapshot robot, WebSource source) {
-        String place = Html.number(robot.xMeters(), 3) + " " + Html.number(robot.yMeters(), 3);
-        return "<tr data-robot=\"" + Html.text(robot.name()) + "\"><th scope=\"row\"><a href=\"/robots/"
-                + Html.text(UrlPaths.encoded(robot.name())) + "\">" + Html.text(robot.name()) + "</a></th>"
+        String place = NumberTexts.meters(robot.xMeters()) + " " + NumberTexts.meters(robot.yMeters());
+        String name = escaped(robot.name());
+        return "<tr data-robot=\"" + name + "\"><th scope=\"row\"><a href=\"" + path(robot) + "\">" + name + "</a></th>"
                 + cell("number", source.number(robot.name()))
                 + cell("status", robot.status().text())
                 + cell("place", place)
-                + cell("heading", Html.number(StatusJson.degrees(robot.headingRadians()), 1))
-                + cell("speed", Html.number(robot.speedMetersPerSecond(), 2))
-                + cell("battery", Html.number(robot.condition().batteryVolts(), 1)) + "</tr>\n";
+                + cell("heading", NumberTexts.degrees(robot.headingRadians()))
+                + cell("speed", NumberTexts.fixed(robot.speedMetersPerSecond(), 2))
+                + cell("battery", NumberTexts.fixed(robot.condition().batteryVolts(), 1)) + "</tr>\n";
+    }
+
+    private static String path(RobotSnapshot robot) {
+        return "/robots/" + escaped(UrlPaths.encoded(robot.name()));
     }
 
     private static String cell(String column, String value) {
-        return "<td class=\"" + column + "\">" + Html.text(value) + "</td>";
+        return "<td class=\"" + column + "\">" + escaped(value) + "</td>";
     }
 
     private String camera(RobotSnapshot robot) {
-        String path = "/robots/" + Html.text(UrlPaths.encoded(robot.name()));
+        String path = path(robot);
+        String name = escaped(robot.name());
         return "<figure><img class=\"camera\" src=\"" + path + "/camera.jpg\" width=\"320\" height=\"240\" alt=\""
-                + Html.text(texts.of("page.camera", robot.name())) + "\"><figcaption>" + Html.text(robot.name())
-                + " \u00b7 <a href=\"" + path + "/camera.jpg\">" + word("page.picture") + "</a> \u00b7 <a href=\""
-                + path
-                + "/camera.mjpg\">" + word("page.stream") + "</a></figcaption></figure>\n";
+                + escaped(texts.of("page.camera", robot.name())) + "\"><figcaption>" + name + " \u00b7 <a href=\""
+                + path + "/camera.jpg\">" + word("page.picture") + "</a> \u00b7 <a href=\"" + path + "/camera.mjpg\">"
+                + word("page.stream") + "</a></figcaption></figure>\n";
     }
 }

@@ -1,6 +1,6 @@
 package simrobot.http;
 
-/** A request that cannot be met. */
+/** A request that is answered with an error status. */
 final class RequestException extends Exception {
     private final int status;
 

@@ -13,10 +13,10 @@ import java.util.stream.Collectors;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** Reads what is asked for and answers it. */
+/** Answers requests by their path. */
 final class Router implements HttpHandler {
     private static final Logger LOG = System.getLogger(Router.class.getName());
-    private static final int NAMES_TOLD = 20;
+    private static final int MOST_NAMES = 20;
     private static final String CAMERA = "camera.jpg";
     private static final String STREAM = "camera.mjpg";
 
@@ -38,23 +38,23 @@ final class Router implements HttpHandler {
     public void handle(HttpExchange exchange) throws IOException {
         String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
-            requireReading(exchange);
+            requireGetOrHead(exchange);
             List<String> parts = UrlPaths.parts(path);
             if (parts.size() == 3
                     && parts.get(0).equals("robots")
                     && parts.get(2).equals(STREAM)) {
-                RobotSnapshot robot = seeing(robot(scenes.now(), parts.get(1)));
+                RobotSnapshot robot = withCamera(robot(scenes.now(), parts.get(1)));
                 streams.begin(exchange, robot.name());
             } else {
                 send(exchange, answer(parts, path));
             }
         } catch (RequestException refusal) {
             send(exchange, refusal.answer());
-        } catch (IllegalStateException standsStill) {
-            send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, standsStill.getMessage()));
+        } catch (IllegalStateException noAnswer) {
+            send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage()));
         } catch (IllegalArgumentException malformed) {
             send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + path));
-        } catch (InterruptedException ending) {
+        } catch (InterruptedException e) {
             exchange.close();
             Thread.currentThread().interrupt();
         } catch (RuntimeException fault) {
@@ -63,7 +63,7 @@ final class Router implements HttpHandler {
         }
     }
 
-    private static void requireReading(HttpExchange exchange) throws RequestException {
+    private static void requireGetOrHead(HttpExchange exchange) throws RequestException {
         String method = exchange.getRequestMethod();
         if (!method.equals("GET") && !method.equals("HEAD")) {
             exchange.getResponseHeaders().set("Allow", "GET, HEAD");
@@ -87,7 +87,7 @@ final class Router implements HttpHandler {
                 return WebResponse.json(StatusJson.one(scene, robot, source));
             }
             if (parts.get(2).equals(CAMERA)) {
-                return WebResponse.jpeg(cameras.shot(scene, seeing(robot)).jpeg());
+                return WebResponse.jpeg(cameras.shot(scene, withCamera(robot)).jpeg());
             }
         }
         throw new RequestException(
@@ -103,11 +103,11 @@ final class Router implements HttpHandler {
                         "no robot " + name + ", expected one of "
                                 + scene.robots().stream()
                                         .map(RobotSnapshot::name)
-                                        .limit(NAMES_TOLD)
+                                        .limit(MOST_NAMES)
                                         .collect(Collectors.joining(", "))));
     }
 
-    private static RobotSnapshot seeing(RobotSnapshot robot) throws RequestException {
+    private static RobotSnapshot withCamera(RobotSnapshot robot) throws RequestException {
         if (!robot.simulated()) {
             throw new RequestException(
                     WebResponse.NOT_FOUND, robot.name() + " is a real robot, its camera is not served here");
@@ -116,14 +116,14 @@ final class Router implements HttpHandler {
     }
 
     private static void send(HttpExchange exchange, WebResponse answer) throws IOException {
-        boolean bare = exchange.getRequestMethod().equals("HEAD");
+        boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
         Headers headers = exchange.getResponseHeaders();
         headers.set("Content-Type", answer.type());
         headers.set("Cache-Control", "no-store");
         headers.set("X-Content-Type-Options", "nosniff");
         headers.set("Content-Security-Policy", Page.POLICY);
         try (exchange) {
-            if (bare) {
+            if (headersOnly) {
                 headers.set("Content-Length", Integer.toString(answer.body().length));
                 exchange.sendResponseHeaders(answer.status(), -1);
             } else {

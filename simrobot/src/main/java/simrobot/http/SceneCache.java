@@ -2,7 +2,7 @@ package simrobot.http;
 
 import simrobot.simulation.SimulationSnapshot;
 
-/** The newest scene, asked of the simulation no more often than it is worth. */
+/** The newest scene; the simulation is asked for one at most 20 times a second. */
 final class SceneCache {
     private static final long FRESH_NANOS = 50_000_000;
 

@@ -6,11 +6,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 
-/** Paths of addresses, part by part, with names of any characters in them. */
+/** The parts of a URL's path, percent-encoded and decoded. */
 final class UrlPaths {
     private UrlPaths() {}
 
-    /** A part as it stands in an address. */
+    /** A part as it stands in a URL. */
     static String encoded(String part) {
         return URLEncoder.encode(part, StandardCharsets.UTF_8).replace("+", "%20");
     }

@@ -2,7 +2,7 @@ package simrobot.http;
 
 import java.nio.charset.StandardCharsets;
 
-/** What is sent back. */
+/** Status, content type and body of a response. */
 record WebResponse(int status, String type, byte[] body) {
     static final int OK = 200;
     static final int BAD_REQUEST = 400;

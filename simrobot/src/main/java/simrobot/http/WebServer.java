@@ -12,7 +12,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** The read-only web server, on the JDK's own. */
+/** The read-only web server, on the JDK's HTTP server. */
 public final class WebServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebServer.class.getName());
     private static final int BACKLOG = 64;
@@ -21,8 +21,8 @@ public final class WebServer implements AutoCloseable {
     private static final int IDLE_SECONDS = 10;
 
     static {
-        // The JDK's server takes these from the system's properties only: a client that does not finish its question in
-        // time loses its connection, and small answers leave at once.
+        // The JDK's server takes these from system properties only: a client that has not sent its request within 10 s
+        // loses its connection, and small responses are sent at once.
         System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
         System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
     }
@@ -32,10 +32,10 @@ public final class WebServer implements AutoCloseable {
     private final CameraStreams streams;
 
     /**
-     * Opens the port; nobody is answered yet.
+     * Opens the port; requests are answered after {@link #start}.
      *
      * @param port 0 for any free one
-     * @throws IOException naming the port, when it cannot be had
+     * @throws IOException with the port, when it cannot be opened
      */
     public WebServer(InetAddress address, int port, Locale language, WebSource source) throws IOException {
         try {

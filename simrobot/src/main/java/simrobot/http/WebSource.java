@@ -2,12 +2,12 @@ package simrobot.http;
 
 import simrobot.simulation.SimulationSnapshot;
 
-/** Where the web server has its knowledge from; any thread asks. */
+/** The state that the web server serves; called by any thread. */
 public interface WebSource {
     /**
-     * The simulation as it is now; asked seldom, answered after at most some seconds.
+     * The current state of the simulation; called at most 20 times a second.
      *
-     * @throws IllegalStateException saying why, when the simulation does not answer
+     * @throws IllegalStateException with the reason, when the simulation does not answer
      */
     SimulationSnapshot scene() throws InterruptedException;
 

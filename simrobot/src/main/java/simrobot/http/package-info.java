@@ -1,13 +1,13 @@
 /**
- * The robots for a browser or any other program that reads the web, and only reads: a page with the map and the cameras,
- * status as JSON, pictures and streams. Read first {@link simrobot.http.WebServer}. Requests are answered on a pool of
- * threads from snapshots; only a new snapshot is asked of the simulation, at most twenty times a second for all together.
+ * A read-only web server: a page with the map and the cameras, status as JSON, camera pictures and streams. Read first {@link
+ * simrobot.http.WebServer}. A pool of threads answers requests from snapshots of the simulation, of which one is taken at most
+ * 20 times a second for all clients together.
  *
  * <pre>
- *   WebServer - Router - Page, StatusJson, CameraRoom
- *                      - Streams - Stream
+ *   WebServer - Router - Page, StatusJson, CameraPictureCache
+ *                      - CameraStreams - CameraStream
  * </pre>
  *
- * Arrows: http -&gt; camera -&gt; simulation.
+ * Arrows: http -&gt; camera, drawing -&gt; simulation.
  */
 package simrobot.http;

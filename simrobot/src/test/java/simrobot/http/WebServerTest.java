@@ -101,7 +101,8 @@ class WebServerTest {
         assertEquals("text/html; charset=utf-8", answer.getContentType());
         assertTrue(page.startsWith("<!DOCTYPE html>\n<html lang=\"en\">"), page);
         assertTrue(page.contains("aria-label=\"Map of the world wall &amp; co with its robots\""), page);
-        assertTrue(page.contains("M2.000 -3.000L2.000 3.000"), page);
+        // the wall from (2, -3) to (2, 3) on 20 m of floor, 43.2 pixels a metre
+        assertTrue(page.contains("M480 609.6L480 350.4"), page);
         assertTrue(page.contains("src=\"/robots/ann/camera.jpg\""), page);
         assertTrue(page.contains("src=\"/robots/" + ODD_ENCODED.replace("+", "%2B") + "/camera.jpg\""), page);
         assertTrue(page.contains(">\u00f1a+nd\u00fa 1/&lt;2&gt;&amp;&quot;3&quot;%</a>"), page);

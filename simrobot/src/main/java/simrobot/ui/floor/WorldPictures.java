@@ -15,7 +15,6 @@ import simrobot.drawing.Layers;
 import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.world.Area;
 
 /**
  * The whole world with its robots and their trails as a picture, PNG or SVG. It has the window's appearance, light or dark,
@@ -32,19 +31,8 @@ public final class WorldPictures implements FileExports.Pictures {
 
     @Override
     public byte[] of(SimulationSnapshot scene, String selected, String ending) throws IOException {
-        Viewport view = view(scene);
+        Viewport view = Viewport.picture(scene.world().bounds(), LONG_SIDE, LEAST_SIDE, MARGIN);
         return ending.equals("svg") ? svg(scene, view) : png(scene, view);
-    }
-
-    /** The longer side is 1200 units; the shorter has the world's proportion, at least 400. */
-    private static Viewport view(SimulationSnapshot scene) {
-        Area bounds = scene.world().bounds();
-        double wide = Math.max(1, bounds.maxXMeters() - bounds.minXMeters());
-        double high = Math.max(1, bounds.maxYMeters() - bounds.minYMeters());
-        double scale = (LONG_SIDE - 2 * MARGIN) / Math.max(wide, high);
-        double width = Math.rint(Math.max(LEAST_SIDE, wide * scale + 2 * MARGIN));
-        double height = Math.rint(Math.max(LEAST_SIDE, high * scale + 2 * MARGIN));
-        return Viewport.fitting(bounds, width, height, MARGIN);
     }
 
     private static byte[] png(SimulationSnapshot scene, Viewport view) throws IOException {
