@@ -73,12 +73,12 @@ class LayeringTest {
             simrobot.pioneer         : vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
-            simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera
+            simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.control         : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.console simgsm.draw simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
-            simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui simrobot.ui.floor
+            simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
             simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
             simrobot.app             : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
             simrobot                 : vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui.window simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
