@@ -52,7 +52,7 @@ final class Client implements PacketOutput {
 
     boolean isSilent(long nanos) {
         long patience = session.isOpen() ? P2osSession.WATCHDOG_NANOS : HANDSHAKE_NANOS;
-        return nanos - session.heardNanos() > patience;
+        return nanos - session.receivedNanos() > patience;
     }
 
     // ---- any thread ------------------------------------------------------------------------------------------------

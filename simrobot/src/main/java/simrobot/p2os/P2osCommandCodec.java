@@ -3,6 +3,7 @@ package simrobot.p2os;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import simrobot.robot.SonarRing;
 
 /** Commands as packet data: {@code number}, then nothing or one argument. Every byte sequence decodes to something. */
 public final class P2osCommandCodec {
@@ -106,7 +107,7 @@ public final class P2osCommandCodec {
         }
         List<Integer> sonars = new ArrayList<>();
         for (byte octet : Arrays.copyOfRange(data, 3, 3 + (data[2] & 0xFF))) {
-            if (octet >= 1 && octet <= StandardSip.SONARS) {
+            if (octet >= 1 && octet <= SonarRing.COUNT) {
                 sonars.add(octet - 1);
             }
         }

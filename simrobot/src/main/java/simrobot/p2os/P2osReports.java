@@ -1,6 +1,7 @@
 package simrobot.p2os;
 
 import java.util.List;
+import simgsm.octets.OctetWriter;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Odometry;
 import simrobot.robot.Pioneer2Dx;
@@ -8,14 +9,19 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import vericommand.Pose;
 
-/** What a robot tells its client about itself, packet by packet. */
+/** The packets that a robot sends to its client about itself. */
 final class P2osReports {
     private static final int INTRODUCTION_ID = 2;
     private static final int ENCODER_ID = 0x90;
     private static final int SIMULATOR_ID = 0x62;
 
-    /** Player has room for 19 bytes. */
+    /** Player reads at most 19 octets. */
     private static final int NAME_LENGTH = 19;
+
+    /** Digital inputs that are not connected. */
+    private static final int OPEN_INPUTS = 0xFF;
+
+    private static final int NO_THERMOMETER = -127;
 
     private final SimulatedRobot robot;
     private final StallDetector stall;
@@ -31,14 +37,14 @@ final class P2osReports {
         sonarOn = on;
     }
 
-    /** @param sonars those that are fired; none given means all */
+    /** @param sonars that fire; empty means all */
     void setPolled(List<Integer> sonars) {
         polled = sonars.isEmpty()
                 ? P2osSession.allSonars()
                 : sonars.stream().distinct().sorted().toList();
     }
 
-    /** The robot's name as its clients can take it. */
+    /** The robot's name as a client can read it: at most 19 characters of ASCII. */
     String name() {
         String plain = robot.name().replaceAll("[^ -~]", "?");
         return plain.substring(0, Math.min(NAME_LENGTH, plain.length()));
@@ -53,45 +59,43 @@ final class P2osReports {
                 .toArray());
     }
 
-    byte[] standard(long simulatedNanos) {
+    /** The packet that {@link InformationPacket} lays out. */
+    byte[] information(long simulatedNanos) {
         Odometry odometry = robot.odometry();
         double speed = robot.speedMetersPerSecond();
         double turn = robot.turnRadiansPerSecond();
         double half = turn * Pioneer2Dx.EFFECTIVE_TRACK_METERS / 2;
-        int[] sonars = sonarOn ? polled.stream().mapToInt(Integer::intValue).toArray() : new int[0];
         Bumpers bumpers = robot.bumpers();
-        return new StandardSip(
-                        speed != 0 || turn != 0,
-                        P3dxScale.place(odometry.xMeters()),
-                        P3dxScale.place(odometry.yMeters()),
-                        P3dxScale.angle(odometry.headingRadians()),
-                        P3dxScale.millimeters(speed - half),
-                        P3dxScale.millimeters(speed + half),
-                        (int) Math.round(robot.battery().volts() * 10),
-                        (int) Math.round(robot.battery().chargeShare() * 100),
-                        stall.isNoticed(bumpers, simulatedNanos),
-                        bumpers.front(),
-                        bumpers.rear(),
-                        P3dxScale.angle(
-                                odometry.headingRadians() + robot.drive().remainingTurn()),
-                        robot.hasMotors(),
-                        sonarOn,
-                        sonars,
-                        ranges(sonars),
-                        (int) Math.round(Math.toDegrees(turn) * 10))
-                .packet();
+        int stalled = stall.isNoticed(bumpers, simulatedNanos) ? 1 : 0;
+        int batteryDecivolts = (int) Math.round(robot.battery().volts() * 10);
+        OctetWriter data = P2osPacket.data()
+                .octet(speed != 0 || turn != 0 ? InformationPacket.MOVING_ID : InformationPacket.STOPPED_ID)
+                .twoOctets(P3dxScale.place(odometry.xMeters()), P3dxScale.place(odometry.yMeters()))
+                .twoOctets(P3dxScale.angle(odometry.headingRadians()))
+                .twoOctets(P3dxScale.millimeters(speed - half), P3dxScale.millimeters(speed + half))
+                .octet(batteryDecivolts)
+                .octet(bumpers.rear() << 1 | stalled)
+                .octet(bumpers.front() << 1 | stalled)
+                .twoOctets(P3dxScale.angle(
+                        odometry.headingRadians() + robot.drive().remainingTurn()))
+                .twoOctets((robot.hasMotors() ? InformationPacket.MOTORS_FLAG : 0)
+                        | (sonarOn ? InformationPacket.SONAR_FLAGS : 0))
+                .octet(0);
+        writeSonars(data);
+        data.octet(0).octet(0).octet(0).octet(OPEN_INPUTS).octet(0);
+        data.twoOctets(batteryDecivolts).octet(0);
+        data.twoOctets((int) Math.round(Math.toDegrees(turn) * 10), 0, 0).octet(NO_THERMOMETER);
+        data.octet((int) Math.round(robot.battery().chargeShare() * 100));
+        return P2osPacket.of(data.toArray());
     }
 
-    private int[] ranges(int[] sonars) {
-        if (sonars.length == 0) {
-            return sonars;
+    private void writeSonars(OctetWriter data) {
+        List<Integer> sonars = sonarOn ? polled : List.of();
+        data.octet(sonars.size());
+        if (!sonars.isEmpty()) {
+            int[] ranges = robot.sonarRangesMillimeters();
+            sonars.forEach(sonar -> data.octet(sonar).twoOctets(ranges[sonar]));
         }
-        int[] all = robot.sonarRangesMillimeters();
-        int[] ranges = new int[sonars.length];
-        for (int i = 0; i < sonars.length; i++) {
-            ranges[i] = all[sonars[i]];
-        }
-        return ranges;
     }
 
     byte[] encoders() {

@@ -136,7 +136,7 @@ public final class P2osServer implements AutoCloseable {
             session.tick(simulatedNanos, nanos);
         } catch (RuntimeException fault) {
             LOG.log(Level.ERROR, "a P2OS session failed and ends", fault);
-            session.leave();
+            session.abort();
         }
     }
 

@@ -2,109 +2,125 @@ package simrobot.p2os;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import simgsm.state.StateMachine;
+import simrobot.p2os.P2osSessionTable.Action;
+import simrobot.p2os.P2osSessionTable.Event;
+import simrobot.p2os.P2osSessionTable.State;
 import simrobot.robot.SimulatedRobot;
+import simrobot.robot.SonarRing;
 import vericommand.Pose;
 
 /**
- * A client on a robot, from the handshake to its leaving. Belongs to the simulation's thread; time comes in with the
- * bytes and with {@link #tick}.
+ * A client's session on a robot, by {@link P2osSessionTable}. Owned by the simulation's thread; time comes in with the octets
+ * and with {@link #tick}.
  *
- * <p>Two times run here. Information packets follow simulated time, one each 100 ms of it, so that at any speed a step
- * from one to the next is a robot's step; only, a client hears from a slow or paused simulation every 200 ms of real
- * time, and from a fast one not more often than every 10 ms. The watchdog guards the line, so it goes by real time.
+ * <p>Information packets follow simulated time, one per 100 ms of it, so that from one to the next lies a robot's step at any
+ * speed. In real time they are sent at least every 200 ms, from a slow or paused simulation too, and at most every 10 ms. The
+ * watchdog guards the connection, so it runs in real time.
  */
 public final class P2osSession {
     static final int SIP_MILLIS = 100;
 
     private static final long SIP_NANOS = SIP_MILLIS * 1_000_000L;
-    private static final long LEAST_GAP_NANOS = 10_000_000;
-    private static final long MOST_GAP_NANOS = 200_000_000;
+    private static final long MIN_GAP_NANOS = 10_000_000;
+    private static final long MAX_GAP_NANOS = 200_000_000;
 
-    /** A client that says nothing for so long may have lost its robot: the robot stops. */
+    /** A client that sends nothing for this long has lost its robot: the robot stops. */
     public static final long WATCHDOG_NANOS = 2_000_000_000;
 
-    private enum Stage {
-        HANDSHAKE,
-        /** The client knows who we are and may open. */
-        INTRODUCED,
-        OPEN,
-        ENDED
+    /** How often the client wants a further packet sent after each information packet. */
+    private enum Repetition {
+        NEVER,
+        ONCE,
+        ALWAYS;
+
+        /** The mode as on the wire: 0 never, 1 once, 2 always. */
+        static Repetition of(int mode) {
+            return mode == 1 ? ONCE : mode > 1 ? ALWAYS : NEVER;
+        }
     }
 
     private final SimulatedRobot robot;
     private final Pose start;
-    private final PacketOutput wire;
-    private final P2osPacketReader reader = new P2osPacketReader(this::heard);
+    private final PacketOutput output;
+    private final P2osPacketReader reader = new P2osPacketReader(this::receive);
     private final P2osMotionCommands motion;
-    private final P2osReports report;
+    private final P2osReports reports;
     private final StallDetector stall;
-    private volatile Stage stage = Stage.HANDSHAKE;
-    private ReportMode encoders = ReportMode.NEVER;
-    private ReportMode simulator = ReportMode.NEVER;
+    private final StateMachine<State, Event, Action> machine;
+
+    /** For other threads. */
+    private volatile boolean open;
+
+    private Repetition encoders = Repetition.NEVER;
+    private Repetition simulator = Repetition.NEVER;
     private boolean silent;
     private long simulatedNanos;
     private long nanos;
-    private volatile long heardNanos;
+    private volatile long receivedNanos;
     private long sipSimulatedNanos;
     private long sipNanos;
 
     /**
-     * @param start where the robot is put when the client resets the simulator
+     * A session whose client has just connected.
+     *
+     * @param start the pose at which the robot is put when the client resets the simulator
      * @param nanos real time now
      */
-    public P2osSession(SimulatedRobot robot, Pose start, PacketOutput wire, long nanos) {
+    public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, long nanos) {
         this.robot = robot;
         this.start = start;
-        this.wire = wire;
+        this.output = output;
         motion = new P2osMotionCommands(robot);
         stall = new StallDetector(robot);
-        report = new P2osReports(robot, stall);
-        heardNanos = nanos;
+        reports = new P2osReports(robot, stall);
+        machine = new StateMachine<>(P2osSessionTable.ROWS, robot.name(), this::perform);
+        receivedNanos = nanos;
     }
 
-    /** Takes any bytes whatever. */
-    public void received(byte[] bytes, long nowSimulatedNanos, long nowNanos) {
+    /** Takes octets from the client, whatever they are. */
+    public void received(byte[] octets, long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);
-        if (stage != Stage.ENDED) {
-            reader.read(bytes, nowNanos);
+        if (machine.state() != State.ENDED) {
+            reader.read(octets, nowNanos);
         }
     }
 
-    /** Time has passed; to be told after every step, and now and then while the simulation stands. */
+    /** Time has passed; to be called after every step, and every 50 ms while the simulation makes none. */
     public void tick(long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);
-        if (stage == Stage.ENDED) {
+        if (machine.state() == State.ENDED) {
             return;
         }
         if (!robot.isPowered()) {
-            leave();
-            return;
-        }
-        if (stage == Stage.OPEN) {
-            if (!silent && nanos - heardNanos > WATCHDOG_NANOS) {
+            abort();
+        } else if (machine.state() == State.OPEN) {
+            if (!silent && nanos - receivedNanos > WATCHDOG_NANOS) {
                 silent = true;
                 motion.setSuspended(true);
             }
-            tellWhenDue();
+            sendWhenDue();
         }
     }
 
-    /** The client is gone. */
+    /** The connection is closed. */
     public void lost() {
-        if (stage == Stage.OPEN) {
-            motion.end();
-        }
-        stage = Stage.ENDED;
+        fire(Event.CONNECTION_LOST);
     }
 
-    /** Whether the client has come as far as to be heeded. Any thread may ask. */
+    /** Stops the robot and closes the connection. */
+    void abort() {
+        fire(Event.ABORTED);
+    }
+
+    /** Whether the client controls the robot. Any thread may ask. */
     public boolean isOpen() {
-        return stage == Stage.OPEN;
+        return open;
     }
 
-    /** When the client last said something, or came; real time. Any thread may ask. */
-    public long heardNanos() {
-        return heardNanos;
+    /** When the client last sent a packet, or connected; real time. Any thread may ask. */
+    public long receivedNanos() {
+        return receivedNanos;
     }
 
     private void setTime(long nowSimulatedNanos, long nowNanos) {
@@ -113,59 +129,42 @@ public final class P2osSession {
         stall.watch(simulatedNanos);
     }
 
-    private void heard(byte[] data) {
-        if (stage == Stage.ENDED) {
+    private void receive(byte[] data) {
+        if (machine.state() == State.ENDED) {
             return;
         }
-        heardNanos = nanos;
+        receivedNanos = nanos;
         if (silent) {
             silent = false;
             motion.setSuspended(false);
         }
         P2osCommand command = P2osCommandCodec.decode(data);
         if (command instanceof P2osCommand.Pulse) {
-            pulse();
+            fire(Event.PULSE_RECEIVED);
         } else if (command instanceof P2osCommand.Open) {
-            open();
+            fire(Event.OPEN_RECEIVED);
         } else if (command instanceof P2osCommand.Close) {
-            close();
-        } else if (stage == Stage.OPEN) {
+            fire(Event.CLOSE_RECEIVED);
+        } else if (machine.state() == State.OPEN) {
             perform(command);
         }
     }
 
-    // ---- coming and going ----------------------------------------------------------------------------------------
-
-    private void pulse() {
-        if (stage != Stage.OPEN) {
-            stage = Stage.HANDSHAKE;
-            wire.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
-        }
+    private void fire(Event event) {
+        machine.fire(event);
+        open = machine.state() == State.OPEN;
     }
 
-    private void open() {
-        if (stage == Stage.HANDSHAKE) {
-            wire.send(P2osCommandCodec.packet(P2osCommandNumber.OPEN));
-        } else if (stage == Stage.INTRODUCED) {
-            stage = Stage.OPEN;
-            motion.begin();
-            tell();
+    private void perform(Action action) {
+        switch (action) {
+            case ECHO_PULSE -> output.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
+            case ECHO_OPEN -> output.send(P2osCommandCodec.packet(P2osCommandNumber.OPEN));
+            case SEND_NAMES -> output.send(reports.introduction());
+            case BEGIN_CONTROL -> motion.begin();
+            case SEND_INFORMATION -> sendInformation();
+            case END_CONTROL -> motion.end();
+            case CLOSE_CONNECTION -> output.close();
         }
-    }
-
-    private void close() {
-        if (stage == Stage.OPEN) {
-            leave();
-        } else {
-            stage = Stage.INTRODUCED;
-            wire.send(report.introduction());
-        }
-    }
-
-    /** Stops the robot and hangs up. */
-    void leave() {
-        lost();
-        wire.close();
     }
 
     // ---- commands ------------------------------------------------------------------------------------------------
@@ -176,15 +175,15 @@ public final class P2osSession {
         } else if (command instanceof P2osCommand.SetOrigin) {
             robot.resetOdometry();
         } else if (command instanceof P2osCommand.Configuration) {
-            wire.send(ConfigurationPacket.of(report.name()));
+            output.send(ConfigurationPacket.of(reports.name()));
         } else if (command instanceof P2osCommand.Encoders wanted) {
-            encoders = ReportMode.ofMode(wanted.mode());
+            encoders = Repetition.of(wanted.mode());
         } else if (command instanceof P2osCommand.SimStatus wanted) {
-            simulator = ReportMode.ofMode(wanted.mode());
+            simulator = Repetition.of(wanted.mode());
         } else if (command instanceof P2osCommand.Sonar sonar) {
-            report.setSonar(sonar.on());
+            reports.setSonar(sonar.on());
         } else if (command instanceof P2osCommand.Polling polling) {
-            report.setPolled(polling.sonars());
+            reports.setPolled(polling.sonars());
         } else if (command instanceof P2osCommand.BumpStall sides) {
             stall.setBumpers(sides);
         } else if (command instanceof P2osCommand.Battery battery) {
@@ -199,7 +198,7 @@ public final class P2osSession {
         }
     }
 
-    /** An order by telephone is not interrupted by the robot's being carried away. */
+    /** Moves the true pose, unless the robot executes an order by telephone. */
     private void place(double x, double y, double heading) {
         if (!robot.isUnderOrder()) {
             robot.brakeAtOnce();
@@ -209,32 +208,32 @@ public final class P2osSession {
 
     // ---- information packets -------------------------------------------------------------------------------------
 
-    private void tellWhenDue() {
+    private void sendWhenDue() {
         long gap = nanos - sipNanos;
-        boolean due = simulatedNanos - sipSimulatedNanos >= SIP_NANOS && gap >= LEAST_GAP_NANOS;
-        if (due || gap >= MOST_GAP_NANOS) {
-            tell();
+        boolean due = simulatedNanos - sipSimulatedNanos >= SIP_NANOS && gap >= MIN_GAP_NANOS;
+        if (due || gap >= MAX_GAP_NANOS) {
+            sendInformation();
         }
     }
 
-    private void tell() {
+    private void sendInformation() {
         boolean late = simulatedNanos - sipSimulatedNanos >= 2 * SIP_NANOS;
         sipSimulatedNanos =
                 late || simulatedNanos - sipSimulatedNanos < SIP_NANOS ? simulatedNanos : sipSimulatedNanos + SIP_NANOS;
         sipNanos = nanos;
-        wire.send(report.standard(simulatedNanos));
-        if (encoders != ReportMode.NEVER) {
-            encoders = encoders.afterTelling();
-            wire.send(report.encoders());
+        output.send(reports.information(simulatedNanos));
+        if (encoders != Repetition.NEVER) {
+            encoders = encoders == Repetition.ALWAYS ? Repetition.ALWAYS : Repetition.NEVER;
+            output.send(reports.encoders());
         }
-        if (simulator != ReportMode.NEVER) {
-            simulator = simulator.afterTelling();
-            wire.send(report.simulator());
+        if (simulator != Repetition.NEVER) {
+            simulator = simulator == Repetition.ALWAYS ? Repetition.ALWAYS : Repetition.NEVER;
+            output.send(reports.simulator());
         }
     }
 
     /** All sonars, sonar 0 first. */
     static List<Integer> allSonars() {
-        return IntStream.range(0, StandardSip.SONARS).boxed().toList();
+        return IntStream.range(0, SonarRing.COUNT).boxed().toList();
     }
 }

@@ -1,5 +1,6 @@
 package simrobot.pioneer;
 
+import simrobot.p2os.InformationPacket;
 import vericommand.Pose;
 
 /**
@@ -17,7 +18,7 @@ final class DeadReckoning {
     /** From the odometry's axes to the world's. */
     private double skew;
 
-    private Information last;
+    private InformationPacket last;
 
     DeadReckoning(double xMeters, double yMeters, double headingRadians) {
         x = xMeters;
@@ -38,7 +39,7 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    void take(Information information, RobotScale scale) {
+    void take(InformationPacket information, RobotScale scale) {
         if (last == null) {
             skew = heading - radians(information.heading());
         } else {

@@ -1,6 +1,7 @@
 package simrobot.pioneer;
 
 import java.util.function.Consumer;
+import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.robot.Trapezoid;
@@ -130,8 +131,8 @@ final class InstructionLegs {
         return Math.abs(remaining()) <= (corrections > CORRECTIONS ? LENIENCE * near : near);
     }
 
-    Progress judge(Information information, long nanos) {
-        boolean moves = information.moves();
+    Progress judge(InformationPacket information, long nanos) {
+        boolean moves = information.isMoving();
         legHasMoved |= moves;
         hasMoved |= moves;
         if (information.stalled() && nanos - legNanos > IN_FLIGHT_NANOS && (moves || !begunInCollision)) {
@@ -148,9 +149,9 @@ final class InstructionLegs {
     }
 
     /** Whether the robot stands short of the goal, or beyond it, and is to be told again. */
-    boolean wantsNextLeg(Information information, long nanos) {
+    boolean wantsNextLeg(InformationPacket information, long nanos) {
         boolean over = legHasMoved ? nanos - legNanos > IN_FLIGHT_NANOS : nanos - legNanos > SETTING_OUT_NANOS;
-        return !information.moves() && !braking && over;
+        return !information.isMoving() && !braking && over;
     }
 
     void end(MotionOutcome.Ending kind, boolean atGoal) {

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
+import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 
@@ -117,7 +118,7 @@ final class P2osClientSession {
     /** @param data of a packet, at least one byte */
     void heard(byte[] data, long nanos) {
         if (stage == Stage.OPEN) {
-            if (Information.isOne(data)) {
+            if (InformationPacket.isOne(data)) {
                 heardNanos = nanos;
             }
             said.accept(data);
@@ -128,7 +129,7 @@ final class P2osClientSession {
 
     private void synchronise(byte[] data, long nanos) {
         int id = data[0] & 0xFF;
-        if (Information.isOne(data)) {
+        if (InformationPacket.isOne(data)) {
             // somebody has left without a goodbye
             line.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
             ask(0, nanos);

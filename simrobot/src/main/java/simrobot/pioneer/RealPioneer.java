@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import simrobot.behaviour.BehaviourKind;
+import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacketReader;
@@ -46,7 +47,7 @@ public final class RealPioneer implements Pioneer {
     private final DeadReckoning place;
     private final Trail trail = new Trail();
     private final int[] sonars = new int[SonarRing.COUNT];
-    private Information newest;
+    private InformationPacket newest;
     private InstructionLegs travel;
     private boolean motorsWanted;
     private long switchedNanos;
@@ -141,14 +142,14 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void said(byte[] data) {
-        Information.read(data).ifPresent(this::take);
+        InformationPacket.read(data).ifPresent(this::take);
     }
 
-    private void take(Information information) {
+    private void take(InformationPacket information) {
         newest = information;
         place.take(information, conversation.scale());
         trail.pass(place.xMeters(), place.yMeters(), nanos);
-        for (Information.Echo echo : information.echoes()) {
+        for (InformationPacket.Echo echo : information.echoes()) {
             if (echo.sonar() < sonars.length) {
                 sonars[echo.sonar()] = millimeters(echo.range());
             }
@@ -157,7 +158,7 @@ public final class RealPioneer implements Pioneer {
             change(StatusEvent.POWER_ON);
         }
         followMotors(information);
-        settled |= !information.moves();
+        settled |= !information.isMoving();
         if (travel != null) {
             follow(travel, information);
         } else if (settled) {
@@ -172,7 +173,7 @@ public final class RealPioneer implements Pioneer {
     }
 
     /** Its own button, its e-stop or a broken fuse may switch the motors, too. */
-    private void followMotors(Information information) {
+    private void followMotors(InformationPacket information) {
         boolean settling = nanos - switchedNanos < SWITCH_NANOS && information.motors() != motorsWanted;
         if (!settling && information.motors() != hasMotors()) {
             cut(information.motors() ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
@@ -181,7 +182,7 @@ public final class RealPioneer implements Pioneer {
 
     // ---- motion --------------------------------------------------------------------------------------------------
 
-    private void follow(InstructionLegs under, Information information) {
+    private void follow(InstructionLegs under, InformationPacket information) {
         boolean hadMoved = under.hasMoved();
         InstructionLegs.Progress progress = under.judge(information, nanos);
         if (!hadMoved && under.hasMoved()) {
@@ -206,7 +207,7 @@ public final class RealPioneer implements Pioneer {
         }
     }
 
-    private void rest(InstructionLegs under, Information information, boolean atGoal) {
+    private void rest(InstructionLegs under, InformationPacket information, boolean atGoal) {
         boolean blocked = under.begunInCollision() && information.stalled();
         MotionOutcome.Ending well = atGoal ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
@@ -224,8 +225,8 @@ public final class RealPioneer implements Pioneer {
     }
 
     /** Somebody else moves it: by hand, by joystick. */
-    private void followOthers(Information information) {
-        boolean moves = information.moves();
+    private void followOthers(InformationPacket information) {
+        boolean moves = information.isMoving();
         if (status() == RobotStatus.MOVING) {
             if (information.stalled()) {
                 change(StatusEvent.TOUCHED);

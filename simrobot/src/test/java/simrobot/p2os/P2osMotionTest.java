@@ -25,7 +25,7 @@ class P2osMotionTest {
         SessionBench bench = SessionBench.opened();
         bench.say(P2osCommandNumber.MOVE, millimeters).seconds(8);
         assertEquals(millimeters / 1000.0, bench.robot.xMeters(), 1e-9);
-        assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
+        assertEquals(InformationPacket.STOPPED_ID, bench.sip().id());
         int units = bench.sip().x();
         assertEquals(millimeters, (units >= 0x4000 ? units - 0x8000 : units) * 0.485, 0.25);
     }
@@ -34,7 +34,7 @@ class P2osMotionTest {
     void moveTakesNoLongerThanItsProfile() {
         SessionBench bench = SessionBench.opened();
         bench.say(P2osCommandNumber.MOVE, 500).seconds(2.6);
-        assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
+        assertEquals(InformationPacket.STOPPED_ID, bench.sip().id());
     }
 
     @ParameterizedTest
@@ -70,11 +70,11 @@ class P2osMotionTest {
         bench.seconds(2);
         assertEquals(200, bench.sip().left());
         assertEquals(200, bench.sip().right());
-        assertEquals(StandardSip.MOVING_ID, bench.sip().id());
+        assertEquals(InformationPacket.MOVING_ID, bench.sip().id());
         bench.say(P2osCommandNumber.SETA, -400).say(P2osCommandNumber.STOP).seconds(0.25);
         assertEquals(0.1, bench.robot.speedMetersPerSecond(), 1e-9);
         bench.seconds(1);
-        assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
+        assertEquals(InformationPacket.STOPPED_ID, bench.sip().id());
     }
 
     @Test
@@ -102,7 +102,7 @@ class P2osMotionTest {
         assertEquals(300, sip.turn());
         // what ARIA computes: half the difference times 0.0056 radians
         assertEquals(Math.toRadians(30), (sip.right() - sip.left()) / 2.0 * 0.0056, 0.006);
-        assertEquals(StandardSip.MOVING_ID, sip.id());
+        assertEquals(InformationPacket.MOVING_ID, sip.id());
     }
 
     @Test
@@ -238,10 +238,10 @@ class P2osMotionTest {
         bench.seconds(0.8);
         assertEquals(0, bench.robot.speedMetersPerSecond());
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
-        assertEquals(StandardSip.STOPPED_ID, bench.sip().id());
+        assertEquals(InformationPacket.STOPPED_ID, bench.sip().id());
         bench.seconds(3).say(P2osCommandNumber.PULSE).seconds(1);
         assertEquals(0.15, bench.robot.speedMetersPerSecond(), 1e-9);
-        assertEquals(StandardSip.MOVING_ID, bench.sip().id());
+        assertEquals(InformationPacket.MOVING_ID, bench.sip().id());
     }
 
     @Test
@@ -274,7 +274,7 @@ class P2osMotionTest {
         List<MotionOutcome> outcomes = new ArrayList<>();
         bench.robot.start(new Instruction.Forward(50), outcomes::add);
         bench.seconds(1);
-        assertEquals(StandardSip.MOVING_ID, bench.sip().id());
+        assertEquals(InformationPacket.MOVING_ID, bench.sip().id());
         bench.say(P2osCommandNumber.VEL, -300)
                 .say(P2osCommandNumber.DHEAD, 90)
                 .say(P2osCommandNumber.SETV, 100)

@@ -102,7 +102,7 @@ final class SessionBench implements PacketOutput {
 
     List<Sip> sips() {
         return heard.stream()
-                .filter(data -> data[0] == StandardSip.STOPPED_ID || data[0] == StandardSip.MOVING_ID)
+                .filter(data -> data[0] == InformationPacket.STOPPED_ID || data[0] == InformationPacket.MOVING_ID)
                 .map(Sip::of)
                 .toList();
     }

@@ -65,7 +65,7 @@ final class SocketClient implements AutoCloseable {
 
     Sip sip() throws IOException {
         for (byte[] data = packet(); data != null; data = packet()) {
-            if (data[0] == StandardSip.STOPPED_ID || data[0] == StandardSip.MOVING_ID) {
+            if (data[0] == InformationPacket.STOPPED_ID || data[0] == InformationPacket.MOVING_ID) {
                 return Sip.of(data);
             }
         }
