@@ -37,6 +37,8 @@ final class DigitTracker {
 
     private double sumBefore;
     private long windowStart;
+    /** The run's newest, or null before its first look. */
+    private KeyCandidate candidate;
 
     private DtmfDigit current;
     /** One over the likeness of the tone itself. */
@@ -84,8 +86,7 @@ final class DigitTracker {
                 continue;
             }
             if (key < 0) {
-                missed++;
-                run = missed > MOST_MISSED ? 0 : run;
+                miss();
             } else {
                 standsOut(key, gate.loudness(b));
             }
@@ -96,10 +97,19 @@ final class DigitTracker {
         return hops;
     }
 
+    private void miss() {
+        missed++;
+        if (missed > MOST_MISSED) {
+            run = 0;
+            conclude();
+        }
+    }
+
     private void standsOut(int key, float loudness) {
         run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
         quietest = run == 1 ? loudness : Math.min(quietest, loudness);
         if (run == 1) {
+            conclude();
             nextLook = 0;
             sum = 0;
             sumBefore = 0;
@@ -120,11 +130,75 @@ final class DigitTracker {
         DtmfKey rival = current == null ? null : current.key();
         int wait = fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS);
         nextLook = hop + wait;
-        if (wait == 0 && !isTail(hop) && fit.isWithinTwist() && fit.isOldEnough(LEAST_HOPS)) {
+        KeyCandidate.Finding finding = finding(hop, wait);
+        if (finding == null) {
             add(hop, judge.logOdds(hop, runKey, fit, measures, recent, end));
-            if (sum > KeyLikelihood.LIMIT) {
-                decide(hop);
+            finding = sum > KeyLikelihood.LIMIT ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
+        }
+        publish(hop, finding);
+        if (finding == KeyCandidate.Finding.ACCEPTED) {
+            decide(hop);
+        }
+    }
+
+    /** What keeps the tones from being looked at closely, or null. */
+    private KeyCandidate.Finding finding(long hop, int wait) {
+        if (wait > 0) {
+            if (fit.offFrequency) {
+                return KeyCandidate.Finding.OFF_FREQUENCY;
             }
+            return fit.sinceOnset < LEAST_HOPS ? KeyCandidate.Finding.TOO_SHORT : KeyCandidate.Finding.UNSTEADY;
+        }
+        if (isTail(hop)) {
+            return KeyCandidate.Finding.ECHO;
+        }
+        if (Math.abs(fit.twist()) >= ToneFit.MOST_TWIST_DB) {
+            return KeyCandidate.Finding.TWIST;
+        }
+        return fit.isOldEnough(LEAST_HOPS) ? null : KeyCandidate.Finding.TOO_SHORT;
+    }
+
+    private void publish(long hop, KeyCandidate.Finding finding) {
+        if (candidate != null && rank(finding) < rank(candidate.finding())) {
+            return; // the tones fade: what a closer look said stays
+        }
+        boolean isEvidence = finding == KeyCandidate.Finding.EVIDENCE;
+        KeyMeasures.Kind against = isEvidence ? KeyLikelihood.fitted().mostAgainst(measures) : null;
+        double value = switch (finding) {
+            case TOO_SHORT, UNSTEADY -> fit.sinceOnset * ToneBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI;
+            case OFF_FREQUENCY -> 100 * Math.max(Math.abs(fit.error[0]), Math.abs(fit.error[1]));
+            case TWIST -> fit.twist();
+            case EVIDENCE -> measures.values[against.ordinal()];
+            default -> Double.NaN;
+        };
+        candidate = new KeyCandidate(
+                DtmfKey.values()[runKey],
+                Math.round(ToneBank.HOP * (hop - Math.max(fit.sinceOnset, run))),
+                ToneBank.HOP * (hop + 1),
+                finding,
+                sum,
+                KeyLikelihood.LIMIT,
+                isEvidence ? against.name() : "",
+                value,
+                false);
+        listener.considered(candidate);
+    }
+
+    /** How much a finding tells: a closer look more than a glance. */
+    private static int rank(KeyCandidate.Finding finding) {
+        return switch (finding) {
+            case TOO_SHORT, UNSTEADY -> 0;
+            case EVIDENCE -> 2;
+            case ACCEPTED -> 3;
+            default -> 1;
+        };
+    }
+
+    /** The tones have ended, or another key's have begun. */
+    private void conclude() {
+        if (candidate != null) {
+            listener.considered(candidate.over());
+            candidate = null;
         }
     }
 
@@ -205,6 +279,7 @@ final class DigitTracker {
     }
 
     void finish() {
+        conclude();
         if (current != null) {
             end();
         }
@@ -214,6 +289,7 @@ final class DigitTracker {
         current = null;
         ended = null;
         run = 0;
+        candidate = null;
         missed = 0;
         barrier = 0;
         nextLook = 0;

@@ -128,21 +128,21 @@ public final class DtmfGenerator {
             this.key = key;
             this.shape = shape;
             this.toneSamples = toneSamples;
-            this.rampSamples = (int) Math.round(shape.rampMillis() * SAMPLES_PER_MILLI);
+            this.rampSamples = (int) Math.round(Math.min(shape.rampMillis(), shape.pauseMillis()) * SAMPLES_PER_MILLI);
             this.row = new Sine(key.rowHertz(), ToneLevel.amplitude(shape.rowDbm0()));
             this.column = new Sine(key.columnHertz(), ToneLevel.amplitude(shape.columnDbm0()));
         }
 
         void end() {
-            toneSamples = Math.max(sent + rampSamples, (long) shape.toneMillis() * SAMPLES_PER_MILLI);
+            toneSamples = Math.max(sent, (long) shape.toneMillis() * SAMPLES_PER_MILLI);
         }
 
         boolean toneDone() {
-            return sent >= toneSamples;
+            return sent - rampSamples >= toneSamples;
         }
 
         boolean allDone() {
-            return toneDone() && sent - toneSamples >= (long) shape.pauseMillis() * SAMPLES_PER_MILLI;
+            return sent - (long) shape.pauseMillis() * SAMPLES_PER_MILLI >= toneSamples;
         }
 
         short next() {
@@ -152,7 +152,7 @@ public final class DtmfGenerator {
         }
 
         private double envelope() {
-            long fromEdge = Math.min(sent, toneSamples - 1 - sent);
+            long fromEdge = Math.min(sent, toneSamples - 1 + rampSamples - sent);
             return fromEdge >= rampSamples ? 1 : 0.5 - 0.5 * Math.cos(Math.PI * (fromEdge + 0.5) / rampSamples);
         }
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * <p>A sample's way: {@link ToneBank} (eight tones, every 2.5 ms), {@link ToneGate} (do two of them stand out?), {@link
  * DigitTracker} (since when, is it a key, is it over?).
  */
-public final class DtmfReceiver {
+public final class DtmfReceiver implements KeyReceiver {
     /** Samples kept before those that wait: what the closest look needs, 90 ms of tone and 28 ms before it. */
     private static final int KEPT = 1024;
 
@@ -32,11 +32,7 @@ public final class DtmfReceiver {
         tracker = new DigitTracker(bank, recent, listener, judge);
     }
 
-    public void accept(short[] samples) {
-        accept(samples, 0, samples.length);
-    }
-
-    /** The next {@code samples[from..to)} of the stream. */
+    @Override
     public void accept(short[] samples, int from, int to) {
         int at = from;
         while (at < to) {
@@ -66,12 +62,12 @@ public final class DtmfReceiver {
         return hopsDone * ToneBank.HOP + waiting;
     }
 
-    /** The stream ends here: a key that still sounds ends, too. */
+    @Override
     public void finish() {
         tracker.finish();
     }
 
-    /** As new: another stream begins. A key that sounds is forgotten. */
+    @Override
     public void reset() {
         bank.clear();
         gate.clear();

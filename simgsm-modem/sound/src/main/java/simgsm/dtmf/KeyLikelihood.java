@@ -75,9 +75,10 @@ final class KeyLikelihood {
     }
 
     /** The measure that speaks loudest against a key. */
-    KeyMeasures.Kind mostAgainst(double[] values) {
+    KeyMeasures.Kind mostAgainst(KeyMeasures measures) {
+        double[] values = measures.values;
         int worst = 0;
-        for (int kind = 1; kind < KeyMeasures.COUNT; kind++) {
+        for (int kind = 1; kind < measures.known; kind++) {
             if (part(kind, values[kind]) < part(worst, values[worst])) {
                 worst = kind;
             }

@@ -58,10 +58,14 @@ final class KeyMeasures {
     /** By {@link Kind#ordinal}; NaN for unknown. */
     final double[] values = new double[COUNT];
 
+    /** How many kinds hold. */
+    int known;
+
     private final Residue residue = new Residue();
 
     /** Measures the kinds that need no spectrum. */
     void measureTones(ToneFit fit) {
+        known = OF_TONES;
         put(Kind.WAVER, log(1 - Math.min(fit.coherence[0], fit.coherence[1])));
         put(Kind.LEAST_WAVER, log(1 - Math.max(fit.coherence[0], fit.coherence[1])));
         put(Kind.LEVEL, ToneLevel.dbm0(Math.min(fit.amplitude[0], fit.amplitude[1])));
@@ -75,6 +79,7 @@ final class KeyMeasures {
      * @param end index after the newest of {@code samples}
      */
     void measureSpectrum(ToneFit fit, short[] samples, int end) {
+        known = COUNT;
         double row = square(fit.amplitude[0]);
         double column = square(fit.amplitude[1]);
         double weaker = Math.min(row, column);

@@ -36,7 +36,7 @@ final class ToneFit {
     /** Farther off than this it is no key's tone; between what Q.24 accepts (1.8 %) and rejects (3 %). */
     private static final double MOST_ERROR = 0.021;
     /** Between what Q.24 accepts (8 dB) with 2 dB to spare, and 15 dB, which no exchange takes. */
-    private static final double MOST_TWIST_DB = 12.5;
+    static final double MOST_TWIST_DB = 12.5;
     /** Hops by which the beginning is uncertain in noise that leaves no coherence. */
     private static final double NOISE_HOPS = 6;
     /** Of the turn that 4 % make over a lag of one hop for the highest column, of two hops for the highest row. */
@@ -73,6 +73,8 @@ final class ToneFit {
     double sinceOnset;
     /** They sounded for all the time that could be looked at. */
     boolean open;
+    /** After a look in vain: whether the tones were off their frequency rather than too short. */
+    boolean offFrequency;
 
     private int hops;
     private int louder;
@@ -106,6 +108,8 @@ final class ToneFit {
         leak = ToneBank.leakBetween(row, 4 + column);
         scale = 1 / (1 - leak * leak);
         int most = Math.min(SPAN, reach);
+        offFrequency = false;
+        sinceOnset = 0;
         if (most < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
             return 1;
         }
@@ -113,6 +117,7 @@ final class ToneFit {
             separate(bank, newest - i, i);
         }
         if (isFarOff(ROW, 2, (int) ToneBank.HERTZ[row]) || isFarOff(COLUMN, 1, (int) ToneBank.HERTZ[4 + column])) {
+            offFrequency = true;
             return 1;
         }
         findOnset(bank, newest, most, rival, reference());
@@ -124,6 +129,7 @@ final class ToneFit {
         }
         boolean tuned = tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
                 && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
+        offFrequency = !tuned;
         return tuned ? 0 : OFF_FREQUENCY_WAIT;
     }
 
@@ -163,6 +169,7 @@ final class ToneFit {
         int turn = lag * nominalHertz % ToneBank.HOPS_PER_SECOND;
         double near = along * TURN_COSINE[turn] + across * TURN_SINE[turn];
         double off = across * TURN_COSINE[turn] - along * TURN_SINE[turn];
+        error[tone] = Math.atan2(off, near) * ToneBank.HOPS_PER_SECOND / (2 * Math.PI * lag * nominalHertz);
         return Math.abs(off) > near * FAR_OFF_TANGENTS[lag];
     }
 
@@ -320,9 +327,9 @@ final class ToneFit {
         return energy == 0 ? 0 : (x * x + y * y) / (used * energy);
     }
 
-    /** Whether neither tone is {@link #MOST_TWIST_DB} or more louder than the other. */
-    boolean isWithinTwist() {
-        return Math.abs(20 * Math.log10(amplitude[COLUMN] / amplitude[ROW])) < MOST_TWIST_DB;
+    /** In decibels, high group over low. */
+    double twist() {
+        return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
     }
 
     /** Whether the tones have sounded for so many hops, and for more where noise blurs their beginning. */

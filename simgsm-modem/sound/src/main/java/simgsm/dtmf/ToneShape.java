@@ -7,11 +7,12 @@ package simgsm.dtmf;
  * @param pauseMillis silence after the tone, at least 0
  * @param rowDbm0 level of the low-group tone, at most 3.14
  * @param columnDbm0 level of the high-group tone, at most 3.14
- * @param rampMillis raised-cosine rise and fall inside the tone, 0 for hard edges
+ * @param rampMillis raised-cosine rise and fall, 0 for hard edges. Lengths count at half amplitude (Q.24): the fall reaches
+ *     into the pause and is no longer than it
  */
 public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double columnDbm0, double rampMillis) {
-    /** 100 ms tone, 100 ms pause, -10 dBm0 per tone, hard edges. */
-    public static final ToneShape STANDARD = new ToneShape(100, 100, -10, -10, 0);
+    /** 100 ms tone, 100 ms pause, -10 dBm0 per tone, ramps of 2 ms. */
+    public static final ToneShape STANDARD = new ToneShape(100, 100, -10, -10, 2);
 
     private static final int LONGEST_MILLIS = 3_600_000;
 
@@ -25,7 +26,7 @@ public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double 
         }
         requireLevel(rowDbm0);
         requireLevel(columnDbm0);
-        if (!(rampMillis >= 0 && 2 * rampMillis <= toneMillis)) {
+        if (!(rampMillis >= 0 && rampMillis <= toneMillis)) {
             throw new IllegalArgumentException(
                     "Ramps of " + rampMillis + " ms do not fit a tone of " + toneMillis + " ms");
         }
@@ -39,6 +40,10 @@ public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double 
 
     public ToneShape withMillis(int tone, int pause) {
         return new ToneShape(tone, pause, rowDbm0, columnDbm0, rampMillis);
+    }
+
+    public ToneShape withRamp(double millis) {
+        return new ToneShape(toneMillis, pauseMillis, rowDbm0, columnDbm0, millis);
     }
 
     /** Both tones at one level. */

@@ -14,8 +14,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class DtmfGeneratorTest {
+    private static final ToneShape HARD = ToneShape.STANDARD.withRamp(0);
+
     private final List<DtmfKey> left = new ArrayList<>();
-    private final DtmfGenerator generator = new DtmfGenerator(left::add);
+    private final DtmfGenerator generator = new DtmfGenerator(HARD, left::add);
 
     @Test
     void itIsSilentUntilAKeyComes() {
@@ -41,7 +43,7 @@ class DtmfGeneratorTest {
 
     @Test
     void theSoundDoesNotDependOnHowItIsTaken() {
-        DtmfGenerator other = new DtmfGenerator();
+        DtmfGenerator other = new DtmfGenerator(HARD, key -> {});
         for (DtmfKey key : DtmfKey.sequence("19*D")) {
             generator.enqueue(key, 73, 41);
             other.enqueue(key, 73, 41);
@@ -95,7 +97,7 @@ class DtmfGeneratorTest {
     @Test
     void aListenerMayDropFromWithin() {
         DtmfGenerator[] self = new DtmfGenerator[1];
-        self[0] = new DtmfGenerator(key -> self[0].drop());
+        self[0] = new DtmfGenerator(HARD, key -> self[0].drop());
         self[0].enqueue(DtmfKey.ONE, 20, 20);
         self[0].enqueue(DtmfKey.TWO, 20, 20);
         short[] frame = new short[640];
@@ -197,15 +199,67 @@ class DtmfGeneratorTest {
     }
 
     @Test
-    void rampsStayInsideTheToneAndAreSymmetric() {
-        DtmfGenerator soft = new DtmfGenerator(new ToneShape(50, 50, -10, -10, 5), key -> {});
+    void lengthsCountAtHalfAmplitudeWhateverTheRamp() {
+        for (double ramp : new double[] {0, 2, 5, 10}) {
+            DtmfGenerator soft = new DtmfGenerator(new ToneShape(50, 50, -10, -10, ramp), key -> {});
+            soft.enqueue(DtmfKey.FIVE);
+            soft.enqueue(DtmfKey.FIVE);
+            short[] sound = new short[1600];
+            soft.read(sound);
+            int half = (int) (8 * ramp / 2);
+            for (int start : new int[] {0, 800}) {
+                assertEquals(0.5, envelope(sound, start + half), ramp == 0 ? 0.6 : 0.15, "rise of " + ramp + " ms");
+                assertEquals(
+                        0.5, envelope(sound, start + 400 + half), ramp == 0 ? 0.6 : 0.15, "fall of " + ramp + " ms");
+                assertEquals(1, envelope(sound, start + 200), 0.02);
+            }
+            assertTrue(silent(sound, (int) (400 + 8 * ramp), 800));
+        }
+    }
+
+    /** Of one key's two tones, measured over 2 ms against what they would be at full level there. */
+    private static double envelope(short[] sound, int at) {
+        DtmfGenerator hard = new DtmfGenerator(HARD, key -> {});
+        hard.enqueue(DtmfKey.FIVE, 100, 0);
+        short[] full = new short[800];
+        hard.read(full);
+        double product = 0;
+        double square = 0;
+        for (int i = Math.max(0, at - 8); i < at + 8; i++) {
+            product += (double) sound[i] * full[i % 800];
+            square += (double) full[i % 800] * full[i % 800];
+        }
+        return product / square;
+    }
+
+    @Test
+    void aFallIsNoLongerThanThePause() {
+        DtmfGenerator soft = new DtmfGenerator(new ToneShape(50, 1, -10, -10, 5), key -> {});
         soft.enqueue(DtmfKey.FIVE);
         short[] sound = new short[800];
         soft.read(sound);
-        assertTrue(peak(sound, 0, 8) < 1600);
-        assertTrue(peak(sound, 392, 400) < 1600);
-        assertTrue(peak(sound, 40, 360) > 12_000);
-        assertTrue(silent(sound, 400, 800));
+        assertTrue(silent(sound, 408, 800));
+        assertTrue(soft.isIdle());
+    }
+
+    @Test
+    void withRampsLessSoundLiesOutsideTheTones() {
+        double hard = beside(0);
+        assertTrue(beside(2) < hard / 30, "2 ms against none: " + beside(2) / hard);
+        assertTrue(beside(5) < beside(2) / 10);
+    }
+
+    /** Energy at frequencies 500 Hz and more away from both tones of a key of 50 ms. */
+    private static double beside(double rampMillis) {
+        DtmfGenerator generator = new DtmfGenerator(new ToneShape(50, 50, -10, -10, rampMillis), key -> {});
+        generator.enqueue(DtmfKey.ONE);
+        short[] sound = new short[800];
+        generator.read(sound);
+        double sum = 0;
+        for (double hertz = 1800; hertz < 3900; hertz += 10) {
+            sum += energy(sound, hertz);
+        }
+        return sum;
     }
 
     @Test
@@ -214,7 +268,7 @@ class DtmfGeneratorTest {
         assertThrows(IllegalArgumentException.class, () -> ToneShape.STANDARD.withMillis(100, -1));
         assertThrows(IllegalArgumentException.class, () -> ToneShape.STANDARD.withLevel(4));
         assertThrows(IllegalArgumentException.class, () -> ToneShape.STANDARD.withLevel(Double.NaN));
-        assertThrows(IllegalArgumentException.class, () -> new ToneShape(10, 10, -10, -10, 6));
+        assertThrows(IllegalArgumentException.class, () -> new ToneShape(10, 10, -10, -10, 11));
     }
 
     private static double energy(short[] sound, double hertz) {

@@ -21,10 +21,18 @@ final class DecodeTool implements Tool {
     @Override
     public Options options() {
         return new Options(
-                        "java -jar simgsm-modem.jar decode FILE.wav...",
+                        "java -jar simgsm-modem.jar decode FILE.wav... [options]",
                         "Prints path, TAB, the keys heard, TAB, when each was decided (milliseconds from the file's start).\n"
                                 + "Reads any rate, channels (mixed) and sample format of WAV, AU and AIFF files.\n"
                                 + "Ends with 1 if a file is no audio, with 74 if one cannot be read.")
+                .flag(
+                        "explain",
+                        "after each file's line one for each candidate: key, from and to in ms, finding, reason")
+                .value(
+                        "receiver",
+                        "likelihood|classic",
+                        "the modem's own receiver, or eight Goertzel filters as in textbooks")
+                .value("block", "102|205", "samples in a block of the classic receiver (102)")
                 .arguments(Integer.MAX_VALUE);
     }
 
@@ -34,15 +42,19 @@ final class DecodeTool implements Tool {
         if (names.isEmpty()) {
             throw new UsageException("missing FILE.wav");
         }
+        HeardFile.Kind kind = new HeardFile.Kind(
+                arguments.has("explain"),
+                arguments.choice("receiver", "likelihood", "classic").equals("classic"),
+                Integer.parseInt(arguments.choice("block", "102", "205")));
         if (names.size() == 1) {
-            return say(HeardFile.of(names.get(0)), out, err);
+            return say(HeardFile.of(names.get(0), kind), out, err);
         }
         int threads = Math.min(names.size(), Runtime.getRuntime().availableProcessors());
         ExecutorService ears = Executors.newFixedThreadPool(threads);
         try {
             List<Future<HeardFile>> files = new ArrayList<>();
             for (String name : names) {
-                files.add(ears.submit(() -> HeardFile.of(name)));
+                files.add(ears.submit(() -> HeardFile.of(name, kind)));
             }
             int status = ExitStatus.OK;
             for (Future<HeardFile> file : files) {

@@ -6,29 +6,42 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import simgsm.console.ExitStatus;
+import simgsm.dtmf.ClassicReceiver;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.KeyCandidate;
+import simgsm.dtmf.KeyReceiver;
 import simgsm.tools.audio.NotAudioException;
 import simgsm.tools.audio.SpeechFile;
 
 /** What {@code decode} says about one file. */
 final class HeardFile {
+    /** How a file is listened to. */
+    record Kind(boolean explains, boolean isClassic, int classicBlockSamples) {
+        KeyReceiver open(DtmfListener listener) {
+            return isClassic ? new ClassicReceiver(listener, classicBlockSamples) : new DtmfReceiver(listener);
+        }
+    }
+
     private static final int BLOCK_SAMPLES = 8192;
 
     private final String name;
     private final StringBuilder keys = new StringBuilder();
     private final StringBuilder millis = new StringBuilder();
+    private final StringBuilder candidates = new StringBuilder();
+    private final Kind kind;
     private int status = ExitStatus.OK;
     private String complaint;
 
-    private HeardFile(String name) {
+    private HeardFile(String name, Kind kind) {
         this.name = name;
+        this.kind = kind;
     }
 
     /** Listens to the file of that name, whatever it holds; never throws for what is in it. */
-    static HeardFile of(String name) {
-        HeardFile heard = new HeardFile(name);
+    static HeardFile of(String name, Kind kind) {
+        HeardFile heard = new HeardFile(name, kind);
         try {
             heard.listen(Path.of(name));
         } catch (NotAudioException e) {
@@ -53,7 +66,7 @@ final class HeardFile {
 
     private void listen(Path path) throws IOException {
         try (SpeechFile file = SpeechFile.openForKeys(path)) {
-            DtmfReceiver receiver = new DtmfReceiver(listener(file.lookAheadMillis()));
+            KeyReceiver receiver = kind.open(listener(file.lookAheadMillis()));
             short[] block = new short[BLOCK_SAMPLES];
             for (int n; (n = file.read(block)) >= 0; ) {
                 receiver.accept(block, 0, n);
@@ -63,11 +76,36 @@ final class HeardFile {
     }
 
     private DtmfListener listener(double lookAheadMillis) {
-        return (DtmfDigit digit) -> {
-            keys.append(digit.key().symbol());
-            millis.append(millis.length() == 0 ? "" : ",")
-                    .append(Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis));
+        return new DtmfListener() {
+            @Override
+            public void keyDecided(DtmfDigit digit) {
+                keys.append(digit.key().symbol());
+                millis.append(millis.length() == 0 ? "" : ",")
+                        .append(Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis));
+            }
+
+            @Override
+            public void considered(KeyCandidate candidate) {
+                if (kind.explains && candidate.isOver()) {
+                    explain(candidate, lookAheadMillis);
+                }
+            }
         };
+    }
+
+    private void explain(KeyCandidate candidate, double lookAheadMillis) {
+        candidates
+                .append("  explain\t")
+                .append(candidate.key().symbol())
+                .append('\t')
+                .append(Math.round(candidate.fromSample() / 8.0 + lookAheadMillis))
+                .append('\t')
+                .append(Math.round(candidate.toSample() / 8.0 + lookAheadMillis))
+                .append('\t')
+                .append(candidate.isAccepted() ? "accepted" : "rejected")
+                .append('\t')
+                .append(candidate.reason())
+                .append('\n');
     }
 
     int status() {
@@ -80,6 +118,6 @@ final class HeardFile {
     }
 
     String line() {
-        return name + "\t" + keys + "\t" + millis + "\n";
+        return name + "\t" + keys + "\t" + millis + "\n" + candidates;
     }
 }

@@ -16,6 +16,7 @@ import simgsm.speech.WavWriter;
 /** {@code tones KEYS OUT.wav}: keys as sound. */
 final class TonesTool implements Tool {
     private static final int MOST_MILLIS = 60_000;
+    private static final int MOST_RAMP_MILLIS = 10;
     private static final int MOST_SAMPLES = 1 << 29;
 
     @Override
@@ -30,6 +31,10 @@ final class TonesTool implements Tool {
                         "Writes keys (0-9 * # A-D, blanks ignored) as DTMF audio: WAV, 8 kHz, 16 bit, mono.")
                 .value("tone-ms", "N", "length of each tone, 1 to 60000 (100)")
                 .value("pause-ms", "N", "silence after each tone, 0 to 60000 (100)")
+                .value(
+                        "ramp",
+                        "MILLIS",
+                        "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
                 .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
                 .arguments(2);
     }
@@ -41,11 +46,19 @@ final class TonesTool implements Tool {
             throw new UsageException(rest.isEmpty() ? "missing KEYS and OUT.wav" : "missing OUT.wav");
         }
         ToneShape shape = ToneShape.STANDARD
+                .withRamp(0)
                 .withMillis((int) arguments.integer("tone-ms", 100, 1, MOST_MILLIS), (int)
                         arguments.integer("pause-ms", 100, 0, MOST_MILLIS))
-                .withLevel(arguments.value("level", TonesTool::level).orElse(-10.0));
+                .withLevel(arguments.value("level", TonesTool::level).orElse(-10.0))
+                .withRamp(ramp(arguments));
         WavWriter.write(Path.of(rest.get(1)), sound(keys(rest.get(0)), shape));
         return ExitStatus.OK;
+    }
+
+    /** Milliseconds, at most the tone's length. */
+    private static double ramp(Arguments arguments) throws UsageException {
+        double millis = arguments.number("ramp", ToneShape.STANDARD.rampMillis(), 0, MOST_RAMP_MILLIS);
+        return Math.min(millis, arguments.integer("tone-ms", 100, 1, MOST_MILLIS));
     }
 
     private static double level(String text) {

@@ -1,0 +1,182 @@
+package simgsm.dtmf;
+
+import java.util.Arrays;
+
+/**
+ * A receiver as textbooks have it: eight Goertzel filters and their second harmonics over blocks of 102 or 205 samples, and a
+ * list of tests. Two equal blocks in a row begin a key, two others end it; with 205 samples one of each suffices. It is
+ * there to be compared with {@link DtmfReceiver}; the modem does not use it.
+ */
+public final class ClassicReceiver implements KeyReceiver {
+    /** 12.75 ms; two blocks last longer than the 23 ms that Q.24 rejects. */
+    public static final int SHORT_BLOCK = 102;
+    /** 25.6 ms: the filters' zeros lie near the other tones. */
+    public static final int LONG_BLOCK = 205;
+
+    /** Q.24: below -55 dBm0 nothing may be heard; the usual receiver gives up at -42. */
+    private static final double LEAST_DBM0 = -42;
+    /** Q.24, AT&T: high group over low, -8 to 4 dB. */
+    private static final double LEAST_TWIST_DB = -8;
+
+    private static final double MOST_TWIST_DB = 4;
+    /** A tone over the others of its group. */
+    private static final double LEAST_PEAK_DB = 8;
+    /** A tone over its second harmonic: voices have overtones. Short blocks do not tell 2 x 697 Hz from 1336 Hz. */
+    private static final double LEAST_HARMONIC_DB = 10;
+    /** Of all power in the block, the two tones'. */
+    private static final double LEAST_SHARE = 0.8;
+
+    private final Goertzel[] tones = new Goertzel[8];
+    private final Goertzel[] harmonics = new Goertzel[8];
+    private final int length;
+    private final int needed;
+    private final DtmfListener listener;
+    private final short[] block;
+    private int filled;
+    private long heard;
+    private DtmfKey last;
+    private int repeats;
+    private DtmfDigit current;
+
+    /** @param blockSamples {@link #SHORT_BLOCK} or {@link #LONG_BLOCK} */
+    public ClassicReceiver(DtmfListener listener, int blockSamples) {
+        this.listener = listener;
+        length = blockSamples;
+        needed = blockSamples < LONG_BLOCK ? 2 : 1;
+        block = new short[length];
+        for (int i = 0; i < 8; i++) {
+            double hertz = i < 4 ? DtmfKey.ROW_HERTZ[i] : DtmfKey.COLUMN_HERTZ[i - 4];
+            tones[i] = new Goertzel(hertz);
+            harmonics[i] = new Goertzel(2 * hertz);
+        }
+    }
+
+    @Override
+    public void accept(short[] samples, int from, int to) {
+        for (int at = from; at < to; ) {
+            int n = Math.min(to - at, length - filled);
+            System.arraycopy(samples, at, block, filled, n);
+            at += n;
+            filled += n;
+            heard += n;
+            if (filled == length) {
+                filled = 0;
+                decide(look());
+            }
+        }
+    }
+
+    /** The key of the block, or null. */
+    private DtmfKey look() {
+        double[] amplitude = Arrays.stream(tones).mapToDouble(this::amplitude).toArray();
+        int row = strongest(amplitude, 0);
+        int column = strongest(amplitude, 4);
+        if (ToneLevel.dbm0(Math.min(amplitude[row], amplitude[column])) < LEAST_DBM0) {
+            return null;
+        }
+        DtmfKey key = DtmfKey.at(row, column - 4);
+        double power = 0;
+        for (short sample : block) {
+            power += (double) sample * sample / length;
+        }
+        double share = (square(amplitude[row]) + square(amplitude[column])) / 2 / power;
+        double harmonic = Math.min(
+                decibels(amplitude[row] / amplitude(harmonics[row])),
+                decibels(amplitude[column] / amplitude(harmonics[column])));
+        double twist = decibels(amplitude[column] / amplitude[row]);
+        double peak = Math.min(peak(amplitude, row, 0), peak(amplitude, column, 4));
+        if (twist < LEAST_TWIST_DB || twist > MOST_TWIST_DB) {
+            return failed(key, "twist in dB", twist);
+        }
+        if (peak < LEAST_PEAK_DB) {
+            return failed(key, "peak over its group in dB", peak);
+        }
+        if (length >= LONG_BLOCK && harmonic < LEAST_HARMONIC_DB) {
+            return failed(key, "tone over its second harmonic in dB", harmonic);
+        }
+        return share < LEAST_SHARE ? failed(key, "share of all power in percent", 100 * share) : key;
+    }
+
+    private DtmfKey failed(DtmfKey key, String test, double value) {
+        consider(key, KeyCandidate.Finding.TEST, test, value);
+        return null;
+    }
+
+    private void consider(DtmfKey key, KeyCandidate.Finding finding, String test, double value) {
+        listener.considered(
+                new KeyCandidate(key, heard - length, heard, finding, Double.NaN, Double.NaN, test, value, true));
+    }
+
+    private void decide(DtmfKey key) {
+        repeats = key == last ? repeats + 1 : 1;
+        last = key;
+        if (repeats < needed) {
+            return;
+        }
+        if (current != null && current.key() != key) {
+            end();
+        }
+        if (key != null && current == null) {
+            long start = heard - (long) needed * length;
+            consider(key, KeyCandidate.Finding.PASSED, "", needed);
+            current = new DtmfDigit(key, heard, start, heard - start, level(key.row()), level(4 + key.column()), 0, 0);
+            listener.keyDecided(current);
+        }
+    }
+
+    private double level(int tone) {
+        return ToneLevel.dbm0(amplitude(tones[tone]));
+    }
+
+    private void end() {
+        DtmfDigit ended = current;
+        current = null;
+        listener.keyEnded(ended.withDuration(heard - (long) needed * length - ended.startedAtSample()));
+    }
+
+    @Override
+    public void finish() {
+        if (current != null) {
+            end();
+        }
+    }
+
+    @Override
+    public void reset() {
+        filled = 0;
+        heard = 0;
+        last = null;
+        repeats = 0;
+        current = null;
+    }
+
+    private double amplitude(Goertzel filter) {
+        filter.reset();
+        filter.accept(block, 0, length);
+        return Math.max(1e-3, filter.amplitude());
+    }
+
+    private static int strongest(double[] amplitude, int from) {
+        int best = from;
+        for (int i = from + 1; i < from + 4; i++) {
+            best = amplitude[i] > amplitude[best] ? i : best;
+        }
+        return best;
+    }
+
+    private static double peak(double[] amplitude, int tone, int from) {
+        double other = 0;
+        for (int i = from; i < from + 4; i++) {
+            other = i == tone ? other : Math.max(other, amplitude[i]);
+        }
+        return decibels(amplitude[tone] / other);
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+
+    private static double decibels(double ratio) {
+        return 20 * Math.log10(ratio);
+    }
+}

@@ -1,0 +1,22 @@
+package simgsm.dtmf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Keys that are held although their beginning is disturbed, and keys in noise before a codec, are heard once each. */
+class DisturbedKeysTest {
+    @Test
+    void everyKeyIsHeardOnce() {
+        List<String> wrong = new ArrayList<>();
+        DisturbedTapes.all(41, 2, (name, tape) -> {
+            String heard = Bench.text(Bench.hear(tape.samples()));
+            if (!heard.contentEquals(tape.expected)) {
+                wrong.add(name + ": expected " + tape.expected + ", heard " + heard);
+            }
+        });
+        assertEquals(List.of(), wrong);
+    }
+}
