@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
+import java.util.function.Consumer;
 
 /**
  * A receiver as textbooks have it: eight Goertzel filters and their second harmonics over blocks of 102 or 205 samples, and a
@@ -31,6 +32,7 @@ public final class ClassicReceiver implements KeyReceiver {
     private final int length;
     private final int needed;
     private final DtmfListener listener;
+    private final Consumer<KeyCandidate> candidates;
     private final short[] block;
     private int filled;
     private long heard;
@@ -38,9 +40,13 @@ public final class ClassicReceiver implements KeyReceiver {
     private int repeats;
     private DtmfDigit current;
 
-    /** @param blockSamples {@link #SHORT_BLOCK} or {@link #LONG_BLOCK} */
-    public ClassicReceiver(DtmfListener listener, int blockSamples) {
+    /**
+     * @param candidates told of each block with two strong tones
+     * @param blockSamples {@link #SHORT_BLOCK} or {@link #LONG_BLOCK}
+     */
+    public ClassicReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, int blockSamples) {
         this.listener = listener;
+        this.candidates = candidates;
         length = blockSamples;
         needed = blockSamples < LONG_BLOCK ? 2 : 1;
         block = new short[length];
@@ -103,7 +109,7 @@ public final class ClassicReceiver implements KeyReceiver {
     }
 
     private void consider(DtmfKey key, KeyCandidate.Finding finding, String test, double value) {
-        listener.considered(
+        candidates.accept(
                 new KeyCandidate(key, heard - length, heard, finding, Double.NaN, Double.NaN, test, value, true));
     }
 

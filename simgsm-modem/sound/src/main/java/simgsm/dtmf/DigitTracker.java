@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import java.util.function.Consumer;
+
 /** Follows the keys that stand out from hop to hop: when one is certain, and when its tone is over. */
 final class DigitTracker {
     /**
@@ -21,6 +23,9 @@ final class DigitTracker {
     private final ToneBank bank;
     private final short[] recent;
     private final DtmfListener listener;
+    /** Null where nothing listens. */
+    private final Consumer<KeyCandidate> candidates;
+
     private final ToneFit fit = new ToneFit();
     private final KeyMeasures measures = new KeyMeasures();
     private final Judge judge;
@@ -55,8 +60,9 @@ final class DigitTracker {
         double logOdds(long hop, int key, ToneFit fit, KeyMeasures measures, short[] samples, int end);
     }
 
-    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener, Judge judge) {
+    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener, Consumer<KeyCandidate> candidates, Judge judge) {
         this.judge = judge;
+        this.candidates = candidates;
         this.bank = bank;
         this.recent = recent;
         this.listener = listener;
@@ -135,7 +141,9 @@ final class DigitTracker {
             add(hop, judge.logOdds(hop, runKey, fit, measures, recent, end));
             finding = sum > KeyLikelihood.LIMIT ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
         }
-        publish(hop, finding);
+        if (candidates != null) {
+            publish(hop, finding);
+        }
         if (finding == KeyCandidate.Finding.ACCEPTED) {
             decide(hop);
         }
@@ -181,7 +189,7 @@ final class DigitTracker {
                 isEvidence ? against.name() : "",
                 value,
                 false);
-        listener.considered(candidate);
+        candidates.accept(candidate);
     }
 
     /** How much a finding tells: a closer look more than a glance. */
@@ -197,7 +205,7 @@ final class DigitTracker {
     /** The tones have ended, or another key's have begun. */
     private void conclude() {
         if (candidate != null) {
-            listener.considered(candidate.over());
+            candidates.accept(candidate.over());
             candidate = null;
         }
     }

@@ -7,7 +7,4 @@ public interface DtmfListener {
 
     /** The tone of the key last decided has ended: the same key with its whole duration and its final measurements. */
     default void keyEnded(DtmfDigit digit) {}
-
-    /** Two tones stand out and were looked at, or they are over. */
-    default void considered(KeyCandidate candidate) {}
 }

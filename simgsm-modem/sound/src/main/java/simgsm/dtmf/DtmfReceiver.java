@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
+import java.util.function.Consumer;
 
 /**
  * Hears keys in 8 kHz, 16-bit mono speech (ITU-T Q.24), streaming: any chunk size, no allocation but the digits
@@ -21,15 +22,21 @@ public final class DtmfReceiver implements KeyReceiver {
     private long hopsDone;
 
     public DtmfReceiver(DtmfListener listener) {
+        this(listener, null);
+    }
+
+    /** @param candidates told what the receiver makes of tones that stand out, after each look; null for none */
+    public DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates) {
         this(
                 listener,
+                candidates,
                 (hop, key, fit, measures, samples, end) ->
                         KeyLikelihood.fitted().logOdds(measures, fit, samples, end));
     }
 
     /** One that judges otherwise, for the fit of the likelihood. */
-    DtmfReceiver(DtmfListener listener, DigitTracker.Judge judge) {
-        tracker = new DigitTracker(bank, recent, listener, judge);
+    DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, DigitTracker.Judge judge) {
+        tracker = new DigitTracker(bank, recent, listener, candidates, judge);
     }
 
     @Override

@@ -13,19 +13,7 @@ class ClassicReceiverTest {
     private final List<KeyCandidate> candidates = new ArrayList<>();
 
     private String keys(Tape tape, int blockSamples) {
-        ClassicReceiver receiver = new ClassicReceiver(
-                new DtmfListener() {
-                    @Override
-                    public void keyDecided(DtmfDigit digit) {
-                        heard.add(digit);
-                    }
-
-                    @Override
-                    public void considered(KeyCandidate candidate) {
-                        candidates.add(candidate);
-                    }
-                },
-                blockSamples);
+        ClassicReceiver receiver = new ClassicReceiver(heard::add, candidates::add, blockSamples);
         receiver.accept(tape.samples());
         receiver.finish();
         return Bench.text(heard);

@@ -11,15 +11,9 @@ import org.junit.jupiter.api.Test;
 class KeyCandidateTest {
     private static List<KeyCandidate> candidates(Tape tape) {
         List<KeyCandidate> over = new ArrayList<>();
-        DtmfReceiver receiver = new DtmfReceiver(new DtmfListener() {
-            @Override
-            public void keyDecided(DtmfDigit digit) {}
-
-            @Override
-            public void considered(KeyCandidate candidate) {
-                if (candidate.isOver()) {
-                    over.add(candidate);
-                }
+        DtmfReceiver receiver = new DtmfReceiver(digit -> {}, candidate -> {
+            if (candidate.isOver()) {
+                over.add(candidate);
             }
         });
         receiver.accept(tape.samples());

@@ -5,9 +5,9 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import simgsm.console.ExitStatus;
 import simgsm.dtmf.ClassicReceiver;
-import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.KeyCandidate;
@@ -19,8 +19,10 @@ import simgsm.tools.audio.SpeechFile;
 final class HeardFile {
     /** How a file is listened to. */
     record Kind(boolean explains, boolean isClassic, int classicBlockSamples) {
-        KeyReceiver open(DtmfListener listener) {
-            return isClassic ? new ClassicReceiver(listener, classicBlockSamples) : new DtmfReceiver(listener);
+        KeyReceiver open(DtmfListener listener, Consumer<KeyCandidate> candidates) {
+            return isClassic
+                    ? new ClassicReceiver(listener, candidates, classicBlockSamples)
+                    : new DtmfReceiver(listener, explains ? candidates : null);
         }
     }
 
@@ -66,7 +68,8 @@ final class HeardFile {
 
     private void listen(Path path) throws IOException {
         try (SpeechFile file = SpeechFile.openForKeys(path)) {
-            KeyReceiver receiver = kind.open(listener(file.lookAheadMillis()));
+            KeyReceiver receiver = kind.open(
+                    listener(file.lookAheadMillis()), candidate -> explain(candidate, file.lookAheadMillis()));
             short[] block = new short[BLOCK_SAMPLES];
             for (int n; (n = file.read(block)) >= 0; ) {
                 receiver.accept(block, 0, n);
@@ -76,24 +79,17 @@ final class HeardFile {
     }
 
     private DtmfListener listener(double lookAheadMillis) {
-        return new DtmfListener() {
-            @Override
-            public void keyDecided(DtmfDigit digit) {
-                keys.append(digit.key().symbol());
-                millis.append(millis.length() == 0 ? "" : ",")
-                        .append(Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis));
-            }
-
-            @Override
-            public void considered(KeyCandidate candidate) {
-                if (kind.explains && candidate.isOver()) {
-                    explain(candidate, lookAheadMillis);
-                }
-            }
+        return digit -> {
+            keys.append(digit.key().symbol());
+            millis.append(millis.length() == 0 ? "" : ",")
+                    .append(Math.round(digit.decidedAtSample() / 8.0 + lookAheadMillis));
         };
     }
 
     private void explain(KeyCandidate candidate, double lookAheadMillis) {
+        if (!kind.explains() || !candidate.isOver()) {
+            return;
+        }
         candidates
                 .append("  explain\t")
                 .append(candidate.key().symbol())
