@@ -29,9 +29,10 @@ class LayeringTest {
             simgsm.octets            :
             simgsm.state             :
             simgsm.timer             :
+            simgsm.net               : simgsm.timer
             vericommand              : simgsm.state
             simgsm.air               : simgsm.octets
-            simgsm.abis              : simgsm.octets simgsm.timer simgsm.air
+            simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.sim               : simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms
@@ -43,7 +44,7 @@ class LayeringTest {
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.draw simgsm.ui
             simgsm.ui.window         : simgsm.console simgsm.draw simgsm.ui
-            simgsm.station           : simgsm.octets simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.timer
+            simgsm.station           : simgsm.octets simgsm.net simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.timer
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.state simgsm.timer
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station
@@ -58,7 +59,7 @@ class LayeringTest {
             simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc
             simgsm.center.msc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.smsc simgsm.center.smpp
             simgsm.center.capture    : simgsm.abis
-            simgsm.center.net        : simgsm.timer simgsm.air simgsm.abis simgsm.center.smpp simgsm.center.msc simgsm.center.capture
+            simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc simgsm.center.capture
             simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc
             simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
@@ -239,7 +240,7 @@ class LayeringTest {
 
     /** Give the cores of their packages time and sockets. */
     private static final Set<String> SHELLS =
-            Set.of("StationThread", "StationLink", "OutgoingFrames", "SimulationThread");
+            Set.of("StationThread", "StationLink", "IpaConnection", "SimulationThread");
 
     private static GivenClassesConjunction coreClasses() {
         return noClasses()

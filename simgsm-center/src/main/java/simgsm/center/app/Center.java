@@ -8,8 +8,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import simgsm.center.CenterMain;
@@ -158,21 +156,13 @@ public final class Center implements AutoCloseable {
         loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
     }
 
-    /** Has the exchange asked something by its own thread, and waits for the answer or its exception. */
+    /**
+     * Runs a question on the exchange's thread and returns its answer, or throws its exception.
+     *
+     * @throws IllegalStateException if the thread has ended or does not answer within 5 s
+     */
     <T> T ask(Function<Exchange, T> question) {
-        CompletableFuture<T> answer = new CompletableFuture<>();
-        loop.post(exchange -> {
-            try {
-                answer.complete(question.apply(exchange));
-            } catch (RuntimeException e) {
-                answer.completeExceptionally(e);
-            }
-        });
-        try {
-            return answer.join();
-        } catch (CompletionException e) {
-            throw e.getCause() instanceof RuntimeException cause ? cause : e;
-        }
+        return loop.ask(question);
     }
 
     /** Sends a text to everybody attached; IllegalArgumentException says what is wrong with it. */
@@ -187,7 +177,7 @@ public final class Center implements AutoCloseable {
 
     /** From now on {@link #snapshot} is kept fresh; without a window nobody pays for it. To be called before start. */
     void publishSnapshots() {
-        loop.watch(SNAPSHOT_PERIOD_NANOS, exchange -> snapshot.set(exchange.snapshot()));
+        loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> snapshot.set(exchange.snapshot()));
     }
 
     AtomicReference<ExchangeSnapshot> snapshot() {

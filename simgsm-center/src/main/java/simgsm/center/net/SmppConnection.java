@@ -3,56 +3,54 @@ package simgsm.center.net;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
+import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
+import simgsm.net.Connection;
 
 /**
- * An application's TCP connection. What is sent within one turn of the loop goes out in one write; a peer that does not
- * take it is not read from either, until it does.
+ * One application's connection to the exchange. The PDUs of one iteration leave in one write; while a peer does not take
+ * its own, nothing further is read from it.
  */
-final class SmppConnection extends Peer implements SmppPort {
-    /** With more than this unsent, nothing further is read. */
+final class SmppConnection extends Connection implements SmppPort {
+    /** With more octets unsent, nothing further is read. */
     static final int ENOUGH_UNSENT = 256 * 1024;
-    /** With more than this unsent, the peer is not worth keeping. */
+    /** With more octets unsent, the peer is disconnected. */
     static final int TOO_MUCH_UNSENT = 8 * 1024 * 1024;
 
-    /** From another machine: a hundred or two requests, before the others have their turn. */
-    private static final int REMOTE_OCTETS_AT_ONCE = 4 * 1024;
+    /** From another machine, per iteration: 100 to 200 PDUs. */
+    private static final int REMOTE_READ_LIMIT = 4 * 1024;
 
     private static final int INITIAL_CAPACITY = 4 * 1024;
     private static final int KEPT_CAPACITY = 64 * 1024;
 
-    /** What the connection needs beside its loop's usual services. */
-    interface Server extends Peer.Host {
-        void received(SmppConnection connection, ByteBuffer octets);
-
-        void lost(SmppConnection connection, String reason);
-
-        /** There is something to write at the end of this turn. */
-        void hasUnsent(SmppConnection connection);
-    }
-
-    private final Server server;
+    private final CenterLoop center;
     private ByteBuffer unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
-    private boolean isAnnounced;
+    private EsmeSession session;
     private boolean isEnding;
 
-    /** What this connection is to the exchange. */
-    EsmeSession session;
-
-    SmppConnection(Incoming incoming, Server server) {
-        super(incoming, server);
-        this.server = server;
+    SmppConnection(Endpoint endpoint, CenterLoop center) {
+        super(endpoint);
+        this.center = center;
     }
 
     @Override
-    int mostOctetsAtOnce() {
-        return address().isLoopbackAddress() ? super.mostOctetsAtOnce() : REMOTE_OCTETS_AT_ONCE;
+    protected void opened() {
+        Exchange exchange = center.changing();
+        exchange.perform(
+                center.nowNanos(),
+                () -> session = exchange.smpp().opened(this, CenterLoop.text(address()), isLocal()));
     }
 
     @Override
-    void received(ByteBuffer octets) {
-        server.received(this, octets);
+    protected int readLimit() {
+        return isLocal() ? super.readLimit() : REMOTE_READ_LIMIT;
+    }
+
+    @Override
+    protected void received(ByteBuffer octets) {
+        Exchange exchange = center.changing();
+        exchange.perform(center.nowNanos(), () -> exchange.smpp().received(session, octets));
     }
 
     @Override
@@ -61,70 +59,54 @@ final class SmppConnection extends Peer implements SmppPort {
             return;
         }
         if (unsent.remaining() < pdu.length) {
-            grow(pdu.length);
+            int needed = unsent.position() + pdu.length;
+            unsent = ByteBuffer.allocate(Math.max(needed, 2 * unsent.capacity()))
+                    .put(unsent.flip());
         }
         unsent.put(pdu);
         if (unsent.position() > TOO_MUCH_UNSENT) {
-            broken(unsent.position() + " octets not taken");
+            fail(unsent.position() + " octets not taken");
         }
-        announce();
-    }
-
-    private void grow(int more) {
-        int needed = unsent.position() + more;
-        ByteBuffer larger = ByteBuffer.allocate(Math.max(needed, 2 * unsent.capacity()));
-        unsent = larger.put(unsent.flip());
-    }
-
-    private void announce() {
-        if (!isAnnounced) {
-            isAnnounced = true;
-            server.hasUnsent(this);
-        }
-    }
-
-    /** Writes what the turn has brought. */
-    void endTurn() {
-        isAnnounced = false;
-        writable();
+        flushLater();
     }
 
     @Override
-    void flush(WritableByteChannel channel) throws IOException {
+    protected void writeTo(WritableByteChannel channel) throws IOException {
         unsent.flip();
         channel.write(unsent);
         unsent.compact();
-        if (unsent.position() == 0 && unsent.capacity() > KEPT_CAPACITY) {
+        if (!hasOutput() && unsent.capacity() > KEPT_CAPACITY) {
             unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
         }
-        if (unsent.position() == 0 && isEnding) {
-            broken("ended");
+        if (!hasOutput() && isEnding) {
+            fail("ended");
         }
     }
 
     @Override
-    boolean wantsToRead() {
+    protected boolean wantsInput() {
         return unsent.position() < ENOUGH_UNSENT && !isEnding;
     }
 
     @Override
-    boolean wantsToWrite() {
+    protected boolean hasOutput() {
         return unsent.position() > 0;
     }
 
     @Override
     public void closeWhenSent() {
         isEnding = true;
-        announce();
+        flushLater();
     }
 
     @Override
     public void close(String reason) {
-        broken(reason);
+        fail(reason);
     }
 
     @Override
-    void lost(String reason) {
-        server.lost(this, reason);
+    protected void lost(String reason) {
+        Exchange exchange = center.changing();
+        exchange.perform(center.nowNanos(), () -> exchange.smpp().closed(session, reason));
     }
 }

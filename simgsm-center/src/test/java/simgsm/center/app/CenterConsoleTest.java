@@ -1,6 +1,7 @@
 package simgsm.center.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
@@ -21,7 +22,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import simgsm.center.msc.Exchange;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.sim.SimFile;
@@ -146,5 +149,13 @@ class CenterConsoleTest {
                 .stream()
                 .sorted()
                 .toList();
+    }
+
+    @Test
+    @Timeout(20)
+    void aQuestionToAClosedCentreFailsAtOnce() {
+        center.start(event -> {});
+        center.close();
+        assertThrows(IllegalStateException.class, () -> center.ask(Exchange::linkCount));
     }
 }

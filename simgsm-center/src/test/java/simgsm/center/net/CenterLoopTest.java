@@ -241,7 +241,7 @@ class CenterLoopTest {
     void aFloodDelaysNobodyElseAndIsAnsweredInFull() throws Exception {
         try (TestClient flooder = new TestClient(loop.port());
                 TestClient good = new TestClient(loop.port())) {
-            int flood = 3 * RateLimitedFrameReader.LOCAL_BURST_FRAMES / 2;
+            int flood = 3 * TerminalConnection.LOCAL_BURST_FRAMES / 2;
             byte[] ping = TestClient.frame(new CcmMessage.Ping());
             byte[] all = new byte[flood * ping.length];
             for (int i = 0; i < flood; i++) {

@@ -9,7 +9,7 @@ public final class RateLimit {
     private final long nanosEach;
     private final long burstNanos;
     /** When the acts so far would end if they were evenly spaced. */
-    private long paidUntilNanos;
+    private long paidUntilNanos = Long.MIN_VALUE;
 
     /** @param burst acts at once after a pause, at least 1 */
     public RateLimit(int perSecond, int burst) {

@@ -1,245 +1,125 @@
 package simgsm.station;
 
-import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
-import java.net.StandardSocketOptions;
-import java.nio.ByteBuffer;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
-import java.nio.channels.SocketChannel;
 import java.util.concurrent.TimeUnit;
+import simgsm.abis.IpaConnection;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.IpaFramer;
-import simgsm.abis.OutgoingFrames;
-import simgsm.air.ProtocolViolation;
+import simgsm.net.Connection;
+import simgsm.net.Connector;
+import simgsm.net.SelectorLoop;
+import simgsm.timer.RateLimit;
 
-/** One station's connection to its centre, made anew as often as it is lost. Owned by the station's thread. */
-final class StationLink implements Uplink {
-    private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
-    private static final long LONGEST_PAUSE_NANOS = TimeUnit.SECONDS.toNanos(5);
-    /** A connection that has lasted so long was a good one. */
-    private static final long STEADY_NANOS = TimeUnit.SECONDS.toNanos(1);
-
+/** One station and its connection to the centre, which is made again whenever it is lost. Belongs to the stations' thread. */
+final class StationLink implements Connector.Listener {
     private static final int MOST_SIGNALLING_FRAMES = 10_000;
-    private static final long CONNECT_NANOS = TimeUnit.SECONDS.toNanos(5);
+    /** A departing station waits this long for the end of its detach procedure. */
+    private static final long DEPARTURE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final MobileStation station;
-    private final InetSocketAddress center;
+    private final Connector connector;
+    private final String address;
     private final StationLog log;
-    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
-    private IpaFramer framer = new IpaFramer();
     /** Null while there is none. */
-    private SocketChannel channel;
+    private Uplinked connection;
 
-    private SelectionKey key;
-    private boolean connected;
-    private boolean broken;
-    private boolean saidAbsent;
-    private long pauseNanos = FIRST_PAUSE_NANOS;
-    private long upSinceNanos;
-    /** The next try to connect, or the end of the present one; without meaning while connected. */
-    private long deadlineNanos;
+    private boolean isAbsenceLogged;
+    /** Runs when the station has departed; null before it departs. */
+    private Runnable departed;
 
-    StationLink(MobileStation station, InetSocketAddress center, long nowNanos) {
+    private long departureNanos;
+
+    private final class Uplinked extends IpaConnection implements Uplink {
+        Uplinked(Endpoint endpoint) {
+            super(endpoint, new RateLimit(Integer.MAX_VALUE, 1), MOST_SIGNALLING_FRAMES, written -> {});
+        }
+
+        @Override
+        protected void opened() {
+            isAbsenceLogged = false;
+            log.trace(Level.INFO, "connected to the centre at {0}", address);
+            station.linkUp(this, System.nanoTime());
+        }
+
+        @Override
+        protected void frameArrived(IpaFrame frame) {
+            station.frameArrived(frame, System.nanoTime());
+        }
+
+        @Override
+        public void drop() {
+            fail("ended by the station");
+        }
+
+        @Override
+        protected void closing(boolean isByPeer) {
+            super.closing(isByPeer);
+            connection = null;
+        }
+
+        @Override
+        protected void lost(String reason) {
+            log.trace(Level.WARNING, "the connection to the centre is lost ({0}); trying again", reason);
+            station.linkDown(System.nanoTime());
+        }
+    }
+
+    /** Makes the first attempt to connect. */
+    StationLink(SelectorLoop loop, MobileStation station, InetSocketAddress center) {
         this.station = station;
-        this.center = center;
-        this.log = new StationLog(station.identity());
-        this.deadlineNanos = nowNanos;
+        address = center.getHostString() + ":" + center.getPort();
+        log = new StationLog(station.identity());
+        connector = new Connector(loop, center, this);
+        connector.start();
+    }
+
+    @Override
+    public Connection connected(Connection.Endpoint endpoint) {
+        connection = new Uplinked(endpoint);
+        return connection;
+    }
+
+    @Override
+    public void failed(String reason) {
+        if (!isAbsenceLogged) {
+            isAbsenceLogged = true;
+            log.trace(Level.WARNING, "no centre at {0} ({1}); trying again", address, reason);
+        }
+        station.linkDown(System.nanoTime());
     }
 
     MobileStation station() {
         return station;
     }
 
-    long droppedSpeechFrames() {
-        return outgoing.droppedSpeechFrames();
+    /** Detaches the station. @param whenDeparted runs after the last sign of the station */
+    void depart(Runnable whenDeparted) {
+        if (departed == null) {
+            departed = whenDeparted;
+            departureNanos = System.nanoTime();
+            station.powerOff();
+        }
     }
 
-    /** Whether everything that was to be said has been written. */
-    boolean isFlushed() {
-        return !connected || outgoing.isEmpty();
+    /** Whether the departing station has detached and all its frames are written, or its time is over. */
+    boolean hasDeparted(long nowNanos) {
+        boolean isFlushed = connection == null || !connection.hasOutput();
+        return departed != null && (isFlushed && station.isDetached() || nowNanos - departureNanos >= DEPARTURE_NANOS);
     }
 
     long nextDeadlineNanos() {
-        long stations = station.nextDeadlineNanos();
-        return connected ? stations : Math.min(stations, deadlineNanos);
-    }
-
-    @Override
-    public void send(IpaFrame frame) {
-        if (!connected || broken) {
-            return;
+        if (departed == null) {
+            return station.nextDeadlineNanos();
         }
-        try {
-            if (!outgoing.send(frame, channel)) {
-                log.trace(Level.WARNING, "the centre reads nothing: link dropped");
-                broken = true;
-            }
-            listenForRoom();
-        } catch (IOException e) {
-            writeFailed(e);
-        }
+        boolean isDue = hasDeparted(System.nanoTime());
+        return isDue ? departureNanos : Math.min(station.nextDeadlineNanos(), departureNanos + DEPARTURE_NANOS);
     }
 
-    @Override
-    public void drop() {
-        broken = true;
-    }
-
-    /** Does what is due by time, and gives up a connection that has broken. */
-    void timePassed(Selector selector, long nowNanos) {
-        station.timePassed(nowNanos);
-        if (!connected && nowNanos >= deadlineNanos) {
-            if (channel == null) {
-                connect(selector, nowNanos);
-            } else {
-                failed("no answer", nowNanos);
-            }
-        }
-        dropIfBroken(nowNanos);
-    }
-
-    void dropIfBroken(long nowNanos) {
-        if (broken) {
-            lost(nowNanos);
-        }
-    }
-
-    /** The selector says that the channel is ready for something. */
-    void ready(ByteBuffer buffer, long nowNanos) {
-        if (key.isValid() && key.isConnectable()) {
-            finishConnect(nowNanos);
-        }
-        if (connected && key.isValid() && key.isWritable()) {
-            write();
-        }
-        if (connected && key.isValid() && key.isReadable()) {
-            read(buffer, nowNanos);
-        }
-        dropIfBroken(nowNanos);
-    }
-
-    private void connect(Selector selector, long nowNanos) {
-        try {
-            channel = SocketChannel.open();
-            channel.configureBlocking(false);
-            channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-            key = channel.register(selector, 0, this);
-            deadlineNanos = nowNanos + CONNECT_NANOS;
-            if (channel.connect(resolved())) {
-                up(nowNanos);
-            } else {
-                key.interestOps(SelectionKey.OP_CONNECT);
-            }
-        } catch (IOException | RuntimeException e) {
-            failed(reason(e), nowNanos);
-        }
-    }
-
-    /** A name that could not be resolved is asked for again. */
-    private InetSocketAddress resolved() {
-        return center.isUnresolved() ? new InetSocketAddress(center.getHostString(), center.getPort()) : center;
-    }
-
-    private void finishConnect(long nowNanos) {
-        try {
-            channel.finishConnect();
-            up(nowNanos);
-        } catch (IOException e) {
-            failed(reason(e), nowNanos);
-        }
-    }
-
-    private void up(long nowNanos) {
-        connected = true;
-        saidAbsent = false;
-        upSinceNanos = nowNanos;
-        framer = new IpaFramer();
-        key.interestOps(SelectionKey.OP_READ);
-        log.trace(Level.INFO, "connected to the centre at {0}", address());
-        station.linkUp(this, nowNanos);
-    }
-
-    private String address() {
-        return center.getHostString() + ":" + center.getPort();
-    }
-
-    private void failed(String reason, long nowNanos) {
-        if (!saidAbsent) {
-            saidAbsent = true;
-            log.trace(Level.WARNING, "no centre at {0} ({1}); trying again", address(), reason);
-        }
-        lost(nowNanos);
-    }
-
-    /** A centre that takes connections only to close them at once is not asked in quick succession. */
-    private void lost(long nowNanos) {
-        if (connected && nowNanos - upSinceNanos > STEADY_NANOS) {
-            pauseNanos = FIRST_PAUSE_NANOS;
-        }
-        if (connected && !saidAbsent) {
-            log.trace(Level.WARNING, "the link to the centre is lost; trying again");
-        }
-        close();
-        deadlineNanos = nowNanos + pauseNanos;
-        pauseNanos = Math.min(2 * pauseNanos, LONGEST_PAUSE_NANOS);
-        station.linkDown(nowNanos);
-    }
-
+    /** Makes no further attempt to connect. */
     void close() {
-        connected = false;
-        broken = false;
-        outgoing.clear();
-        if (channel != null) {
-            try {
-                channel.close();
-            } catch (IOException e) {
-                log.trace(Level.DEBUG, "closing: {0}", reason(e));
-            }
-            channel = null;
+        connector.close();
+        if (departed != null) {
+            departed.run();
         }
-    }
-
-    private void write() {
-        try {
-            outgoing.flush(channel);
-            listenForRoom();
-        } catch (IOException e) {
-            writeFailed(e);
-        }
-    }
-
-    private void writeFailed(IOException e) {
-        log.trace(Level.DEBUG, "write: {0}", reason(e));
-        broken = true;
-    }
-
-    private void listenForRoom() {
-        key.interestOps(outgoing.isEmpty() ? SelectionKey.OP_READ : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
-    }
-
-    private void read(ByteBuffer buffer, long nowNanos) {
-        try {
-            buffer.clear();
-            if (channel.read(buffer) < 0) {
-                broken = true;
-                return;
-            }
-            framer.accept(buffer.flip());
-            for (var frame = framer.next(); frame.isPresent() && !broken; frame = framer.next()) {
-                station.frameArrived(frame.get(), nowNanos);
-            }
-        } catch (IOException e) {
-            log.trace(Level.DEBUG, "read: {0}", reason(e));
-            broken = true;
-        } catch (ProtocolViolation e) {
-            log.trace(Level.WARNING, "{0}: link dropped", e.getMessage());
-            broken = true;
-        }
-    }
-
-    private static String reason(Exception e) {
-        return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
     }
 }

@@ -1,6 +1,7 @@
 package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.DataInputStream;
@@ -265,7 +266,7 @@ class StationThreadTest {
     @Test
     void closingAThreadThatNeverStartedReturns() {
         thread.close();
-        assertEquals(0, thread.droppedSpeechFrames());
+        assertThrows(IllegalStateException.class, () -> thread.ask(() -> "an answer"));
     }
 
     @Test

@@ -1,4 +1,4 @@
-package simgsm.abis;
+package simgsm.net;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -12,12 +12,14 @@ import java.nio.channels.WritableByteChannel;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import simgsm.air.ProtocolViolation;
 
-class OutgoingFramesTest {
-    private static final int MOST_SIGNALLING_FRAMES = 30;
+class OutputQueueTest {
+    private static final int MOST = 30;
+    private static final int MOST_SPEECH = 10;
+    /** Length of a message; its first octet is its length, its second a mark. */
+    private static final int LENGTH = 6;
 
-    /** A peer that takes so many octets and then no more. */
+    /** A peer that takes a number of octets and then no more. */
     private static final class Peer implements WritableByteChannel {
         final ByteArrayOutputStream taken = new ByteArrayOutputStream();
         final List<Integer> writes = new ArrayList<>();
@@ -42,33 +44,34 @@ class OutgoingFramesTest {
         @Override
         public void close() {}
 
-        /** The first payload octets of the frames that have arrived whole. */
-        List<Integer> frames() throws ProtocolViolation {
-            IpaFramer framer = new IpaFramer();
-            framer.accept(ByteBuffer.wrap(taken.toByteArray()));
+        /** The marks of the messages that have arrived; fails if one has not arrived whole. */
+        List<Integer> messages() {
+            byte[] octets = taken.toByteArray();
             List<Integer> marks = new ArrayList<>();
-            for (var frame = framer.next(); frame.isPresent(); frame = framer.next()) {
-                marks.add((int) frame.get().payload()[0]);
+            for (int i = 0; i < octets.length; i += LENGTH) {
+                assertEquals(LENGTH, octets[i], "the octet at " + i + " begins a message");
+                marks.add((int) octets[i + 1]);
             }
             return marks;
         }
     }
 
     private final Peer peer = new Peer();
-    private final OutgoingFrames outgoing = new OutgoingFrames(MOST_SIGNALLING_FRAMES);
+    private final OutputQueue outgoing = new OutputQueue(MOST, MOST_SPEECH, written -> {});
 
-    private static IpaFrame speech(int mark) {
-        return new IpaFrame(IpaFrame.SPEECH, new byte[] {(byte) mark, 0, 0});
-    }
-
-    private static IpaFrame signalling(int mark) {
-        return new IpaFrame(IpaFrame.RSL, new byte[] {(byte) mark, 0, 0});
+    private boolean send(int mark, boolean isSpeech) throws IOException {
+        boolean isFirst = outgoing.isEmpty();
+        boolean isTaken = outgoing.add(new byte[] {LENGTH, (byte) mark, 0, 0, 0, 0}, isSpeech);
+        if (isFirst) {
+            outgoing.flush(peer);
+        }
+        return isTaken;
     }
 
     @Test
     void whileThePeerKeepsUpEachFrameIsAWriteOfItsOwn() throws IOException {
-        outgoing.send(signalling(1), peer);
-        outgoing.send(speech(2), peer);
+        send(1, false);
+        send(2, true);
         assertEquals(List.of(6, 6), peer.writes);
         assertTrue(outgoing.isEmpty());
     }
@@ -76,84 +79,71 @@ class OutgoingFramesTest {
     @Test
     void aFrameThatLeavesInPartsStaysWholeAndInOrder() throws Exception {
         peer.room = 4;
-        outgoing.send(signalling(1), peer);
-        outgoing.send(signalling(2), peer);
+        send(1, false);
+        send(2, false);
         assertFalse(outgoing.isEmpty());
         peer.room = 1;
         outgoing.flush(peer);
         peer.room = Integer.MAX_VALUE;
         outgoing.flush(peer);
-        assertEquals(List.of(1, 2), peer.frames());
+        assertEquals(List.of(1, 2), peer.messages());
         assertTrue(outgoing.isEmpty());
-        assertArrayEquals(new byte[] {0, 3, 0, 1, 0, 0}, java.util.Arrays.copyOf(peer.taken.toByteArray(), 6));
+        assertArrayEquals(new byte[] {LENGTH, 1, 0, 0, 0, 0}, java.util.Arrays.copyOf(peer.taken.toByteArray(), 6));
     }
 
     @Test
     void speechOver200MillisecondsDropsItsOldestAndKeepsSignalling() throws Exception {
         peer.room = 0;
-        outgoing.send(signalling(100), peer);
+        send(100, false);
         for (int i = 1; i <= 13; i++) {
-            outgoing.send(speech(i), peer);
+            send(i, true);
         }
-        outgoing.send(signalling(101), peer);
+        send(101, false);
         peer.room = Integer.MAX_VALUE;
         outgoing.flush(peer);
-        assertEquals(List.of(100, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 101), peer.frames());
-        assertEquals(3, outgoing.droppedSpeechFrames());
+        assertEquals(List.of(100, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 101), peer.messages());
+        assertEquals(3, outgoing.dropped());
     }
 
     @Test
     void aSpeechFrameOfWhichAPartHasLeftIsNotTheOneDropped() throws Exception {
         peer.room = 2;
         for (int i = 1; i <= 11; i++) {
-            outgoing.send(speech(i), peer);
+            send(i, true);
         }
         peer.room = Integer.MAX_VALUE;
         outgoing.flush(peer);
-        assertEquals(List.of(1, 3, 4, 5, 6, 7, 8, 9, 10, 11), peer.frames());
-        assertEquals(1, outgoing.droppedSpeechFrames());
+        assertEquals(List.of(1, 3, 4, 5, 6, 7, 8, 9, 10, 11), peer.messages());
+        assertEquals(1, outgoing.dropped());
     }
 
     @Test
     void aPeerThatTakesNoSignallingAnyMoreIsReported() throws IOException {
         peer.room = 0;
-        for (int i = 0; i < MOST_SIGNALLING_FRAMES; i++) {
-            assertTrue(outgoing.send(signalling(1), peer));
+        for (int i = 0; i < MOST; i++) {
+            assertTrue(send(1, false));
         }
-        assertFalse(outgoing.send(signalling(1), peer));
+        assertFalse(send(1, false));
     }
 
     @Test
     void speechDoesNotCountAsSignallingThatIsNotTaken() throws IOException {
         peer.room = 0;
-        for (int i = 0; i < 3 * MOST_SIGNALLING_FRAMES; i++) {
-            assertTrue(outgoing.send(speech(1), peer));
+        for (int i = 0; i < 3 * MOST; i++) {
+            assertTrue(send(1, true));
         }
-        assertEquals(OutgoingFrames.MOST_SPEECH_FRAMES, outgoing.size());
+        assertEquals(MOST_SPEECH, outgoing.size());
     }
 
     @Test
     void signallingIsNeverDroppedForSpeech() throws Exception {
         peer.room = 0;
         for (int i = 1; i <= 20; i++) {
-            outgoing.send(signalling(100), peer);
-            outgoing.send(speech(i), peer);
+            send(100, false);
+            send(i, true);
         }
         peer.room = Integer.MAX_VALUE;
         outgoing.flush(peer);
-        assertEquals(20, peer.frames().stream().filter(mark -> mark == 100).count());
-    }
-
-    @Test
-    void whatWaitedForALostConnectionIsForgotten() throws Exception {
-        peer.room = 0;
-        outgoing.send(speech(1), peer);
-        outgoing.send(signalling(2), peer);
-        outgoing.clear();
-        assertTrue(outgoing.isEmpty());
-        for (int i = 1; i <= OutgoingFrames.MOST_SPEECH_FRAMES; i++) {
-            outgoing.send(speech(i), peer);
-        }
-        assertEquals(0, outgoing.droppedSpeechFrames());
+        assertEquals(20, peer.messages().stream().filter(mark -> mark == 100).count());
     }
 }

@@ -1,0 +1,69 @@
+package simgsm.center.net;
+
+import simgsm.abis.IpaConnection;
+import simgsm.abis.IpaFrame;
+import simgsm.center.capture.WireTap;
+import simgsm.center.msc.Link;
+import simgsm.center.msc.LinkPort;
+import simgsm.timer.RateLimit;
+
+/** One terminal's connection to the exchange. */
+final class TerminalConnection extends IpaConnection implements LinkPort {
+    /** From another machine: twenty times a call with all its keys. */
+    static final int REMOTE_FRAMES_PER_SECOND = 1_000;
+    /** More speech than any peer keeps back. */
+    static final int REMOTE_BURST_FRAMES = 2_000;
+    /** From this machine: a phone that receives thousands of short messages a second. */
+    static final int LOCAL_FRAMES_PER_SECOND = 20_000;
+
+    static final int LOCAL_BURST_FRAMES = 20_000;
+
+    private static final int MOST_SIGNALLING_FRAMES = 2_000;
+
+    private final CenterLoop center;
+    private final WireTap tap;
+    private Link link;
+
+    TerminalConnection(Endpoint endpoint, CenterLoop center, WireTap tap) {
+        super(
+                endpoint,
+                rate(endpoint.address().getAddress().isLoopbackAddress()),
+                MOST_SIGNALLING_FRAMES,
+                tap::sent);
+        this.center = center;
+        this.tap = tap;
+    }
+
+    static RateLimit rate(boolean isLocal) {
+        return isLocal
+                ? new RateLimit(LOCAL_FRAMES_PER_SECOND, LOCAL_BURST_FRAMES)
+                : new RateLimit(REMOTE_FRAMES_PER_SECOND, REMOTE_BURST_FRAMES);
+    }
+
+    @Override
+    protected void opened() {
+        link = center.changing().linkOpened(center.nowNanos(), this, CenterLoop.text(address()), isLocal());
+    }
+
+    @Override
+    protected void frameArrived(IpaFrame frame) {
+        tap.received(frame);
+        center.changing().frameReceived(center.nowNanos(), link, frame);
+    }
+
+    @Override
+    protected void closing(boolean isByPeer) {
+        super.closing(isByPeer);
+        tap.closed(isByPeer);
+    }
+
+    @Override
+    protected void lost(String reason) {
+        center.changing().linkClosed(center.nowNanos(), link, reason);
+    }
+
+    @Override
+    public void close(String reason) {
+        close();
+    }
+}

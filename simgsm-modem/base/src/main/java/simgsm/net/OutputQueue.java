@@ -1,0 +1,85 @@
+package simgsm.net;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import java.util.ArrayDeque;
+import java.util.Iterator;
+import java.util.function.Consumer;
+
+/**
+ * Messages that a peer has not yet taken. Each is written by a write of its own, so that an observer of the wire sees one
+ * message per segment while the peer keeps up; a message that leaves in parts stays whole. Droppable messages beyond
+ * their limit replace the oldest of their kind.
+ */
+public final class OutputQueue {
+    private record Message(ByteBuffer octets, boolean isDroppable) {}
+
+    private final int most;
+    private final int mostDroppable;
+    private final Consumer<byte[]> written;
+    private final ArrayDeque<Message> queue = new ArrayDeque<>();
+    private int droppable;
+    private long dropped;
+
+    /**
+     * @param most messages that wait, droppable ones not counted
+     * @param mostDroppable droppable messages that wait
+     * @param written called with each message after its last octet has been written
+     */
+    public OutputQueue(int most, int mostDroppable, Consumer<byte[]> written) {
+        this.most = most;
+        this.mostDroppable = mostDroppable;
+        this.written = written;
+    }
+
+    /** @return false if more than the permitted number of messages wait: the peer does not read */
+    public boolean add(byte[] message, boolean isDroppable) {
+        if (isDroppable && droppable == mostDroppable) {
+            dropOldest();
+        }
+        droppable += isDroppable ? 1 : 0;
+        queue.addLast(new Message(ByteBuffer.wrap(message), isDroppable));
+        return queue.size() - droppable <= most;
+    }
+
+    /** Writes until the channel takes no more or the queue is empty. */
+    public void flush(WritableByteChannel channel) throws IOException {
+        while (!queue.isEmpty()) {
+            Message first = queue.peekFirst();
+            channel.write(first.octets);
+            if (first.octets.hasRemaining()) {
+                return;
+            }
+            queue.removeFirst();
+            droppable -= first.isDroppable ? 1 : 0;
+            written.accept(first.octets.array());
+        }
+    }
+
+    public boolean isEmpty() {
+        return queue.isEmpty();
+    }
+
+    public int size() {
+        return queue.size();
+    }
+
+    /** Droppable messages dropped so far. */
+    public long dropped() {
+        return dropped;
+    }
+
+    /** A message that has left in part is kept, since the peer would lose the framing. */
+    private void dropOldest() {
+        for (Iterator<Message> each = queue.iterator(); each.hasNext(); ) {
+            Message candidate = each.next();
+            if (candidate.isDroppable && candidate.octets.position() == 0) {
+                each.remove();
+                droppable--;
+                dropped++;
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,302 @@
+package simgsm.net;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The loop with real sockets; its work is counted per iteration, never timed. */
+@Timeout(60)
+class SelectorLoopTest {
+    private static final InetSocketAddress ANY_PORT = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+
+    private final BlockingQueue<String> events = new LinkedBlockingQueue<>();
+    private final SelectorLoop loop = new SelectorLoop("loop", Duration.ofMillis(200));
+
+    @AfterEach
+    void close() {
+        loop.close();
+    }
+
+    private void start() {
+        loop.start(SelectorLoop.Core.NONE, fault -> events.add("failed " + fault.getMessage()));
+    }
+
+    private void expect(String event) throws InterruptedException {
+        assertEquals(event, events.poll(20, TimeUnit.SECONDS));
+    }
+
+    /** Sends back what it receives, at most so many octets per iteration; 'x' makes it fail by an exception. */
+    private final class Echo extends Connection {
+        private final int limit;
+        private ByteBuffer output = ByteBuffer.allocate(0);
+
+        Echo(Endpoint endpoint, int limit) {
+            super(endpoint);
+            this.limit = limit;
+        }
+
+        @Override
+        protected int readLimit() {
+            return limit;
+        }
+
+        @Override
+        protected void received(ByteBuffer octets) {
+            served++;
+            mostServed = Math.max(mostServed, octets.remaining());
+            output = ByteBuffer.allocate(octets.remaining()).put(octets).flip();
+            if (output.get(0) == 'x') {
+                throw new IllegalStateException("on purpose");
+            }
+            flushLater();
+        }
+
+        @Override
+        protected boolean hasOutput() {
+            return output.hasRemaining();
+        }
+
+        @Override
+        protected boolean wantsInput() {
+            return !hasOutput();
+        }
+
+        @Override
+        protected void writeTo(WritableByteChannel channel) throws IOException {
+            channel.write(output);
+        }
+
+        @Override
+        protected void lost(String reason) {
+            events.add("lost " + reason);
+        }
+    }
+
+    private int served;
+    private int mostServed;
+
+    private int listen(int limit, ConnectionLimits limits) throws IOException {
+        return loop.listen(ANY_PORT, limits, endpoint -> new Echo(endpoint, limit))
+                .port();
+    }
+
+    private static Socket connect(int port) throws IOException {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        socket.setSoTimeout(20_000);
+        return socket;
+    }
+
+    private static int echo(Socket socket, int octet) throws IOException {
+        socket.getOutputStream().write(octet);
+        return socket.getInputStream().read();
+    }
+
+    @Test
+    void anExceptionEndsTheConnectionInWhichItOccurs() throws Exception {
+        int port = listen(10, new ConnectionLimits(10, 10));
+        start();
+        try (Socket good = connect(port);
+                Socket bad = connect(port)) {
+            assertEquals('a', echo(good, 'a'));
+            assertEquals(-1, echo(bad, 'x'));
+            expect("lost internal error");
+            assertEquals('b', echo(good, 'b'));
+        }
+    }
+
+    @Test
+    void connectionsBeyondTheLimitAreClosedAndOneThatEndsMakesRoom() throws Exception {
+        int port = listen(10, new ConnectionLimits(1, 1));
+        start();
+        try (Socket first = connect(port)) {
+            assertEquals('a', echo(first, 'a'));
+            try (Socket second = connect(port)) {
+                assertEquals(-1, second.getInputStream().read());
+            }
+        }
+        expect("lost closed by the peer");
+        try (Socket third = connect(port)) {
+            assertEquals('c', echo(third, 'c'));
+        }
+    }
+
+    /** 1 000 peers with 100 octets each: per iteration a peer is served once, with 10 octets at most. */
+    @Test
+    void oneIterationServesEachOfAThousandPeersAtMostOnceWithALimitedRead() throws Exception {
+        int count = 1_000;
+        int port = listen(10, new ConnectionLimits(count, count));
+        start();
+        List<Socket> peers = new ArrayList<>();
+        try {
+            for (int i = 0; i < count; i++) {
+                peers.add(connect(port));
+                assertEquals('a', echo(peers.get(i), 'a'));
+            }
+            List<Integer> servedPerIteration = new ArrayList<>();
+            CountDownLatch isHeld = new CountDownLatch(1);
+            CountDownLatch mayGoOn = new CountDownLatch(1);
+            loop.post(() -> {
+                isHeld.countDown();
+                await(mayGoOn);
+                countIterations(servedPerIteration, 10 * count);
+            });
+            isHeld.await();
+            for (Socket peer : peers) {
+                peer.getOutputStream().write(new byte[100]);
+            }
+            mayGoOn.countDown();
+            for (Socket peer : peers) {
+                assertEquals(100, peer.getInputStream().readNBytes(100).length);
+            }
+            expect("counted");
+            assertTrue(servedPerIteration.stream().allMatch(each -> each <= count), servedPerIteration.toString());
+            assertEquals(10, mostServed);
+        } finally {
+            for (Socket peer : peers) {
+                peer.close();
+            }
+        }
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** A task that posts itself runs once per iteration. */
+    private void countIterations(List<Integer> counts, int left) {
+        int before = served;
+        loop.post(() -> {
+            counts.add(served - before);
+            int rest = left - (served - before);
+            if (rest > 0) {
+                countIterations(counts, rest);
+            } else {
+                events.add("counted");
+            }
+        });
+    }
+
+    /** A flood of tasks that post further tasks does not keep the sockets waiting. */
+    @Test
+    void tasksPostedInAnIterationRunInTheNext() throws Exception {
+        int port = listen(10, new ConnectionLimits(10, 10));
+        start();
+        loop.post(new Runnable() {
+            @Override
+            public void run() {
+                loop.post(this);
+            }
+        });
+        try (Socket peer = connect(port)) {
+            assertEquals('a', echo(peer, 'a'));
+        }
+    }
+
+    @Test
+    void aTaskThatThrowsDoesNotEndTheLoop() {
+        start();
+        loop.post(() -> {
+            throw new IllegalStateException("on purpose");
+        });
+        assertEquals("still there", loop.ask(() -> "still there"));
+    }
+
+    @Test
+    void theExceptionOfAQuestionIsTheCallers() {
+        start();
+        assertThrows(UnsupportedOperationException.class, () -> loop.ask(() -> {
+            throw new UnsupportedOperationException("on purpose");
+        }));
+    }
+
+    @Test
+    void aQuestionToABusyLoopEndsAfterTheLimitAndIsNotAskedLater() throws Exception {
+        start();
+        CountDownLatch mayGoOn = new CountDownLatch(1);
+        loop.post(() -> await(mayGoOn));
+        IllegalStateException late =
+                assertThrows(IllegalStateException.class, () -> loop.ask(() -> events.add("asked")));
+        assertTrue(late.getMessage().contains("200 ms"), late.getMessage());
+        mayGoOn.countDown();
+        loop.post(() -> events.add("next"));
+        expect("next");
+    }
+
+    @Test
+    void aTaskOrQuestionForAnEndedLoopFailsAtOnce() {
+        start();
+        loop.close();
+        assertFalse(loop.post(() -> events.add("run")));
+        IllegalStateException failure =
+                assertThrows(IllegalStateException.class, () -> loop.ask(() -> events.add("asked")));
+        assertTrue(failure.getMessage().contains("has ended"), failure.getMessage());
+        assertTrue(events.isEmpty());
+    }
+
+    @Test
+    void aQuestionThatWaitsWhenTheLoopEndsFailsThen() throws Exception {
+        SelectorLoop slow = new SelectorLoop("slow", Duration.ofSeconds(50));
+        slow.start(SelectorLoop.Core.NONE, fault -> {});
+        slow.post(() -> {
+            slow.end();
+            slow.post(new java.util.concurrent.FutureTask<>(() -> events.add("asked")) {
+                @Override
+                protected void done() {
+                    events.add(isCancelled() ? "cancelled" : "done");
+                }
+            });
+        });
+        expect("cancelled");
+        slow.close();
+    }
+
+    @Test
+    void anErrorEndsTheLoopAndIsReported() throws Exception {
+        start();
+        loop.post(() -> {
+            throw new LinkageError("on purpose");
+        });
+        expect("failed on purpose");
+        loop.close();
+        assertFalse(loop.post(() -> {}));
+    }
+
+    @Test
+    void anEndThatWasAskedForIsNoFailure() {
+        start();
+        loop.close();
+        assertTrue(events.isEmpty());
+    }
+
+    @Test
+    void aPortThatIsTakenIsNamed() throws IOException {
+        int port = listen(10, new ConnectionLimits(10, 10));
+        InetSocketAddress taken = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+        IOException failure = assertThrows(
+                IOException.class,
+                () -> loop.listen(taken, new ConnectionLimits(1, 1), endpoint -> new Echo(endpoint, 1)));
+        assertTrue(failure.getMessage().contains("port " + port), failure.getMessage());
+    }
+}
