@@ -38,8 +38,7 @@ final class SmppConnection extends Connection implements SmppPort {
     protected void opened() {
         Exchange exchange = center.changing();
         exchange.perform(
-                center.nowNanos(),
-                () -> session = exchange.smpp().opened(this, CenterLoop.text(address()), isLocal()));
+                center.nowNanos(), () -> session = exchange.smpp().opened(this, CenterLoop.text(address()), isLocal()));
     }
 
     @Override
@@ -60,8 +59,8 @@ final class SmppConnection extends Connection implements SmppPort {
         }
         if (unsent.remaining() < pdu.length) {
             int needed = unsent.position() + pdu.length;
-            unsent = ByteBuffer.allocate(Math.max(needed, 2 * unsent.capacity()))
-                    .put(unsent.flip());
+            unsent =
+                    ByteBuffer.allocate(Math.max(needed, 2 * unsent.capacity())).put(unsent.flip());
         }
         unsent.put(pdu);
         if (unsent.position() > TOO_MUCH_UNSENT) {

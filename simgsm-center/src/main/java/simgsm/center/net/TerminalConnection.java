@@ -25,11 +25,7 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
     private Link link;
 
     TerminalConnection(Endpoint endpoint, CenterLoop center, WireTap tap) {
-        super(
-                endpoint,
-                rate(endpoint.address().getAddress().isLoopbackAddress()),
-                MOST_SIGNALLING_FRAMES,
-                tap::sent);
+        super(endpoint, rate(endpoint.address().getAddress().isLoopbackAddress()), MOST_SIGNALLING_FRAMES, tap::sent);
         this.center = center;
         this.tap = tap;
     }

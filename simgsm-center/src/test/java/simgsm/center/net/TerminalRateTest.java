@@ -26,7 +26,8 @@ class TerminalRateTest {
         return all.flip();
     }
 
-    private RateLimitedFrameReader.Portion readPortion(RateLimitedFrameReader reader, long nowNanos) throws ProtocolViolation {
+    private RateLimitedFrameReader.Portion readPortion(RateLimitedFrameReader reader, long nowNanos)
+            throws ProtocolViolation {
         return reader.read(nowNanos, read::add);
     }
 

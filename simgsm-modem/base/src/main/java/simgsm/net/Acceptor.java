@@ -64,7 +64,11 @@ public final class Acceptor implements AutoCloseable {
                 channel = count < ACCEPTS_PER_ITERATION ? server.accept() : null;
             }
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "cannot accept on port {0}: {1}; next attempt in 0.5 s", text(port()), e.getMessage());
+            LOG.log(
+                    Level.WARNING,
+                    "cannot accept on port {0}: {1}; next attempt in 0.5 s",
+                    text(port()),
+                    e.getMessage());
             key.interestOps(0);
             loop.after(RETRY_NANOS, this::resume);
         }

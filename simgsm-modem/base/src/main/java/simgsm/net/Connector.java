@@ -83,8 +83,7 @@ public final class Connector {
     private void connected() {
         loop.cancel(timer);
         connectedNanos = System.nanoTime();
-        connection = listener.connected(
-                new Connection.Endpoint(loop, channel, key, resolved(), this::lost));
+        connection = listener.connected(new Connection.Endpoint(loop, channel, key, resolved(), this::lost));
         connection.open();
     }
 

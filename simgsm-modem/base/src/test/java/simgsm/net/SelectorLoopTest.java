@@ -226,9 +226,11 @@ class SelectorLoopTest {
     @Test
     void theExceptionOfAQuestionIsTheCallers() {
         start();
-        assertThrows(UnsupportedOperationException.class, () -> loop.ask(() -> {
-            throw new UnsupportedOperationException("on purpose");
-        }));
+        assertThrows(
+                UnsupportedOperationException.class,
+                () -> loop.ask(() -> {
+                    throw new UnsupportedOperationException("on purpose");
+                }));
     }
 
     @Test
