@@ -19,7 +19,7 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
-import simgsm.tools.fuzz.FuzzPeer;
+import simgsm.tools.fuzz.FuzzStation;
 
 /**
  * Real stations whose dialogues with a living exchange are spoilt on the way, under a clock moved by hand: nothing is
@@ -31,14 +31,14 @@ class ExchangeFuzzTest {
     private static final long FRAMES = Long.getLong("fuzz.frames", 6_000);
 
     private static final class Peer {
-        final FuzzPeer fuzz;
+        final FuzzStation fuzz;
         final Deque<byte[]> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
         IpaFramer framer;
         Link link;
         boolean isClosed;
 
-        Peer(FuzzPeer fuzz) {
+        Peer(FuzzStation fuzz) {
             this.fuzz = fuzz;
         }
     }
@@ -65,7 +65,7 @@ class ExchangeFuzzTest {
         for (int i = 0; i < PEERS; i++) {
             numbers.add(new Msisdn(String.valueOf(7_900_000 + i)));
         }
-        numbers.forEach(number -> peers.add(new Peer(new FuzzPeer(number, numbers, random.split()))));
+        numbers.forEach(number -> peers.add(new Peer(new FuzzStation(number, numbers, random.split()))));
         long calls = 0;
         while (frames() < FRAMES) {
             step(peers.get(random.nextInt(PEERS)));
@@ -94,7 +94,7 @@ class ExchangeFuzzTest {
         for (IpaFrame frame = peer.down.poll(); frame != null; frame = peer.down.poll()) {
             peer.fuzz.arrived(frame, nowNanos);
         }
-        if (peer.isClosed || peer.fuzz.wantsToLeave()) {
+        if (peer.isClosed || peer.fuzz.wantsNewConnection()) {
             disconnect(peer);
         }
     }

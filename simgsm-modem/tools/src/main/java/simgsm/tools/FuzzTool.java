@@ -13,42 +13,33 @@ import simgsm.console.Options;
 import simgsm.console.UnavailableException;
 import simgsm.tools.fuzz.CenterFuzz;
 import simgsm.tools.fuzz.CodecFuzz;
-import simgsm.tools.fuzz.Finding;
+import simgsm.tools.fuzz.FuzzFailure;
 
-/** {@code fuzz}: spoilt frames against our own decoders, or against a running centre. */
-final class FuzzTool implements Tool {
+/** {@code fuzz}: mutated frames for the decoders, or for a running centre. */
+final class FuzzTool {
     private static final long MOST_FRAMES = 100_000_000_000L;
-    /** By then every class is loaded and every table filled. */
+    /** One tenth of the frames precede the first measurement of the heap, so that all classes are loaded. */
     private static final int WARM_UP_SHARE = 10;
 
     private static final int OCTETS_PER_KIB = 1024;
 
-    @Override
-    public String word() {
-        return "fuzz";
-    }
+    static final Tool TOOL = new Tool(
+            "fuzz",
+            "error",
+            new Options(
+                            "java -jar simgsm-modem.jar fuzz [--frames N] [--seed S] [--center HOST:PORT]",
+                            "Mutates recorded frames and gives them to every decoder; with --center, 16 stations use a running\n"
+                                    + "centre, and their frames are mutated. Prints one line; ends with 1, and the frame, when something\n"
+                                    + "failed, with 69 if there is no centre. Without --center the same seed repeats the run.")
+                    .value("frames", "N", "mutated frames; for a centre all frames sent (1000000)")
+                    .value("seed", "S", "seed of everything random; printed if not given")
+                    .value("center", "HOST:PORT", "address of the centre")
+                    .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (error)"),
+            FuzzTool::run);
 
-    @Override
-    public Options options() {
-        return new Options(
-                        "java -jar simgsm-modem.jar fuzz [--frames N] [--seed S] [--center HOST:PORT]",
-                        "Spoils real frames and gives them to every decoder; with --center has 16 stations talk to a running\n"
-                                + "centre, their frames spoilt on the way. Prints one line; ends with 1, and the frame, when something\n"
-                                + "broke, with 69 if there is no centre. Without --center the same seed does the same again.")
-                .value("frames", "N", "spoilt frames; to a centre all frames sent (1000000)")
-                .value("seed", "S", "of everything random; printed if not given")
-                .value("center", "HOST:PORT", "where the centre is")
-                .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (error)");
-    }
+    private FuzzTool() {}
 
-    /** Stations warn of everything that is spoilt. */
-    @Override
-    public String logLevel() {
-        return "error";
-    }
-
-    @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         long frames = arguments.integer("frames", 1_000_000, 1, MOST_FRAMES);
         long seed = arguments.integer("seed", new Random().nextInt(Integer.MAX_VALUE), Long.MIN_VALUE, Long.MAX_VALUE);
         Optional<HostPort> center = arguments.hostPort("center");
@@ -57,8 +48,8 @@ final class FuzzTool implements Tool {
             out.print(result + "\n");
             out.flush();
             return ExitStatus.OK;
-        } catch (Finding finding) {
-            err.println("simgsm-modem: fuzz --seed " + seed + ": " + finding.getMessage());
+        } catch (FuzzFailure failure) {
+            err.println("simgsm-modem: fuzz --seed " + seed + ": " + failure.getMessage());
             return ExitStatus.FAILED;
         }
     }
@@ -84,7 +75,7 @@ final class FuzzTool implements Tool {
     }
 
     private static Event overTcp(HostPort center, long frames, long seed) throws UnavailableException {
-        LoadTool.knock(center);
+        LoadTool.requireCenter(center);
         CenterFuzz fuzz = new CenterFuzz(new InetSocketAddress(center.host(), center.port()), seed);
         long began = System.nanoTime();
         fuzz.run(frames);
@@ -99,7 +90,7 @@ final class FuzzTool implements Tool {
         return String.format(Locale.ROOT, "%.1f", (System.nanoTime() - beganNanos) / 1e9);
     }
 
-    /** What is really held, as far as one may ask. */
+    /** Octets in use after a garbage collection. */
     private static long usedHeap() {
         System.gc();
         return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();

@@ -16,25 +16,21 @@ import simgsm.speech.WavWriter;
 import simgsm.tools.audio.SpeechFile;
 
 /** {@code gsm encode IN.wav OUT.gsm} and {@code gsm decode IN.gsm OUT.wav}: GSM 06.10, 33 octets a frame. */
-final class GsmTool implements Tool {
+final class GsmTool {
     private static final SpeechCodec.Kind CODEC = SpeechCodec.Kind.GSM_FULL_RATE;
 
-    @Override
-    public String word() {
-        return "gsm";
-    }
+    static final Tool TOOL = new Tool(
+            "gsm",
+            new Options(
+                            "java -jar simgsm-modem.jar gsm encode IN.wav OUT.gsm | gsm decode IN.gsm OUT.wav",
+                            "Encodes or decodes speech with GSM 06.10 full rate, 33 octets per frame of 20 ms.\n"
+                                    + "An incomplete last frame is padded with silence.")
+                    .arguments(3),
+            GsmTool::run);
 
-    @Override
-    public Options options() {
-        return new Options(
-                        "java -jar simgsm-modem.jar gsm encode IN.wav OUT.gsm | gsm decode IN.gsm OUT.wav",
-                        "Codes speech with GSM 06.10 full rate, 33 octets a frame of 20 ms, and back.\n"
-                                + "A last frame that is not full is filled up with silence.")
-                .arguments(3);
-    }
+    private GsmTool() {}
 
-    @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         if (arguments.rest().isEmpty()) {
             throw new UsageException("missing encode or decode");
         }
@@ -74,7 +70,7 @@ final class GsmTool implements Tool {
         try (WavWriter wav = new WavWriter(to, 1)) {
             for (int at = 0; at < octets.length; at += length) {
                 if (octets.length - at < length) {
-                    err.println("simgsm-modem: " + from + ": the last frame is cut off");
+                    err.println("simgsm-modem: " + from + ": the last frame is incomplete");
                     status = ExitStatus.FAILED;
                     break;
                 }

@@ -10,41 +10,37 @@ import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
+import simgsm.tools.load.LoadGenerator;
 import simgsm.tools.load.LoadPlan;
 import simgsm.tools.load.LoadResult;
-import simgsm.tools.load.LoadRun;
 
-/** {@code load}: many stations against a running centre, and what they measured. */
-final class LoadTool implements Tool {
+/** {@code load}: many stations on a running centre, and their measurements. */
+final class LoadTool {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
     private static final int CONNECT_MILLIS = 5_000;
 
-    @Override
-    public String word() {
-        return "load";
-    }
+    static final Tool TOOL = new Tool(
+            "load",
+            new Options(
+                            "java -jar simgsm-modem.jar load --center HOST:PORT --phones N --calls M --sms K --seconds S",
+                            "Attaches N phones to a running centre, sends K short messages from each to the next, then holds M\n"
+                                    + "calls with speech for S seconds, and prints what was measured in one line.\n"
+                                    + "Ends with 69 if there is no centre, with 1 if a phone, a call or a message failed.")
+                    .value("center", "HOST:PORT", "address of the centre (" + DEFAULT_CENTER + ")")
+                    .value("phones", "N", "phones to attach, 1 to " + LoadPlan.MOST_PHONES + " (100)")
+                    .value("calls", "M", "calls at the same time, at most half as many as phones (0)")
+                    .value("sms", "K", "short messages in all, 0 to " + LoadPlan.MOST_MESSAGES + " (0)")
+                    .value("seconds", "S", "duration of the calls, and least time that the phones stay attached (10)")
+                    .value("first-number", "N", "the first phone's number; the others count up from it (7000000)")
+                    .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (warning)"),
+            LoadTool::run);
 
-    @Override
-    public Options options() {
-        return new Options(
-                        "java -jar simgsm-modem.jar load --center HOST:PORT --phones N --calls M --sms K --seconds S",
-                        "Attaches N phones to a running centre, sends K short messages from each to the next, then holds M\n"
-                                + "calls with speech for S seconds, and prints what was measured in one line.\n"
-                                + "Ends with 69 if there is no centre, with 1 if a phone, a call or a message failed.")
-                .value("center", "HOST:PORT", "where the centre is (" + DEFAULT_CENTER + ")")
-                .value("phones", "N", "phones to attach, 1 to " + LoadPlan.MOST_PHONES + " (100)")
-                .value("calls", "M", "calls at the same time, at most half as many as phones (0)")
-                .value("sms", "K", "short messages in all, 0 to " + LoadPlan.MOST_MESSAGES + " (0)")
-                .value("seconds", "S", "how long the calls talk and the phones stay (10)")
-                .value("first-number", "N", "the first phone's number; the others count up from it (7000000)")
-                .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (warning)");
-    }
+    private LoadTool() {}
 
-    @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         LoadPlan plan = plan(arguments);
-        knock(plan.center());
-        LoadResult result = new LoadRun(plan).run();
+        requireCenter(plan.center());
+        LoadResult result = new LoadGenerator(plan).run();
         out.print(result.line() + "\n");
         out.flush();
         if (!result.isComplete()) {
@@ -72,10 +68,10 @@ final class LoadTool implements Tool {
         return (int) arguments.integer(name, otherwise, 0, Integer.MAX_VALUE);
     }
 
-    /** Says at once what the stations, who never give up, would only wait for. */
-    static void knock(HostPort center) throws UnavailableException {
-        try (Socket door = new Socket()) {
-            door.connect(new InetSocketAddress(center.host(), center.port()), CONNECT_MILLIS);
+    /** Fails at once without a centre; the stations would try to connect without end. */
+    static void requireCenter(HostPort center) throws UnavailableException {
+        try (Socket socket = new Socket()) {
+            socket.connect(new InetSocketAddress(center.host(), center.port()), CONNECT_MILLIS);
         } catch (IOException e) {
             throw new UnavailableException("no centre at " + center + ": " + e.getMessage());
         }

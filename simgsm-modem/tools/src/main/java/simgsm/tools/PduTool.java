@@ -15,24 +15,20 @@ import simgsm.sms.UserData;
 import simgsm.trace.TpduText;
 
 /** {@code pdu encode TEXT} and {@code pdu decode HEX}: short messages as octets and back. */
-final class PduTool implements Tool {
-    @Override
-    public String word() {
-        return "pdu";
-    }
+final class PduTool {
+    static final Tool TOOL = new Tool(
+            "pdu",
+            new Options(
+                            "java -jar simgsm-modem.jar pdu encode [--ref HH] TEXT | pdu decode HEX",
+                            "encode: one user part of the short message a line, as udhi,dcs,udl,ud-hex.\n"
+                                    + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words.")
+                    .value("ref", "HH", "encode: reference of a message of several parts, hexadecimal (00)")
+                    .arguments(2),
+            PduTool::run);
 
-    @Override
-    public Options options() {
-        return new Options(
-                        "java -jar simgsm-modem.jar pdu encode [--ref HH] TEXT | pdu decode HEX",
-                        "encode: one user part of the short message a line, as udhi,dcs,udl,ud-hex.\n"
-                                + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words.")
-                .value("ref", "HH", "encode: reference of a message of several parts, hexadecimal (00)")
-                .arguments(2);
-    }
+    private PduTool() {}
 
-    @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
+    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
         if (arguments.rest().size() < 2) {
             throw new UsageException("expected encode TEXT or decode HEX");
         }
@@ -56,7 +52,7 @@ final class PduTool implements Tool {
     /**
      * One user part a line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
      *
-     * @param reference of the message, 0 to 255; shows only when there are several parts
+     * @param of the message, 0 to 255; used with several parts only
      * @throws IllegalArgumentException for a text of more than 255 parts
      */
     static String encode(String text, int reference) {
@@ -72,7 +68,7 @@ final class PduTool implements Tool {
      * A SUBMIT, DELIVER or STATUS-REPORT in words, a field a line as {@code name: value}. Blanks in the digits are
      * ignored.
      *
-     * @throws IllegalArgumentException for what is not hexadecimal, or no such unit; the text says why
+     * @throws IllegalArgumentException for anything else; the text says what is wrong
      */
     static String decode(String hex) {
         OctetString octets = octets(hex);

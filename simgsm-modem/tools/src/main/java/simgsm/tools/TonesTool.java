@@ -13,34 +13,30 @@ import simgsm.dtmf.ToneLevel;
 import simgsm.dtmf.ToneShape;
 import simgsm.speech.WavWriter;
 
-/** {@code tones KEYS OUT.wav}: keys as sound. */
-final class TonesTool implements Tool {
+/** {@code tones KEYS OUT.wav}: DTMF keys as a sound file. */
+final class TonesTool {
     private static final int MOST_MILLIS = 60_000;
     private static final int MOST_RAMP_MILLIS = 10;
     private static final int MOST_SAMPLES = 1 << 29;
 
-    @Override
-    public String word() {
-        return "tones";
-    }
+    static final Tool TOOL = new Tool(
+            "tones",
+            new Options(
+                            "java -jar simgsm-modem.jar tones KEYS OUT.wav [options]",
+                            "Writes keys (0-9 * # A-D, blanks ignored) as DTMF audio: WAV, 8 kHz, 16 bit, mono.")
+                    .value("tone-ms", "N", "length of each tone, 1 to 60000 (100)")
+                    .value("pause-ms", "N", "silence after each tone, 0 to 60000 (100)")
+                    .value(
+                            "ramp",
+                            "MILLIS",
+                            "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
+                    .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
+                    .arguments(2),
+            TonesTool::run);
 
-    @Override
-    public Options options() {
-        return new Options(
-                        "java -jar simgsm-modem.jar tones KEYS OUT.wav [options]",
-                        "Writes keys (0-9 * # A-D, blanks ignored) as DTMF audio: WAV, 8 kHz, 16 bit, mono.")
-                .value("tone-ms", "N", "length of each tone, 1 to 60000 (100)")
-                .value("pause-ms", "N", "silence after each tone, 0 to 60000 (100)")
-                .value(
-                        "ramp",
-                        "MILLIS",
-                        "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
-                .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
-                .arguments(2);
-    }
+    private TonesTool() {}
 
-    @Override
-    public int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         List<String> rest = arguments.rest();
         if (rest.size() < 2) {
             throw new UsageException(rest.isEmpty() ? "missing KEYS and OUT.wav" : "missing OUT.wav");

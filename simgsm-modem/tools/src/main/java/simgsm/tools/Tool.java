@@ -5,21 +5,24 @@ import java.util.List;
 import simgsm.console.Arguments;
 import simgsm.console.Options;
 
-/** One word of the command line: {@code simgsm-modem.jar WORD ...}. */
-public interface Tool {
-    /** In the order in which the help lists them. */
-    List<Tool> ALL =
-            List.of(new TonesTool(), new DecodeTool(), new GsmTool(), new PduTool(), new LoadTool(), new FuzzTool());
+/**
+ * One tool of the command line: {@code simgsm-modem.jar WORD ...}.
+ *
+ * @param logLevel in force without {@code --log-level}
+ */
+record Tool(String word, String logLevel, Options options, Body body) {
+    /** In the order of the help. */
+    static final List<Tool> ALL =
+            List.of(TonesTool.TOOL, DecodeTool.TOOL, GsmTool.TOOL, PduTool.TOOL, LoadTool.TOOL, FuzzTool.TOOL);
 
-    String word();
+    private static final String LOG_LEVEL = "warning";
 
-    Options options();
-
-    /** What is logged unless the user says otherwise. */
-    default String logLevel() {
-        return "warning";
+    /** Does the work. Returns the exit status. */
+    interface Body {
+        int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception;
     }
 
-    /** Does the work. @return the exit status */
-    int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception;
+    Tool(String word, Options options, Body body) {
+        this(word, LOG_LEVEL, options, body);
+    }
 }

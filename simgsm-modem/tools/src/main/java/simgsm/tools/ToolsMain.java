@@ -6,7 +6,7 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 
-/** {@code simgsm-modem.jar}: the modem's tools, one word each. */
+/** {@code simgsm-modem.jar}: the command-line tools, chosen by the first word. */
 public final class ToolsMain {
     private static final String NAME = "simgsm-modem";
 
@@ -24,7 +24,11 @@ public final class ToolsMain {
             if (!words.isEmpty() && words.get(0).equals(tool.word())) {
                 return new Program(NAME, tool.options())
                         .logging(tool.logLevel())
-                        .run(words.subList(1, words.size()), out, err, arguments -> tool.run(arguments, out, err));
+                        .run(
+                                words.subList(1, words.size()),
+                                out,
+                                err,
+                                arguments -> tool.body().run(arguments, out, err));
             }
         }
         return new Program(NAME, overview()).run(words, out, err, arguments -> {
@@ -43,7 +47,7 @@ public final class ToolsMain {
         }
         return new Options(
                         usage.toString(),
-                        "Tools for DTMF, speech, short messages, load and spoilt frames; TOOL --help says more.")
+                        "Tools for DTMF, speech, short messages, load and fuzzing; TOOL --help describes each.")
                 .arguments(Integer.MAX_VALUE);
     }
 }

@@ -1,6 +1,6 @@
 /**
- * The command-line tools of {@code simgsm-modem.jar}: tones into a file, tones out of files, speech and short-message
- * codecs, load and spoilt frames for a centre.
+ * The command-line tools of {@code simgsm-modem.jar}: DTMF tones to and from files, speech and short-message codecs, load
+ * and fuzzing of a centre.
  *
  * <p>Read first: {@link simgsm.tools.Tool}.
  */

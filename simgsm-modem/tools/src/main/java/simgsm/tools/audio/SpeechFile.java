@@ -22,31 +22,35 @@ import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
 /**
- * A sound file read as speech: WAV, and whatever else javax.sound reads, its channels mixed to one, resampled to 8 kHz.
- * Read front to back, in constant memory, so that a pipe will do for a file.
+ * A sound file read as speech: WAV and all formats of javax.sound, channels mixed to one, resampled to 8 kHz. It is read
+ * in order and in constant memory, so a pipe can be read too.
  */
 public final class SpeechFile implements Closeable {
-    /** Read at a time; the head of a WAV file is looked for in so many octets. */
+    /** Octets per read; the header of a WAV file has to end within the first 64 KiB. */
     private static final int BUFFER_OCTETS = 1 << 16;
 
     private final FileChannel file;
-    private final Samples samples;
+    private final SampleSource samples;
 
-    private SpeechFile(FileChannel file, Samples samples) {
+    private SpeechFile(FileChannel file, SampleSource samples) {
         this.file = file;
         this.samples = samples;
     }
 
-    /** @throws NotAudioException when the file is there but is no audio */
+    /**
+     * Opens a file.
+     *
+     * @throws NotAudioException if the file exists but is no audio
+     */
     public static SpeechFile open(Path path) throws IOException {
         return open(path, Resampler.Slope.STEEP);
     }
 
     /**
-     * To listen for keys, as {@link #open(Path)} but sooner: where it resamples it looks ahead by well under a millisecond,
-     * and what lies above the keys' tones comes through less well.
+     * Opens a file for a DTMF receiver: the resampling filter looks ahead by less than 1 ms, and attenuates frequencies
+     * above the DTMF tones.
      *
-     * @throws NotAudioException when the file is there but is no audio
+     * @throws NotAudioException if the file exists but is no audio
      */
     public static SpeechFile openForKeys(Path path) throws IOException {
         return open(path, Resampler.Slope.GENTLE);
@@ -66,7 +70,7 @@ public final class SpeechFile implements Closeable {
         }
     }
 
-    private static Samples samples(FileChannel file, Path path, Resampler.Slope slope) throws IOException {
+    private static SampleSource samples(FileChannel file, Path path, Resampler.Slope slope) throws IOException {
         ByteBuffer head = ByteBuffer.allocateDirect(BUFFER_OCTETS);
         while (head.hasRemaining() && file.read(head) >= 0) {}
         head.flip();
@@ -78,12 +82,12 @@ public final class SpeechFile implements Closeable {
             AudioFormat format = wav.get().format();
             head.position(wav.get().dataAt());
             return isSpeech(format)
-                    ? new PlainSamples(file, head, wav.get().dataOctets())
-                    : new MixedSamples(rest(head, file), format, wav.get().dataOctets(), slope);
+                    ? new UnconvertedSamples(file, head, wav.get().dataOctets())
+                    : new ConvertedSamples(rest(head, file), format, wav.get().dataOctets(), slope);
         } catch (NotAudioException e) {
             throw new NotAudioException(path + ": " + e.getMessage(), e);
         } catch (UnsupportedAudioFileException | RuntimeException e) {
-            // The JDK's readers answer some damaged headers with unchecked exceptions.
+            // The JDK's readers throw unchecked exceptions for some damaged headers.
             throw new NotAudioException(path + ": no audio that can be read", e);
         } catch (IOException e) {
             throw new NotAudioException(path + ": damaged audio", e);
@@ -97,11 +101,11 @@ public final class SpeechFile implements Closeable {
                 && format.getFrameSize() == 2;
     }
 
-    /** Audio of a kind that only the JDK knows. */
-    private static Samples foreign(InputStream octets, Resampler.Slope slope)
+    /** Audio of other formats, read by the JDK. */
+    private static SampleSource foreign(InputStream octets, Resampler.Slope slope)
             throws IOException, UnsupportedAudioFileException {
         AudioInputStream stream = AudioSystem.getAudioInputStream(new BufferedInputStream(octets, BUFFER_OCTETS));
-        return new MixedSamples(stream, stream.getFormat(), Long.MAX_VALUE, slope);
+        return new ConvertedSamples(stream, stream.getFormat(), Long.MAX_VALUE, slope);
     }
 
     private static InputStream rest(ByteBuffer head, FileChannel file) {
@@ -124,16 +128,17 @@ public final class SpeechFile implements Closeable {
         }
     }
 
-    /** How much later a sample is known than it would be in an 8 kHz file, for the resampling filter looks ahead. */
+    /** Look-ahead of the resampling filter; 0 without resampling. */
     public double lookAheadMillis() {
         return samples.lookAheadSeconds() * 1000;
     }
 
+    /** Fills the block. @return the number of samples, -1 at the end */
     public int read(short[] block) throws IOException {
         return read(block, 0, block.length);
     }
 
-    /** Fills {@code block[from..to)} as far as there is sound. @return how many, -1 at the end */
+    /** Fills {@code block[from..to)}. @return the number of samples, -1 at the end */
     public int read(short[] block, int from, int to) throws IOException {
         int n = samples.read(block, from, to);
         return n == 0 && to > from ? -1 : n;

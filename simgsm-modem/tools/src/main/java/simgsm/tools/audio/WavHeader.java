@@ -8,16 +8,15 @@ import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioFormat.Encoding;
 
 /**
- * What the head of a RIFF or RF64 file says: how its samples are held, where they begin, and how many octets of them
- * there are. Read as tolerantly as such files are written: chunks that do not matter are passed over, and a length that
- * was never filled in means "to the end of the file".
+ * The header of a RIFF or RF64 file: format, position and length of its samples. Unknown chunks are skipped, and a length
+ * that the writing program did not fill in means "to the end of the file".
  *
- * @param dataAt position of the first sample's first octet
+ * @param dataAt index of the first sample's first octet
  * @param dataOctets {@link Long#MAX_VALUE} for "to the end"
  */
 record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
     private static final int CHUNK_HEAD_OCTETS = 8;
-    /** What a program that writes to a pipe puts for a length that it does not know. */
+    /** Unknown length, as programs write it that write to a pipe. */
     private static final long UNKNOWN = 0xFFFF_FFFFL;
     /** The octets that make a format tag a GUID (RFC 2361, 4). */
     private static final byte[] GUID_END = {
@@ -31,8 +30,8 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
     private static final int EXTENSIBLE = 0xFFFE;
 
     /**
-     * Reads the header in a file's first octets, {@code head}'s remaining ones, whose position stays as it was. Empty
-     * when it is no such file, when the samples begin later, or when they are of a kind unknown here.
+     * The header in the first octets of a file, {@code head}'s remaining ones; the position of {@code head} does not
+     * change. Empty for other files, if the samples begin after those octets, and for an unknown sample format.
      */
     static Optional<WavHeader> in(ByteBuffer head) {
         ByteBuffer octets = head.slice().order(ByteOrder.LITTLE_ENDIAN);
@@ -74,19 +73,19 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
         return new String(id, StandardCharsets.ISO_8859_1);
     }
 
-    private static long dataOctets(long length, ByteBuffer behind) {
-        boolean empty = length == 0 && (!behind.hasRemaining() || beginsAChunk(behind));
+    private static long dataOctets(long length, ByteBuffer after) {
+        boolean empty = length == 0 && (!after.hasRemaining() || beginsAChunk(after));
         boolean known = length > 0 && length != UNKNOWN;
         return known || empty ? length : Long.MAX_VALUE;
     }
 
-    /** Whether an empty data chunk is followed by another chunk, and not by sound that came after the head was written. */
-    private static boolean beginsAChunk(ByteBuffer behind) {
-        if (behind.remaining() < CHUNK_HEAD_OCTETS) {
+    /** Whether an empty data chunk is followed by another chunk, not by samples of a length that was not filled in. */
+    private static boolean beginsAChunk(ByteBuffer after) {
+        if (after.remaining() < CHUNK_HEAD_OCTETS) {
             return false;
         }
         for (int i = 0; i < 4; i++) {
-            byte octet = behind.get(behind.position() + i);
+            byte octet = after.get(after.position() + i);
             if (!(Character.isLetterOrDigit(octet) || octet == ' ')) {
                 return false;
             }
@@ -112,7 +111,7 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
         if (encoding.isEmpty() || channels == 0 || rate <= 0 || bits == 0 || bits > 64) {
             return Optional.empty();
         }
-        // The frame's size follows from the rest; where the field for it differs, it is the field that is wrong.
+        // The frame size is computed, because the field for it is wrong in some files.
         int frameOctets = channels * ((bits + 7) / 8);
         return Optional.of(new AudioFormat(encoding.get(), rate, bits, channels, frameOctets, rate, false));
     }

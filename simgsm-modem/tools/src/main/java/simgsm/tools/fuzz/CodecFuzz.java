@@ -16,20 +16,20 @@ import simgsm.air.ProtocolViolation;
 import simgsm.speech.SpeechCodec;
 
 /**
- * Spoilt frames through the framer and every decoder. Each gives a message or a {@link ProtocolViolation}; what is read can
- * be told in words, and be written and read again. The same seed spoils in the same way.
+ * Mutated frames through the framer and all decoders. Each must give a message or a {@link ProtocolViolation}; a message
+ * must have a text, and must be the same after encoding and decoding. The same seed gives the same mutations.
  */
 public final class CodecFuzz {
-    /** One frame in so many is spoilt with its header: what follows may be swallowed until the framer is replaced. */
-    private static final int WIRE_DAMAGE_IN = 64;
+    /** One frame in 64 is mutated with its header; the framer may then skip frames until it is replaced. */
+    private static final int FRAMES_PER_HEADER_MUTATION = 64;
 
-    private final List<Traffic.Sample> traffic = Traffic.read();
+    private final List<RecordedFrames.Sample> traffic = RecordedFrames.read();
     private final SplittableRandom random;
     private final Mutator mutator;
     private final Map<Integer, SpeechCodec> speechCodecs = Map.of(
             RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
             RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
-    private final SignallingCheck signalling = new SignallingCheck();
+    private final SignallingRoundTrip signalling = new SignallingRoundTrip();
     private IpaFramer framer = new IpaFramer();
     private long frames;
     private long read;
@@ -40,46 +40,46 @@ public final class CodecFuzz {
         mutator = new Mutator(random);
     }
 
-    /** Spoilt frames so far. */
+    /** Mutated frames so far. */
     public long frames() {
         return frames;
     }
 
-    /** Of what the framer cut: what made sense all the same. */
+    /** Frames that were decoded. */
     public long read() {
         return read;
     }
 
-    /** What was refused with a violation. */
+    /** Frames that were refused with a violation. */
     public long refused() {
         return refused;
     }
 
-    /** One spoilt frame. @throws Finding if it did what no frame may do */
+    /** Mutates and decodes one frame. @throws FuzzFailure for any other exception than a violation */
     public void step() {
-        Traffic.Sample sample = any();
+        RecordedFrames.Sample sample = any();
         byte[] payload = random.nextInt(8) == 0
-                ? mutator.spliced(sample.frame().payload(), any().frame().payload())
+                ? mutator.splice(sample.frame().payload(), any().frame().payload())
                 : sample.frame().payload();
-        payload = mutator.spoil(payload, IpaFrame.MAX_PAYLOAD);
+        payload = mutator.mutate(payload, IpaFrame.MAX_PAYLOAD);
         byte[] wire = IpaFramer.encode(new IpaFrame(sample.frame().stream(), payload));
-        if (random.nextInt(WIRE_DAMAGE_IN) == 0) {
-            wire = mutator.spoil(wire, wire.length + IpaFrame.MAX_PAYLOAD);
+        if (random.nextInt(FRAMES_PER_HEADER_MUTATION) == 0) {
+            wire = mutator.mutate(wire, wire.length + IpaFrame.MAX_PAYLOAD);
         }
         frames++;
         try {
             cut(wire, sample.direction());
         } catch (RuntimeException e) {
-            throw new Finding(
+            throw new FuzzFailure(
                     "frame " + frames + ": " + e + " from " + HexFormat.of().formatHex(wire), e);
         }
     }
 
-    private Traffic.Sample any() {
+    private RecordedFrames.Sample any() {
         return traffic.get(random.nextInt(traffic.size()));
     }
 
-    /** Octets come in pieces, as TCP likes. */
+    /** The frame in two pieces, as TCP may deliver it. */
     private void cut(byte[] wire, Direction direction) {
         int middle = random.nextInt(wire.length + 1);
         try {
@@ -107,8 +107,7 @@ public final class CodecFuzz {
         switch (frame.stream()) {
             case IpaFrame.RSL -> signalling.check(frame.payload(), direction);
             case IpaFrame.CCM -> CcmCodec.encode(CcmCodec.decode(frame.payload()));
-            case IpaFrame.SPEECH ->
-                RtpPacket.decode(RtpPacket.decode(frame.payload()).encode());
+            case IpaFrame.SPEECH -> speech(RtpPacket.decode(frame.payload()));
             default -> {}
         }
     }

@@ -3,11 +3,11 @@ package simgsm.tools.fuzz;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** Spoils octets: a few changes of the kinds that broken programs and broken wires make. */
+/** Mutates octets by 1 to 4 changes of the kinds that faulty programs and links cause. */
 public final class Mutator {
     private static final int MOST_CHANGES = 4;
     private static final int MOST_INSERTED = 12;
-    /** The values at which lengths and signs turn over. */
+    /** Values at the limits of lengths and signs. */
     private static final byte[] EDGES = {0, 1, 0x0f, 0x10, 0x7f, (byte) 0x80, (byte) 0xf0, (byte) 0xfe, (byte) 0xff};
 
     private final SplittableRandom random;
@@ -16,15 +16,15 @@ public final class Mutator {
         this.random = random;
     }
 
-    /** Another array, seldom an equal one. @param mostOctets the result is cut to this length */
-    public byte[] spoil(byte[] octets, int mostOctets) {
-        byte[] spoilt = octets.clone();
+    /** A changed copy. @param mostOctets greatest length of the result */
+    public byte[] mutate(byte[] octets, int mostOctets) {
+        byte[] mutated = octets.clone();
         int changes = 0;
         do {
-            spoilt = change(spoilt);
+            mutated = change(mutated);
             changes++;
         } while (changes < MOST_CHANGES && random.nextInt(3) == 0);
-        return spoilt.length > mostOctets ? Arrays.copyOf(spoilt, mostOctets) : spoilt;
+        return mutated.length > mostOctets ? Arrays.copyOf(mutated, mostOctets) : mutated;
     }
 
     private byte[] change(byte[] octets) {
@@ -80,8 +80,8 @@ public final class Mutator {
         return more;
     }
 
-    /** The head of one and the tail of the other. */
-    byte[] spliced(byte[] head, byte[] tail) {
+    /** The beginning of one array and the end of another. */
+    byte[] splice(byte[] head, byte[] tail) {
         int kept = random.nextInt(head.length + 1);
         int from = random.nextInt(tail.length + 1);
         byte[] both = Arrays.copyOf(head, kept + tail.length - from);

@@ -1,7 +1,7 @@
 /**
- * Spoilt traffic against codecs and centres: real frames, changed by a seeded hand, so that what fails fails again.
+ * Fuzzing of codecs and centres: recorded frames with seeded mutations, so that a failure can be repeated.
  *
- * <p>Read first: {@link simgsm.tools.fuzz.Mutator}; then {@link simgsm.tools.fuzz.CodecFuzz}, which spoils what one
- * program reads, and {@link simgsm.tools.fuzz.FuzzPeer}, a station whose every word may be spoilt.
+ * <p>Read first: {@link simgsm.tools.fuzz.Mutator}; then {@link simgsm.tools.fuzz.CodecFuzz}, which mutates single frames,
+ * and {@link simgsm.tools.fuzz.FuzzStation}, a station whose frames are mutated.
  */
 package simgsm.tools.fuzz;

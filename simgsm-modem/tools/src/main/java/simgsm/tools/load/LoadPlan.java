@@ -4,24 +4,24 @@ import simgsm.air.Msisdn;
 import simgsm.console.HostPort;
 
 /**
- * What a load run does.
+ * The plan of a load run.
  *
- * @param center where the stations attach
+ * @param center address of the centre
  * @param firstNumber the first station's number; the others count up from it
  * @param phones stations to attach
- * @param calls calls to hold at the same time, each between two stations of their own
- * @param messages short messages to send, all in all
- * @param seconds how long the calls talk, and how long the stations stay attached at least
+ * @param calls calls to hold at the same time, each between two stations without another call
+ * @param messages short messages to send in total
+ * @param seconds duration of the calls, and least time that the stations stay attached
  */
 public record LoadPlan(HostPort center, long firstNumber, int phones, int calls, int messages, int seconds) {
-    /** As many terminals as a centre lets in. */
+    /** The terminals that a centre accepts. */
     public static final int MOST_PHONES = 20_000;
 
     public static final int MOST_MESSAGES = 1_000_000;
-    /** A day. */
+    /** 24 h. */
     public static final int MOST_SECONDS = 86_400;
 
-    /** The highest number that an open network makes an IMSI of. */
+    /** The highest number with an IMSI in an open network. */
     private static final long LAST_NUMBER = 9_999_999_999L;
 
     /** IllegalArgumentException names the option that is out of range. */

@@ -5,26 +5,26 @@ import java.util.Optional;
 import simgsm.console.Event;
 
 /**
- * What a run has measured.
+ * The measurements of a run.
  *
- * @param firstTrouble the first thing that went wrong, for the operator
+ * @param firstError station and cause of the first failure
  */
 public record LoadResult(
-        Window attached,
-        Window called,
+        TaskWindow attached,
+        TaskWindow called,
         long framesSent,
         long framesLost,
-        Delays speechDelays,
-        Window sent,
-        Delays messageDelays,
-        Optional<String> firstTrouble) {
+        DelayHistogram speechDelays,
+        TaskWindow sent,
+        DelayHistogram messageDelays,
+        Optional<String> firstError) {
 
-    /** Whether every phone attached, every call was put through and every message arrived. */
+    /** Whether every phone attached, every call was connected and every message arrived. */
     public boolean isComplete() {
         return attached.done() == attached.count() && called.done() == called.count() && sent.done() == sent.count();
     }
 
-    /** The one line that tells all; a figure of which nothing was asked is a dash. */
+    /** All figures in one line; {@code -} for a figure that the plan did not request. */
     public Event line() {
         return Event.of("load")
                 .with("phones", attached.done())
@@ -42,18 +42,18 @@ public record LoadResult(
                 .with("smsp99ms", millis(messageDelays, 0.99));
     }
 
-    /** What is missing, in words. */
+    /** The missing phones, calls and messages in words. */
     public String shortfall() {
-        return "attached " + attached.done() + " of " + attached.count() + " phones, put through " + called.done()
+        return "attached " + attached.done() + " of " + attached.count() + " phones, connected " + called.done()
                 + " of " + called.count() + " calls, delivered " + sent.done() + " of " + sent.count() + " messages"
-                + firstTrouble.map(trouble -> "; first " + trouble).orElse("");
+                + firstError.map(error -> "; first " + error).orElse("");
     }
 
-    private static String rate(Window window) {
+    private static String rate(TaskWindow window) {
         return window.done() == 0 ? "-" : String.format(Locale.ROOT, "%.1f", window.perSecond());
     }
 
-    private static String millis(Delays delays, double share) {
+    private static String millis(DelayHistogram delays, double share) {
         return delays.count() == 0 ? "-" : String.format(Locale.ROOT, "%.2f", delays.millis(share));
     }
 }

@@ -1,7 +1,6 @@
 /**
- * Load for a centre: many stations in one process that attach, write to each other and talk, and what was measured
- * meanwhile.
+ * Load for a centre: many stations in one process that attach, send short messages and hold calls, and the measurements.
  *
- * <p>Read first: {@link simgsm.tools.load.LoadRun}.
+ * <p>Read first: {@link simgsm.tools.load.LoadGenerator}.
  */
 package simgsm.tools.load;

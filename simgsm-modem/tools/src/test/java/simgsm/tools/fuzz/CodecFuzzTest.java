@@ -16,7 +16,7 @@ class CodecFuzzTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
-    void spoiltTrafficIsReadOrRefusedAndNothingElse(long seed) {
+    void mutatedTrafficIsReadOrRefusedAndNothingElse(long seed) {
         CodecFuzz fuzz = new CodecFuzz(seed);
         for (int i = 0; i < FRAMES; i++) {
             fuzz.step();
@@ -42,7 +42,7 @@ class CodecFuzzTest {
         byte[] octets = {1, 2, 3, 4};
         Mutator mutator = new Mutator(new SplittableRandom(1));
         for (int i = 0; i < 1_000; i++) {
-            assertTrue(mutator.spoil(octets, 6).length <= 6);
+            assertTrue(mutator.mutate(octets, 6).length <= 6);
         }
         assertArrayEquals(new byte[] {1, 2, 3, 4}, octets);
     }
@@ -50,7 +50,7 @@ class CodecFuzzTest {
     @Test
     void thereIsTrafficBothWays() {
         for (Direction direction : Direction.values()) {
-            long count = Traffic.read().stream()
+            long count = RecordedFrames.read().stream()
                     .filter(sample -> sample.direction() == direction)
                     .count();
             assertTrue(count > 30, direction + " " + count);

@@ -4,13 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import simgsm.speech.SpeechCodec;
 
 class MeasuresTest {
     @Test
     void halfOfTheDelaysAreWithinTheMedian() {
-        Delays delays = new Delays();
+        DelayHistogram delays = new DelayHistogram();
         for (int millis = 1; millis <= 100; millis++) {
             delays.add(millis * 1_000_000L);
         }
@@ -22,23 +24,23 @@ class MeasuresTest {
 
     @Test
     void aDelayBeyondTheScaleCountsAsTheLongest() {
-        Delays delays = new Delays();
+        DelayHistogram delays = new DelayHistogram();
         delays.add(Long.MAX_VALUE);
         assertEquals(20_000, delays.millis(0.5), 0.02);
     }
 
     @Test
     void nothingMeasuredIsNoDelay() {
-        assertEquals(0, new Delays().millis(0.5));
+        assertEquals(0, new DelayHistogram().millis(0.5));
     }
 
     @Test
     void everyMarkSurvivesTheSpeechCodec() {
         SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
         short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
-        for (int mark : List.of(0, 1, 0x5555, 0xaaaa, 0x1234, FrameMark.LARGEST)) {
-            FrameMark.put(frame, mark);
-            assertEquals(mark, FrameMark.read(codec.decode(codec.encode(frame))));
+        for (int mark : List.of(0, 1, 0x5555, 0xaaaa, 0x1234, SpeechFrameNumber.LARGEST)) {
+            SpeechFrameNumber.put(frame, mark);
+            assertEquals(mark, SpeechFrameNumber.read(codec.decode(codec.encode(frame))));
         }
     }
 
@@ -46,13 +48,13 @@ class MeasuresTest {
     void silenceCarriesNoMark() {
         SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
         short[] silence = new short[SpeechCodec.SAMPLES_PER_FRAME];
-        assertEquals(FrameMark.NONE, FrameMark.read(codec.decode(codec.encode(silence))));
+        assertEquals(SpeechFrameNumber.NONE, SpeechFrameNumber.read(codec.decode(codec.encode(silence))));
     }
 
     @Test
     void aWindowKeepsSoManyTasksUnderWayAndNoMore() {
         List<Integer> begun = new ArrayList<>();
-        Window window = new Window(5, 2, begun::add);
+        TaskWindow window = new TaskWindow(5, 2, begun::add);
         window.start();
         assertEquals(List.of(0, 1), begun);
         window.ended(1, true);
@@ -65,7 +67,7 @@ class MeasuresTest {
     @Test
     void waitingEndsWithTheLastTask() throws InterruptedException {
         List<Integer> begun = new ArrayList<>();
-        Window window = new Window(3, 3, begun::add);
+        TaskWindow window = new TaskWindow(3, 3, begun::add);
         window.start();
         window.ended(2, true);
         window.ended(0, false);
@@ -76,8 +78,23 @@ class MeasuresTest {
     }
 
     @Test
+    void tasksThatEndWhileTheyBeginAreBegunOneAfterTheOther() {
+        AtomicReference<TaskWindow> window = new AtomicReference<>();
+        AtomicInteger depth = new AtomicInteger();
+        AtomicInteger deepest = new AtomicInteger();
+        window.set(new TaskWindow(2_000, 50, task -> {
+            deepest.accumulateAndGet(depth.incrementAndGet(), Math::max);
+            window.get().ended(task, true);
+            depth.decrementAndGet();
+        }));
+        window.get().start();
+        assertEquals(2_000, window.get().done());
+        assertEquals(1, deepest.get(), "a task began within another one: the stack grows with each");
+    }
+
+    @Test
     void waitingGivesUpWhenNothingGetsOn() throws InterruptedException {
-        Window window = new Window(1, 1, task -> {});
+        TaskWindow window = new TaskWindow(1, 1, task -> {});
         window.start();
         window.await(1);
         assertEquals(0, window.done());

@@ -15,9 +15,9 @@ import simgsm.dtmf.KeyReceiver;
 import simgsm.tools.audio.NotAudioException;
 import simgsm.tools.audio.SpeechFile;
 
-/** What {@code decode} says about one file. */
-final class HeardFile {
-    /** How a file is listened to. */
+/** The result of {@code decode} for one file. */
+final class DecodedFile {
+    /** The receiver of the files. */
     record Kind(boolean explains, boolean isClassic, int classicBlockSamples) {
         KeyReceiver open(DtmfListener listener, Consumer<KeyCandidate> candidates) {
             return isClassic
@@ -34,24 +34,24 @@ final class HeardFile {
     private final StringBuilder candidates = new StringBuilder();
     private final Kind kind;
     private int status = ExitStatus.OK;
-    private String complaint;
+    private String error;
 
-    private HeardFile(String name, Kind kind) {
+    private DecodedFile(String name, Kind kind) {
         this.name = name;
         this.kind = kind;
     }
 
-    /** Listens to the file of that name, whatever it holds; never throws for what is in it. */
-    static HeardFile of(String name, Kind kind) {
-        HeardFile heard = new HeardFile(name, kind);
+    /** Decodes the file; errors of the file are part of the result. */
+    static DecodedFile of(String name, Kind kind) {
+        DecodedFile decoded = new DecodedFile(name, kind);
         try {
-            heard.listen(Path.of(name));
+            decoded.decode(Path.of(name));
         } catch (NotAudioException e) {
-            heard.failed(ExitStatus.FAILED, e.getMessage());
+            decoded.failed(ExitStatus.FAILED, e.getMessage());
         } catch (IOException | InvalidPathException e) {
-            heard.failed(ExitStatus.INPUT_OUTPUT, name + ": " + reason(e));
+            decoded.failed(ExitStatus.INPUT_OUTPUT, name + ": " + reason(e));
         }
-        return heard;
+        return decoded;
     }
 
     private static String reason(Exception e) {
@@ -63,10 +63,10 @@ final class HeardFile {
 
     private void failed(int newStatus, String text) {
         status = newStatus;
-        complaint = text;
+        error = text;
     }
 
-    private void listen(Path path) throws IOException {
+    private void decode(Path path) throws IOException {
         try (SpeechFile file = SpeechFile.openForKeys(path)) {
             KeyReceiver receiver = kind.open(
                     listener(file.lookAheadMillis()), candidate -> explain(candidate, file.lookAheadMillis()));
@@ -108,9 +108,9 @@ final class HeardFile {
         return status;
     }
 
-    /** Why there are no keys, or null. */
-    String complaint() {
-        return complaint;
+    /** Why the file could not be decoded; null without an error. */
+    String error() {
+        return error;
     }
 
     String line() {

@@ -10,41 +10,41 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.air.ProtocolViolation;
 
-/** A peer's connection to the centre, made anew whenever either side has had enough of it. */
-final class FuzzSocket {
-    /** A centre that takes no more for now is let breathe; what it does not take at all is lost. */
+/** A fuzz station's connection to the centre, replaced when either side closes it. */
+final class FuzzConnection {
+    /** Attempts to write; octets that the centre has not accepted by then are lost. */
     private static final int MOST_WRITES = 100;
 
-    private final FuzzPeer peer;
-    /** Null while there is none. */
+    private final FuzzStation station;
+    /** Null without a connection. */
     private SocketChannel channel;
 
     private IpaFramer framer = new IpaFramer();
     private boolean isBroken;
     private long connections;
 
-    FuzzSocket(FuzzPeer peer) {
-        this.peer = peer;
+    FuzzConnection(FuzzStation station) {
+        this.station = station;
     }
 
     long frames() {
-        return peer.frames();
+        return station.frames();
     }
 
     long connections() {
         return connections;
     }
 
-    /** @throws Finding if the centre cannot be reached, or breaks the protocol itself */
+    /** @throws FuzzFailure if the centre cannot be reached or breaks the protocol */
     void turn(InetSocketAddress center, ByteBuffer buffer, long nowNanos) {
         if (channel == null) {
             connect(center, nowNanos);
         }
         read(buffer, nowNanos);
-        peer.turn(nowNanos);
-        if (isBroken || peer.wantsToLeave()) {
+        station.turn(nowNanos);
+        if (isBroken || station.wantsNewConnection()) {
             close();
-            peer.disconnected(nowNanos);
+            station.disconnected(nowNanos);
         }
     }
 
@@ -54,13 +54,15 @@ final class FuzzSocket {
             channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
         } catch (IOException e) {
-            throw new Finding(
-                    "after " + connections + " connections of this peer the centre is gone: " + e.getMessage(), e);
+            throw new FuzzFailure(
+                    "after " + connections + " connections of this station the centre cannot be reached: "
+                            + e.getMessage(),
+                    e);
         }
         connections++;
         framer = new IpaFramer();
         isBroken = false;
-        peer.connected(this::write, nowNanos);
+        station.connected(this::write, nowNanos);
     }
 
     private void read(ByteBuffer buffer, long nowNanos) {
@@ -69,12 +71,12 @@ final class FuzzSocket {
             isBroken |= channel.read(buffer) < 0;
             framer.accept(buffer.flip());
             for (Optional<IpaFrame> frame = framer.next(); frame.isPresent(); frame = framer.next()) {
-                peer.arrived(frame.get(), nowNanos);
+                station.arrived(frame.get(), nowNanos);
             }
         } catch (IOException e) {
             isBroken = true;
         } catch (ProtocolViolation violation) {
-            throw new Finding("the centre itself breaks the protocol: " + violation.getMessage(), violation);
+            throw new FuzzFailure("the centre breaks the protocol: " + violation.getMessage(), violation);
         }
     }
 

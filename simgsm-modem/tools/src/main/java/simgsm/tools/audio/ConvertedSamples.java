@@ -6,14 +6,14 @@ import javax.sound.sampled.AudioFormat;
 import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
-/** Samples of any form, their channels mixed to one and resampled to 8 kHz, in constant memory. */
-final class MixedSamples implements Samples {
+/** Samples of any format, their channels mixed to one and resampled to 8 kHz, in constant memory. */
+final class ConvertedSamples implements SampleSource {
     private static final int BLOCK_FRAMES = 2048;
-    /** At lower rates a gentle slope would reach the keys' highest tone. */
-    private static final int LEAST_GENTLE = 5000;
+    /** Least rate, Hz, for the gentle slope: below it the filter would attenuate 1633 Hz, the highest DTMF tone. */
+    private static final int LEAST_GENTLE_HZ = 5000;
 
     private final InputStream stream;
-    private final PcmFormat format;
+    private final SampleFormat format;
     private final Resampler resampler;
     private final byte[] octets;
     private final float[] mixed = new float[BLOCK_FRAMES];
@@ -22,20 +22,20 @@ final class MixedSamples implements Samples {
     private boolean atEnd;
 
     /**
-     * @param stream its next octet is the first sample's first
-     * @param dataOctets how many octets of sound there are at most
+     * @param stream positioned at the first sample
+     * @param dataOctets most octets of sound
      */
-    MixedSamples(InputStream stream, AudioFormat form, long dataOctets, Resampler.Slope slope)
+    ConvertedSamples(InputStream stream, AudioFormat audioFormat, long dataOctets, Resampler.Slope slope)
             throws NotAudioException {
         this.stream = stream;
-        this.format = PcmFormat.of(form);
+        this.format = SampleFormat.of(audioFormat);
         this.octets = new byte[BLOCK_FRAMES * format.octetsPerFrame()];
         this.left = dataOctets;
-        int rate = Math.round(form.getSampleRate());
+        int rate = Math.round(audioFormat.getSampleRate());
         this.resampler = rate == SpeechCodec.SAMPLES_PER_SECOND
                 ? null
                 : new Resampler(
-                        rate, SpeechCodec.SAMPLES_PER_SECOND, rate < LEAST_GENTLE ? Resampler.Slope.STEEP : slope);
+                        rate, SpeechCodec.SAMPLES_PER_SECOND, rate < LEAST_GENTLE_HZ ? Resampler.Slope.STEEP : slope);
     }
 
     @Override
@@ -61,7 +61,7 @@ final class MixedSamples implements Samples {
         return n;
     }
 
-    /** Takes the next block from the file. @return whether anything came of it */
+    /** Reads the next block of the file. @return false at the end */
     private boolean fill() throws IOException {
         if (atEnd) {
             return false;

@@ -12,59 +12,59 @@ import simgsm.air.RpCause;
 import simgsm.station.StationThread;
 
 /**
- * A load run, one kind of load after the other, so that each is measured by itself: the stations attach; they send short
- * messages round the circle; pairs of them call each other and talk. All stations live on one thread.
+ * Performs a load plan, one kind of load after the other, so that each is measured alone: the stations attach; each sends
+ * short messages to the next; pairs of them hold calls. All stations run on one thread.
  */
-public final class LoadRun implements LoadPhone.Host {
-    /** Under way at the same time; a centre's port holds back more than a thousand who knock at once. */
+public final class LoadGenerator implements LoadStation.Observer {
+    /** Open at the same time; the backlog of a centre's port takes about 1000 connections. */
     private static final int ATTACHING = 200;
 
     private static final int SENDING = 100;
     private static final int CALLING = 50;
-    /** With nothing getting on for so long, it never will. */
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(30);
+    /** Time-out without progress. */
+    private static final long TIMEOUT_NANOS = TimeUnit.SECONDS.toNanos(30);
 
-    /** How long the last speech may be on its way. */
+    /** Longest wait for the last speech frames. */
     private static final int LAST_SPEECH_MILLIS = 5_000;
 
     private static final int POLL_MILLIS = 20;
-    /** Speech is counted from so long after the last call stands: what setting them all up at once held up has passed. */
+    /** From the last call's connection to the counting of speech, so that the set-up of the calls does not add delays. */
     private static final int SETTLING_MILLIS = 2_000;
 
     private final LoadPlan plan;
     private final InetSocketAddress center;
-    private final List<LoadPhone> phones = new ArrayList<>();
-    private final AtomicReference<Throwable> death = new AtomicReference<>();
-    private final AtomicReference<String> firstTrouble = new AtomicReference<>();
-    private final StationThread stations = new StationThread("load", this::died);
-    private final CountDownLatch dead = new CountDownLatch(1);
-    private final Window attaching;
-    private final MessageRound messages;
-    private final Window calling;
-    private final Window clearing;
-    private final Delays speechDelays = new Delays();
+    private final List<LoadStation> phones = new ArrayList<>();
+    private final AtomicReference<Throwable> failure = new AtomicReference<>();
+    private final AtomicReference<String> firstError = new AtomicReference<>();
+    private final StationThread stations = new StationThread("load", this::failed);
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private final TaskWindow attaching;
+    private final MessageLoad messages;
+    private final TaskWindow calling;
+    private final TaskWindow clearing;
+    private final DelayHistogram speechDelays = new DelayHistogram();
     private volatile boolean isCounting;
     private volatile long framesSent;
     private volatile long framesHeard;
 
-    public LoadRun(LoadPlan plan) {
+    public LoadGenerator(LoadPlan plan) {
         this.plan = plan;
         this.center = new InetSocketAddress(plan.center().host(), plan.center().port());
         for (int i = 0; i < plan.phones(); i++) {
-            phones.add(new LoadPhone(i, plan.number(i), this));
+            phones.add(new LoadStation(i, plan.number(i), this));
         }
-        attaching = new Window(plan.phones(), ATTACHING, i -> stations.add(phones.get(i).station, center));
-        messages = new MessageRound(phones, plan.messages(), SENDING);
-        calling = new Window(plan.calls(), CALLING, this::call);
-        clearing = new Window(plan.calls(), CALLING, i -> caller(i).station.hangUp());
+        attaching = new TaskWindow(plan.phones(), ATTACHING, i -> stations.add(phones.get(i).station, center));
+        messages = new MessageLoad(phones, plan.messages(), SENDING);
+        calling = new TaskWindow(plan.calls(), CALLING, this::call);
+        clearing = new TaskWindow(plan.calls(), CALLING, i -> caller(i).station.hangUp());
     }
 
-    private void died(Throwable cause) {
-        death.set(cause);
-        dead.countDown();
+    private void failed(Throwable cause) {
+        failure.set(cause);
+        ended.countDown();
     }
 
-    /** Performs the plan; afterwards no station is left. */
+    /** Performs the plan and detaches all stations. */
     public LoadResult run() throws InterruptedException {
         stations.start();
         try {
@@ -72,28 +72,28 @@ public final class LoadRun implements LoadPhone.Host {
             if (plan.messages() > 0 && attaching.done() == plan.phones()) {
                 perform(messages.window());
             }
-            talk();
+            holdCalls();
             return result();
         } finally {
             stations.close();
         }
     }
 
-    private void perform(Window window) throws InterruptedException {
+    private void perform(TaskWindow window) throws InterruptedException {
         stations.execute(window::start);
-        window.await(PATIENCE_NANOS);
-        if (death.get() != null) {
-            throw new IllegalStateException("the stations have died: " + death.get(), death.get());
+        window.await(TIMEOUT_NANOS);
+        if (failure.get() != null) {
+            throw new IllegalStateException("the stations' thread has ended: " + failure.get(), failure.get());
         }
     }
 
-    private void talk() throws InterruptedException {
+    private void holdCalls() throws InterruptedException {
         if (plan.calls() > 0 && attaching.done() == plan.phones()) {
             perform(calling);
-            dead.await(SETTLING_MILLIS, TimeUnit.MILLISECONDS);
+            ended.await(SETTLING_MILLIS, TimeUnit.MILLISECONDS);
         }
         isCounting = true;
-        dead.await(plan.seconds(), TimeUnit.SECONDS);
+        ended.await(plan.seconds(), TimeUnit.SECONDS);
         isCounting = false;
         awaitLastSpeech();
         if (calling.done() > 0) {
@@ -103,57 +103,57 @@ public final class LoadRun implements LoadPhone.Host {
 
     private void awaitLastSpeech() throws InterruptedException {
         for (int waited = 0; waited < LAST_SPEECH_MILLIS && framesHeard < framesSent; waited += POLL_MILLIS) {
-            dead.await(POLL_MILLIS, TimeUnit.MILLISECONDS);
+            ended.await(POLL_MILLIS, TimeUnit.MILLISECONDS);
         }
     }
 
-    private LoadPhone caller(int call) {
+    private LoadStation caller(int call) {
         return phones.get(2 * call);
     }
 
-    private LoadPhone called(int call) {
+    private LoadStation called(int call) {
         return phones.get(2 * call + 1);
     }
 
     private void call(int call) {
-        caller(call).talksWith(called(call));
-        called(call).talksWith(caller(call));
+        caller(call).setPartner(called(call));
+        called(call).setPartner(caller(call));
         if (!caller(call).station.dial(called(call).number())) {
             calling.ended(call, false);
         }
     }
 
-    private void trouble(LoadPhone phone, String what) {
-        firstTrouble.compareAndSet(null, phone.number() + ": " + what);
+    private void fail(LoadStation phone, String what) {
+        firstError.compareAndSet(null, phone.number() + ": " + what);
     }
 
     @Override
-    public void attached(LoadPhone phone) {
+    public void attached(LoadStation phone) {
         attaching.ended(phone.index, true);
     }
 
     @Override
-    public void refused(LoadPhone phone, String reason) {
-        trouble(phone, reason);
+    public void refused(LoadStation phone, String reason) {
+        fail(phone, reason);
     }
 
-    /** The called side is connected first: when the caller is, both are. */
+    /** The called side is connected before the caller. */
     @Override
-    public void connected(LoadPhone phone) {
+    public void connected(LoadStation phone) {
         if (phone.index % 2 == 0) {
             calling.ended(phone.index / 2, true);
         }
     }
 
     @Override
-    public void released(LoadPhone phone, Cause cause) {
+    public void released(LoadStation phone, Cause cause) {
         int call = phone.index / 2;
         if (phone.index % 2 == 0) {
             calling.ended(call, false);
             clearing.ended(call, true);
         }
         if (cause != Cause.NORMAL_CALL_CLEARING) {
-            trouble(phone, cause.toString());
+            fail(phone, cause.toString());
         }
     }
 
@@ -163,8 +163,8 @@ public final class LoadRun implements LoadPhone.Host {
     }
 
     @Override
-    public void messageFailed(int id, LoadPhone from, RpCause cause) {
-        trouble(from, cause.toString());
+    public void messageFailed(int id, LoadStation from, RpCause cause) {
+        fail(from, cause.toString());
     }
 
     @Override
@@ -172,7 +172,7 @@ public final class LoadRun implements LoadPhone.Host {
         return isCounting;
     }
 
-    // One thread writes these counts; others only look.
+    // Only the stations' thread writes these counts.
 
     @Override
     public void spoke() {
@@ -196,6 +196,6 @@ public final class LoadRun implements LoadPhone.Host {
                 speechDelays,
                 messages.window(),
                 messages.delays(),
-                Optional.ofNullable(firstTrouble.get()));
+                Optional.ofNullable(firstError.get()));
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.tools.load;
 
-/** Delays counted in steps of 10 microseconds, so that millions of them take no more room than a few. Up to 20 s. */
-final class Delays {
+/** A histogram of delays of up to 20 s, in steps of 10 µs. */
+final class DelayHistogram {
     private static final int STEP_NANOS = 10_000;
     private static final int STEPS = 2_000_000;
 
@@ -19,9 +19,9 @@ final class Delays {
     }
 
     /**
-     * The delay that this share of all is within, in milliseconds; 0 if there is none.
+     * A quantile, in milliseconds; 0 without delays.
      *
-     * @param share above 0, at most 1
+     * @param share above 0, at most 1: 0.5 is the median
      */
     double millis(double share) {
         long rest = (long) Math.ceil(share * total);

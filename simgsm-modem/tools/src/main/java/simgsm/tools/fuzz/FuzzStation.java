@@ -19,16 +19,16 @@ import simgsm.station.StationOptions;
 import simgsm.station.Uplink;
 
 /**
- * A real station core that does what comes to its mind, and whose frames are now and then spoilt, lost, repeated or
- * replaced on their way: real dialogues, damaged anywhere. Knows no socket and no clock; whoever owns it gives it both.
+ * A station core with random actions, of whose frames some are mutated, lost, repeated or replaced. The caller supplies
+ * connection and time.
  */
-public final class FuzzPeer implements StationListener {
+public final class FuzzStation implements StationListener {
     private static final int LONGEST_TEXT = 320;
     private static final int LONGEST_TONE_MILLIS = 300;
 
     private final SplittableRandom random;
     private final Mutator mutator;
-    private final List<Traffic.Sample> traffic;
+    private final List<RecordedFrames.Sample> traffic;
     private final List<Msisdn> others;
     private final MobileStation station;
     /** Null without a connection. */
@@ -38,12 +38,12 @@ public final class FuzzPeer implements StationListener {
     private boolean isFramingBroken;
     private long frames;
 
-    /** @param others whom it calls and writes to */
-    public FuzzPeer(Msisdn number, List<Msisdn> others, SplittableRandom random) {
+    /** @param others numbers that it calls and sends messages to */
+    public FuzzStation(Msisdn number, List<Msisdn> others, SplittableRandom random) {
         this.random = random;
         this.others = List.copyOf(others);
         mutator = new Mutator(random);
-        traffic = Traffic.read().stream()
+        traffic = RecordedFrames.read().stream()
                 .filter(sample -> sample.direction() == Direction.UPLINK)
                 .toList();
         station = new MobileStation(
@@ -55,7 +55,7 @@ public final class FuzzPeer implements StationListener {
                 random);
     }
 
-    /** @param wire takes octets for the centre, mostly whole frames */
+    /** Begins a connection. @param newWire receives octets for the centre, mostly whole frames */
     public void connected(Consumer<byte[]> newWire, long nowNanos) {
         wire = newWire;
         isDropped = false;
@@ -84,27 +84,27 @@ public final class FuzzPeer implements StationListener {
         station.frameArrived(frame, nowNanos);
     }
 
-    /** Whether it would rather have a new connection. */
-    public boolean wantsToLeave() {
+    /** Whether the connection should be replaced. */
+    public boolean wantsNewConnection() {
         return isDropped || isFramingBroken && random.nextInt(4) == 0 || random.nextInt(5_000) == 0;
     }
 
-    /** Frames, spoilt or not, that went up. */
+    /** Frames sent, mutated or not. */
     public long frames() {
         return frames;
     }
 
-    /** Time passes, and something is begun or ended. */
+    /** Advances the time and performs a random action. */
     public void turn(long nowNanos) {
         station.timePassed(nowNanos);
         switch (random.nextInt(60)) {
-            case 0, 1 -> station.dial(anyone());
+            case 0, 1 -> station.dial(anyNumber());
             case 2 -> station.hangUp();
-            case 3, 4 -> station.sendMessage(anyone(), "x".repeat(1 + random.nextInt(LONGEST_TEXT)));
+            case 3, 4 -> station.sendMessage(anyNumber(), "x".repeat(1 + random.nextInt(LONGEST_TEXT)));
             case 5 -> station.signalKey(DtmfKey.values()[random.nextInt(DtmfKey.values().length)], tone());
             case 6 -> rarely(station::powerOff);
             case 7, 8 -> station.powerOn();
-            case 9, 10, 11 -> alien();
+            case 9, 10, 11 -> sendRecorded();
             default -> {}
         }
     }
@@ -119,7 +119,7 @@ public final class FuzzPeer implements StationListener {
         }
     }
 
-    private Msisdn anyone() {
+    private Msisdn anyNumber() {
         return others.get(random.nextInt(others.size()));
     }
 
@@ -131,35 +131,35 @@ public final class FuzzPeer implements StationListener {
     }
 
     private void pass(IpaFrame frame) {
-        int fate = random.nextInt(100);
-        if (fate < 80) {
+        int percent = random.nextInt(100);
+        if (percent < 80) {
             send(IpaFramer.encode(frame));
-        } else if (fate < 90) {
-            send(IpaFramer.encode(spoilt(frame)));
-        } else if (fate < 94) {
+        } else if (percent < 90) {
+            send(IpaFramer.encode(mutated(frame)));
+        } else if (percent < 94) {
             send(IpaFramer.encode(frame));
             send(IpaFramer.encode(frame));
-        } else if (fate < 98) {
-            alien();
-        } else if (fate < 99) {
+        } else if (percent < 98) {
+            sendRecorded();
+        } else if (percent < 99) {
             breakFraming(frame);
         }
-        // What is left is lost.
+        // The remaining 1 % is lost.
     }
 
-    private IpaFrame spoilt(IpaFrame frame) {
-        return new IpaFrame(frame.stream(), mutator.spoil(frame.payload(), IpaFrame.MAX_PAYLOAD));
+    private IpaFrame mutated(IpaFrame frame) {
+        return new IpaFrame(frame.stream(), mutator.mutate(frame.payload(), IpaFrame.MAX_PAYLOAD));
     }
 
-    /** A frame from another station's life. */
-    private void alien() {
+    /** Sends a recorded frame of another station. */
+    private void sendRecorded() {
         IpaFrame frame = traffic.get(random.nextInt(traffic.size())).frame();
-        send(IpaFramer.encode(random.nextBoolean() ? frame : spoilt(frame)));
+        send(IpaFramer.encode(random.nextBoolean() ? frame : mutated(frame)));
     }
 
     private void breakFraming(IpaFrame frame) {
         isFramingBroken = true;
-        send(mutator.spoil(IpaFramer.encode(frame), IpaFrame.MAX_PAYLOAD));
+        send(mutator.mutate(IpaFramer.encode(frame), IpaFrame.MAX_PAYLOAD));
     }
 
     private void send(byte[] octets) {

@@ -20,19 +20,19 @@ import simgsm.sms.TpduCodec;
 import simgsm.trace.MessageText;
 import simgsm.trace.TpduText;
 
-/** Reads an RSL message down to the text of a short message, as the programs do, and writes it again. */
-final class SignallingCheck {
+/** Decodes an RSL message down to the text of a short message and encodes it again. */
+final class SignallingRoundTrip {
     private static final int ACTIVE_CALL = 10;
-    private static final long NANOS_A_MESSAGE = 1_000_000;
+    private static final long NANOS_PER_MESSAGE = 1_000_000;
 
     private final Reassembler reassembler = new Reassembler();
     private final BroadcastCollector broadcasts = new BroadcastCollector();
     private long nowNanos;
 
-    /** @throws IllegalStateException if what was written is not what was read */
+    /** @throws IllegalStateException if a message is not the same after encoding and decoding */
     void check(byte[] payload, Direction direction) throws ProtocolViolation {
         RslMessage message = RslCodec.decode(payload);
-        same(message, RslCodec.decode(RslCodec.encode(message)));
+        requireSame(message, RslCodec.decode(RslCodec.encode(message)));
         MessageText.ofRsl(message).fields().forEach(Object::toString);
         if (message instanceof RslMessage.EstablishIndication establish) {
             layer3(establish.layer3(), direction);
@@ -57,8 +57,8 @@ final class SignallingCheck {
             }
             throw violation;
         }
-        if (!namesNobody(message, direction)) {
-            same(message, Layer3Codec.decode(Layer3Codec.encode(message, direction, 0), direction));
+        if (!hasNoCalledNumber(message, direction)) {
+            requireSame(message, Layer3Codec.decode(Layer3Codec.encode(message, direction, 0), direction));
         }
         if (message instanceof ShortMessageControl.CpData data && data.relay() instanceof RelayMessage.RpData relay) {
             transferUnit(TpduCodec.decode(relay.tpdu(), direction));
@@ -69,7 +69,7 @@ final class SignallingCheck {
         TpduText.of(tpdu);
         TpduCodec.encode(tpdu);
         if (tpdu instanceof DeliverTpdu deliver) {
-            nowNanos += NANOS_A_MESSAGE;
+            nowNanos += NANOS_PER_MESSAGE;
             reassembler.accept(deliver.originator(), deliver.userData(), nowNanos);
         }
     }
@@ -78,16 +78,16 @@ final class SignallingCheck {
         return direction == Direction.UPLINK ? Direction.DOWNLINK : Direction.UPLINK;
     }
 
-    /** A call to a number that could not be read: it is understood, but nobody of ours would write it. */
-    private static boolean namesNobody(Layer3Message message, Direction direction) {
+    /** A SETUP with an unreadable called number: the codec reads it but does not write it. */
+    private static boolean hasNoCalledNumber(Layer3Message message, Direction direction) {
         return direction == Direction.UPLINK
                 && message instanceof CallControl.Setup setup
                 && setup.called().isEmpty();
     }
 
-    private static void same(Object read, Object again) {
+    private static void requireSame(Object read, Object again) {
         if (!read.equals(again)) {
-            throw new IllegalStateException("read " + read + ", wrote it and read " + again);
+            throw new IllegalStateException("decoded " + read + ", encoded and decoded " + again);
         }
     }
 }

@@ -4,8 +4,8 @@ import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioFormat.Encoding;
 import simgsm.speech.G711;
 
-/** How a file holds its samples; reads them as floats on the scale of 16 bits, the channels' mean. */
-final class PcmFormat {
+/** The format of a file's samples; converts them to the mean of the channels, as floats on the scale of 16 bits. */
+final class SampleFormat {
     private enum Kind {
         SIGNED,
         UNSIGNED,
@@ -19,14 +19,14 @@ final class PcmFormat {
     private final int octetsPerSample;
     private final boolean bigEndian;
 
-    private PcmFormat(Kind kind, int channels, int octetsPerSample, boolean bigEndian) {
+    private SampleFormat(Kind kind, int channels, int octetsPerSample, boolean bigEndian) {
         this.kind = kind;
         this.channels = channels;
         this.octetsPerSample = octetsPerSample;
         this.bigEndian = bigEndian;
     }
 
-    static PcmFormat of(AudioFormat format) throws NotAudioException {
+    static SampleFormat of(AudioFormat format) throws NotAudioException {
         Kind kind = kind(format.getEncoding());
         int channels = format.getChannels();
         int octets = channels < 1 ? 0 : format.getFrameSize() / channels;
@@ -36,9 +36,9 @@ final class PcmFormat {
                         : kind == Kind.SIGNED || kind == Kind.UNSIGNED ? octets >= 1 && octets <= 4 : octets == 1);
         boolean rateFits = format.getSampleRate() >= 1000 && format.getSampleRate() <= 2_000_000;
         if (!fits || !rateFits) {
-            throw new NotAudioException("audio in a form that cannot be read: " + format, null);
+            throw new NotAudioException("audio in an unsupported format: " + format, null);
         }
-        return new PcmFormat(kind, channels, octets, format.isBigEndian());
+        return new SampleFormat(kind, channels, octets, format.isBigEndian());
     }
 
     private static Kind kind(Encoding encoding) {

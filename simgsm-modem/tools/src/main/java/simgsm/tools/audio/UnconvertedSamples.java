@@ -5,19 +5,18 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.ReadableByteChannel;
 
-/** Samples that are speech as they stand (8 kHz, 16 bit, mono, little endian): copied, never looked at. */
-final class PlainSamples implements Samples {
+/** Samples that need no conversion: 8 kHz, 16 bit, mono, little-endian. */
+final class UnconvertedSamples implements SampleSource {
     private final ReadableByteChannel file;
     private final ByteBuffer octets;
-    /** Octets of sound that are still in the file and not in the buffer. */
+    /** Octets of sound in the file after those in the buffer. */
     private long left;
 
     /**
-     * @param octets what has been read already, the first sample at its position; taken over, and filled again from
-     *     {@code file}
-     * @param dataOctets how many octets of sound there are from there on at most
+     * @param octets buffer with the first octets of the file, positioned at the first sample; reused for the rest
+     * @param dataOctets most octets of sound from that position on
      */
-    PlainSamples(ReadableByteChannel file, ByteBuffer octets, long dataOctets) {
+    UnconvertedSamples(ReadableByteChannel file, ByteBuffer octets, long dataOctets) {
         this.file = file;
         this.octets = octets.order(ByteOrder.LITTLE_ENDIAN);
         octets.limit(octets.position() + (int) Math.min(octets.remaining(), dataOctets));
@@ -36,7 +35,7 @@ final class PlainSamples implements Samples {
         return at - from;
     }
 
-    /** @return whether there is a sample now */
+    /** @return whether the buffer has a sample */
     private boolean fill() throws IOException {
         octets.compact();
         octets.limit((int) Math.min(octets.capacity(), octets.position() + left));

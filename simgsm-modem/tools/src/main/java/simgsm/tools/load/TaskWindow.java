@@ -5,15 +5,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
 
 /**
- * A row of like tasks of which so many are under way at a time. The stations' thread begins and ends them; another waits
- * for all to have ended.
+ * Tasks of one kind, of which a limited number is open at a time. The stations' thread begins and ends them; another
+ * thread waits until all have ended.
  */
-final class Window {
+final class TaskWindow {
     private final int count;
     private final int width;
     private final IntConsumer begin;
     private final BitSet open = new BitSet();
     private int next;
+    private boolean isFilling;
     private long startNanos = System.nanoTime();
     private long endNanos = startNanos;
     private int done;
@@ -21,16 +22,16 @@ final class Window {
 
     /**
      * @param count tasks in all, numbered from 0
-     * @param width under way at most
-     * @param begin begins the task of that number
+     * @param width tasks open at a time
+     * @param begin begins the task with this number; the task may end before the call returns
      */
-    Window(int count, int width, IntConsumer begin) {
+    TaskWindow(int count, int width, IntConsumer begin) {
         this.count = count;
         this.width = width;
         this.begin = begin;
     }
 
-    /** Begins the first ones. */
+    /** Begins the first tasks. */
     void start() {
         synchronized (this) {
             startNanos = System.nanoTime();
@@ -39,9 +40,18 @@ final class Window {
         fill();
     }
 
+    /** Begins tasks while there is room. The outermost call begins those that tasks ended within it make room for. */
     private void fill() {
-        for (int task = take(); task >= 0; task = take()) {
-            begin.accept(task);
+        if (isFilling) {
+            return;
+        }
+        isFilling = true;
+        try {
+            for (int task = take(); task >= 0; task = take()) {
+                begin.accept(task);
+            }
+        } finally {
+            isFilling = false;
         }
     }
 
@@ -53,15 +63,15 @@ final class Window {
         return next++;
     }
 
-    /** A task is over; one that was over already, or never began, is left alone. */
-    void ended(int task, boolean isWell) {
+    /** Ends a task; a task that is not open is ignored. */
+    void ended(int task, boolean succeeded) {
         synchronized (this) {
             if (!open.get(task)) {
                 return;
             }
             open.clear(task);
-            done += isWell ? 1 : 0;
-            failed += isWell ? 0 : 1;
+            done += succeeded ? 1 : 0;
+            failed += succeeded ? 0 : 1;
             endNanos = System.nanoTime();
             if (done + failed == count) {
                 notifyAll();
@@ -70,11 +80,11 @@ final class Window {
         fill();
     }
 
-    /** Waits until all tasks have ended, or none has for so long. */
-    synchronized void await(long patienceNanos) throws InterruptedException {
+    /** Waits until all tasks have ended, or none has ended within the time-out. */
+    synchronized void await(long timeoutNanos) throws InterruptedException {
         long since = System.nanoTime();
         while (done + failed < count) {
-            long left = Math.max(since, endNanos) + patienceNanos - System.nanoTime();
+            long left = Math.max(since, endNanos) + timeoutNanos - System.nanoTime();
             if (left <= 0) {
                 return;
             }
@@ -82,16 +92,17 @@ final class Window {
         }
     }
 
-    /** Tasks that have ended well. */
+    /** Tasks that have succeeded. */
     synchronized int done() {
         return done;
     }
 
+    /** Tasks in all. */
     int count() {
         return count;
     }
 
-    /** Tasks that have ended well a second, from the first one's beginning to the last one's end. */
+    /** Tasks that have succeeded per second, from the beginning of the first to the end of the last. */
     synchronized double perSecond() {
         return endNanos == startNanos ? 0 : done * 1e9 / (endNanos - startNanos);
     }

@@ -11,21 +11,21 @@ import java.util.List;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Direction;
 
-/** Frames that really crossed a wire, each kind of message a few times. */
-final class Traffic {
-    /** One of them. */
+/** Recorded frames, a few of each message type. */
+final class RecordedFrames {
+    /** A frame and its direction. */
     record Sample(Direction direction, IpaFrame frame) {}
 
     private static final String RESOURCE = "traffic.txt";
 
-    private Traffic() {}
+    private RecordedFrames() {}
 
     static List<Sample> read() {
         try (BufferedReader lines = new BufferedReader(
-                new InputStreamReader(Traffic.class.getResourceAsStream(RESOURCE), StandardCharsets.US_ASCII))) {
+                new InputStreamReader(RecordedFrames.class.getResourceAsStream(RESOURCE), StandardCharsets.US_ASCII))) {
             return lines.lines()
                     .filter(line -> !line.startsWith("#"))
-                    .map(Traffic::sample)
+                    .map(RecordedFrames::sample)
                     .toList();
         } catch (IOException e) {
             throw new UncheckedIOException(e);

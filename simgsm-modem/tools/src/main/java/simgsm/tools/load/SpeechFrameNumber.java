@@ -3,21 +3,21 @@ package simgsm.tools.load;
 import java.util.Arrays;
 
 /**
- * A number hidden in a speech frame, a bit a sample, so plainly that any codec that keeps the sign of a loud sample keeps
- * it. Silence carries none.
+ * A number coded into a speech frame, one bit per sample as the sign of a loud sample, which survives every speech codec
+ * that keeps such signs. Silence has no number.
  */
-final class FrameMark {
-    /** No number: silence, or somebody else's speech. */
+final class SpeechFrameNumber {
+    /** No number: silence, or other speech. */
     static final int NONE = -1;
 
-    /** Numbers count up to this one and begin again. */
+    /** The number after which 0 follows. */
     static final int LARGEST = 0xffff;
 
     private static final int BITS = 16;
     private static final short LOUD = 8_000;
     private static final short QUIET = 1_000;
 
-    private FrameMark() {}
+    private SpeechFrameNumber() {}
 
     static void put(short[] frame, int number) {
         Arrays.fill(frame, (short) 0);
