@@ -18,7 +18,6 @@ import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
 import simrobot.control.ControlThreads;
-import simrobot.control.RobotEventPrinter;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -80,7 +79,7 @@ public final class VirtualSuite {
                 StationOptions.STANDARD,
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
-        telephone.listen(new RobotEventPrinter("robot", event -> robotLine(event.toString())));
+        telephone.listen(event -> robotLine(event.line("robot").toString()));
         connect(telephone.station());
     }
 

@@ -41,7 +41,6 @@ import simrobot.behaviour.BehaviourKind;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotConsole;
-import simrobot.control.RobotEventPrinter;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
@@ -281,7 +280,7 @@ public final class SimRobotMain {
                 SimRobot simRobot = built.simRobot();
                 ListeningPorts ports = opened) {
             Consumer<Event> out = record.with(console::emit);
-            simRobot.onAdded(robot -> robot.listen(new RobotEventPrinter(robot.name(), out)));
+            simRobot.onAdded(robot -> robot.listen(event -> out.accept(event.line(robot.name()))));
             endInOrder(simRobot, record);
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();

@@ -14,7 +14,7 @@ import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simrobot.SimRobotMain;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.control.RobotEventPrinter;
+import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
@@ -59,7 +59,7 @@ public final class BatchRun {
                 ? Optional.of(SessionRecorder.open(file.get(), simulation, act -> {}))
                 : Optional.empty();
         for (SimulatedRobot robot : simulation.robots()) {
-            recorder.ifPresent(events -> listen(robot, new RobotEventPrinter(robot.name(), events::event)));
+            recorder.ifPresent(open -> record(robot, open));
             robot.setMotors(motors);
             robot.setPower(power);
             robot.autonomy().begin(behaviour);
@@ -78,9 +78,9 @@ public final class BatchRun {
         return ExitStatus.OK;
     }
 
-    private static void listen(SimulatedRobot robot, RobotEventPrinter events) {
-        robot.addStatusListener(events::status);
-        robot.autonomy().addListener(events::behaviour);
+    private static void record(SimulatedRobot robot, SessionRecorder recorder) {
+        robot.addStatusListener(status -> recorder.event(new RobotEvent.StatusChanged(status).line(robot.name())));
+        robot.autonomy().addListener(kind -> recorder.event(new RobotEvent.BehaviourChanged(kind).line(robot.name())));
     }
 
     /** CPU time of the whole process since its start, user and system. */

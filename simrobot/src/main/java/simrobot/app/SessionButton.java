@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import simrobot.control.ControlListener;
-import simrobot.control.RobotEventPrinter;
+import java.util.function.Consumer;
+import simrobot.control.RobotEvent;
 import simrobot.replay.SessionRecorder;
 import simrobot.simulation.SimulationThread;
 
@@ -27,14 +27,14 @@ final class SessionButton {
         return Optional.ofNullable(file);
     }
 
-    /** What a robot's console would be told goes into the recording. */
-    ControlListener of(String robot) {
-        return new RobotEventPrinter(robot, event -> {
-            SessionRecorder present = recorder;
-            if (present != null) {
-                present.event(event);
+    /** Records a robot's events while a recording runs. */
+    Consumer<RobotEvent> of(String robot) {
+        return event -> {
+            SessionRecorder current = recorder;
+            if (current != null) {
+                current.event(event.line(robot));
             }
-        });
+        };
     }
 
     /** Ends what was begun, and begins anew if a file is named. */

@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
-import simrobot.control.RobotEventPrinter;
 import simrobot.control.SimRobot;
 import simrobot.replay.SessionRecorder;
 import simrobot.simulation.Simulation;
@@ -37,8 +36,8 @@ public final class SessionRecord implements AutoCloseable {
 
     /** Where there is no console: what it would be told. */
     public void listenTo(SimRobot simRobot) {
-        recorder.ifPresent(
-                file -> simRobot.onAdded(robot -> robot.listen(new RobotEventPrinter(robot.name(), file::event))));
+        recorder.ifPresent(file ->
+                simRobot.onAdded(robot -> robot.listen(event -> file.event(event.line(robot.name())))));
     }
 
     @Override

@@ -18,6 +18,7 @@ import simgsm.speech.Loudspeaker;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
+import simrobot.control.RobotEvent;
 import simrobot.control.RobotEventLog;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
@@ -58,7 +59,29 @@ public final class WindowModel implements OperatorActions {
     private WindowSnapshot newest;
 
     /** A robot with its telephone, and what it has answered. */
-    private record Line(TelephoneRobot robot, SentToneHistory sent) {}
+    private record Line(TelephoneRobot robot, SentTones sent) {}
+
+    /** The keys of the reply tones of the current or last call. */
+    static final class SentTones implements Consumer<RobotEvent> {
+        private static final int MAX_TONES = 24;
+
+        private volatile String keys = "";
+
+        /** At most 24, the newest last; any thread may ask. */
+        String keys() {
+            return keys;
+        }
+
+        @Override
+        public void accept(RobotEvent event) {
+            if (event instanceof RobotEvent.CallReceived) {
+                keys = "";
+            } else if (event instanceof RobotEvent.ToneSent tone) {
+                String longer = keys + tone.key();
+                keys = longer.substring(Math.max(0, longer.length() - MAX_TONES));
+            }
+        }
+    }
 
     /** To be made before the start, for it listens to the robots. */
     public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, RefusalTexts refusals) {
@@ -83,17 +106,17 @@ public final class WindowModel implements OperatorActions {
     }
 
     private void come(TelephoneRobot robot) {
-        Line line = new Line(robot, new SentToneHistory());
+        Line line = new Line(robot, new SentTones());
         robot.listen(line.sent());
-        robot.listen(log.of(robot.name()));
+        robot.listen(event -> log.add(robot.name(), event));
         robot.listen(sessions.of(robot.name()));
-        log.added(robot);
+        log.add(robot.name(), new RobotEvent.Added(robot.number().digits()));
         lines.add(line);
     }
 
     private void gone(TelephoneRobot robot) {
         lines.removeIf(line -> line.robot() == robot);
-        log.removed(robot);
+        log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
     }
 
     /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
@@ -134,7 +157,7 @@ public final class WindowModel implements OperatorActions {
                 robot.modem(),
                 robot.heard(),
                 robot.veriCommand(),
-                line.sent().tones(),
+                line.sent().keys(),
                 loudspeaker.isAudible());
     }
 

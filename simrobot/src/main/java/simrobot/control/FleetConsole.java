@@ -36,14 +36,10 @@ final class FleetConsole {
     private void list(ConsoleCommand command) throws CommandException {
         command.words(0, "nothing after it");
         List<TelephoneRobot> robots = simRobot.robots();
-        robots.forEach(robot -> out.accept(about("robot", robot)));
-        out.accept(Event.of("end").with("of", "robots").with("count", robots.size()));
-    }
-
-    private static Event about(String event, TelephoneRobot robot) {
-        return Event.of(event)
+        robots.forEach(robot -> out.accept(Event.of("robot")
                 .with("robot", robot.name())
-                .with("number", robot.number().digits());
+                .with("number", robot.number().digits())));
+        out.accept(Event.of("end").with("of", "robots").with("count", robots.size()));
     }
 
     private void add(ConsoleCommand command) throws CommandException {
@@ -57,9 +53,9 @@ final class FleetConsole {
                 : Optional.of(RobotConsole.pose(command.name(), words.subList(1, 4)));
         try {
             TelephoneRobot added = fleet.add(RobotName.parse(words.get(0)), place);
-            out.accept(about("added", added));
-            new RobotEventPrinter(added.name(), out)
-                    .pose(simRobot.onSimulation(() -> added.robot().pose()));
+            out.accept(new RobotEvent.Added(added.number().digits()).line(added.name()));
+            Pose stands = simRobot.onSimulation(() -> added.robot().pose());
+            out.accept(new RobotEvent.PoseReported(stands).line(added.name()));
         } catch (IllegalArgumentException | IllegalStateException | Fleet.Refusal | IOException refusal) {
             throw new CommandException("add: " + refusal.getMessage());
         } catch (InterruptedException e) {
@@ -72,7 +68,7 @@ final class FleetConsole {
         command.words(0, "nothing after it");
         try {
             if (fleet.remove(robot.name())) {
-                out.accept(about("removed", robot));
+                out.accept(new RobotEvent.Removed(robot.number().digits()).line(robot.name()));
             }
         } catch (IllegalStateException refusal) {
             throw new CommandException("remove: " + refusal.getMessage());

@@ -81,13 +81,13 @@ final class ModemLink implements ModemListener, ModemPort {
 
     @Override
     public void registered(Msisdn number) {
-        simulation.execute(() -> control.listener().registered(number.digits()));
+        simulation.execute(() -> control.tell(new RobotEvent.Registered(number.digits())));
     }
 
     @Override
     public void unregistered(Optional<RejectCause> cause) {
         String code = cause.map(reject -> Integer.toString(reject.code())).orElse("");
-        simulation.execute(() -> control.listener().unregistered(code));
+        simulation.execute(() -> control.tell(new RobotEvent.Unregistered(code)));
     }
 
     @Override
@@ -101,7 +101,7 @@ final class ModemLink implements ModemListener, ModemPort {
         clearWhenSilent = false;
         tracer.reset();
         trace = tracer.newest();
-        simulation.execute(() -> control.listener().call(caller));
+        simulation.execute(() -> control.tell(new RobotEvent.CallReceived(caller)));
         return new CallDecision(accepted, key(tone));
     }
 
@@ -140,8 +140,7 @@ final class ModemLink implements ModemListener, ModemPort {
 
     @Override
     public void toneSent(DtmfKey key) {
-        ReplyTone tone = ReplyTone.values()[key.symbol() - '1'];
-        simulation.execute(() -> control.listener().toneSent(tone));
+        simulation.execute(() -> control.tell(new RobotEvent.ToneSent(key.symbol())));
         tonesToLeave = Math.max(0, tonesToLeave - 1);
         clearIfSilent();
     }

@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import simgsm.console.CommandException;
 import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
@@ -82,26 +84,25 @@ public final class RobotConsole implements Console.Commands {
 
     private void perform(TelephoneRobot meant, ConsoleCommand command) throws CommandException {
         Pioneer robot = meant.robot();
-        RobotEventPrinter events = new RobotEventPrinter(meant.name(), out);
         switch (command.name()) {
             case "status" -> {
                 command.words(0, "nothing after it");
-                onSimulation(() -> events.status(robot.status()));
+                onSimulation(() -> tell(robot, new RobotEvent.StatusChanged(robot.status())));
             }
             case "pose" -> {
                 command.words(0, "nothing after it");
-                onSimulation(() -> events.pose(robot.pose()));
+                onSimulation(() -> tell(robot, new RobotEvent.PoseReported(robot.pose())));
             }
             case "sonar" -> {
                 command.words(0, "nothing after it");
-                onSimulation(() -> events.sonar(robot.sonarRangesMillimeters()));
+                onSimulation(() -> sonar(robot));
             }
-            case "power" -> power(robot, isOn(command), events);
-            case "motors" -> motors(robot, isOn(command), events);
-            case "place" -> place(robot, command, events);
-            case "camera" -> camera(meant, command, events);
-            case "behaviour" -> behaviour(meant, command, events);
-            case "export" -> export(meant, command, events);
+            case "power" -> power(robot, isOn(command));
+            case "motors" -> motors(robot, isOn(command));
+            case "place" -> place(robot, command);
+            case "camera" -> camera(meant, command);
+            case "behaviour" -> behaviour(meant, command);
+            case "export" -> export(meant, command);
             case "remove" -> fleet.remove(meant, command);
             default ->
                 throw new CommandException("unknown command "
@@ -119,36 +120,48 @@ public final class RobotConsole implements Console.Commands {
         return word.equals("on");
     }
 
-    private void power(Pioneer robot, boolean on, RobotEventPrinter events) throws CommandException {
-        onSimulation(() -> answerUnlessToldBy(robot, events, () -> robot.setPower(on)));
+    /** An event about a robot, as the answer to a command. */
+    private void tell(Pioneer robot, RobotEvent event) {
+        out.accept(event.line(robot.name()));
     }
 
-    private void motors(Pioneer robot, boolean on, RobotEventPrinter events) throws CommandException {
+    private void sonar(Pioneer robot) {
+        String ranges = Arrays.stream(robot.sonarRangesMillimeters())
+                .mapToObj(Integer::toString)
+                .collect(Collectors.joining(","));
+        out.accept(Event.of("sonar").with("robot", robot.name()).with("ranges", ranges));
+    }
+
+    private void power(Pioneer robot, boolean on) throws CommandException {
+        onSimulation(() -> setAndAnswer(robot, () -> robot.setPower(on)));
+    }
+
+    private void motors(Pioneer robot, boolean on) throws CommandException {
         onSimulation(() -> {
             if (on && !robot.isPowered()) {
                 throw new CommandException("motors on: the robot is off, expected power on first");
             }
-            answerUnlessToldBy(robot, events, () -> robot.setMotors(on));
+            setAndAnswer(robot, () -> robot.setMotors(on));
         });
     }
 
-    /** A change tells the status by itself; without one the answer has still to come. */
-    private static void answerUnlessToldBy(Pioneer robot, RobotEventPrinter events, Runnable act) {
+    /** A status that changes is printed by the robot's own event; one that stays is printed here. */
+    private void setAndAnswer(Pioneer robot, Runnable act) {
         RobotStatus before = robot.status();
         act.run();
         if (robot.status() == before) {
-            events.status(before);
+            tell(robot, new RobotEvent.StatusChanged(before));
         }
     }
 
-    /** A change tells itself; without a name, or without a change, the answer has still to come. */
-    private void behaviour(TelephoneRobot meant, ConsoleCommand command, RobotEventPrinter events)
-            throws CommandException {
+    /** A process that changes is printed by the robot's own event; one that stays, or is asked for, is printed here. */
+    private void behaviour(TelephoneRobot meant, ConsoleCommand command) throws CommandException {
         SimulatedRobot robot = meant.simulated()
                 .orElseThrow(
                         () -> new CommandException("behaviour: " + meant.name() + " is a real robot and runs none"));
         if (command.rest().isEmpty()) {
-            onSimulation(() -> events.behaviour(robot.autonomy().kind()));
+            onSimulation(() ->
+                    tell(robot, new RobotEvent.BehaviourChanged(robot.autonomy().kind())));
             return;
         }
         BehaviourKind kind = kind(command.words(1, "a behaviour's name").get(0));
@@ -159,7 +172,7 @@ public final class RobotConsole implements Console.Commands {
                         + robot.status().text());
             }
             if (before == kind) {
-                events.behaviour(kind);
+                tell(robot, new RobotEvent.BehaviourChanged(kind));
             }
         });
     }
@@ -172,7 +185,7 @@ public final class RobotConsole implements Console.Commands {
         }
     }
 
-    private void place(Pioneer robot, ConsoleCommand command, RobotEventPrinter events) throws CommandException {
+    private void place(Pioneer robot, ConsoleCommand command) throws CommandException {
         List<String> words = command.words(3, "X Y HEADING");
         Pose pose = pose(command.name(), words);
         onSimulation(() -> {
@@ -180,13 +193,12 @@ public final class RobotConsole implements Console.Commands {
             if (placement != Placement.DONE) {
                 throw new CommandException("place " + command.rest() + ": " + placement.text());
             }
-            events.pose(robot.pose());
+            tell(robot, new RobotEvent.PoseReported(robot.pose()));
         });
     }
 
     /** The picture is drawn and written here, not on the simulation's thread. */
-    private void camera(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events)
-            throws CommandException {
+    private void camera(TelephoneRobot robot, ConsoleCommand command) throws CommandException {
         Path file = pictureFile(command);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
         onSimulation(() -> scene.set(simRobot.scene()));
@@ -201,7 +213,11 @@ public final class RobotConsole implements Console.Commands {
         } catch (IOException e) {
             throw new CommandException("camera: " + file + " cannot be written: " + e.getMessage());
         }
-        events.camera(file.toString());
+        out.accept(Event.of("camera")
+                .with("robot", robot.name())
+                .with("file", file.toString())
+                .with("width", Camera.WIDTH)
+                .with("height", Camera.HEIGHT));
     }
 
     private static Path pictureFile(ConsoleCommand command) throws CommandException {
@@ -219,8 +235,7 @@ public final class RobotConsole implements Console.Commands {
     }
 
     /** What the file is to hold is made and written here, not on the simulation's thread. */
-    private void export(TelephoneRobot robot, ConsoleCommand command, RobotEventPrinter events)
-            throws CommandException {
+    private void export(TelephoneRobot robot, ConsoleCommand command) throws CommandException {
         String text = command.text();
         Path file = exportFile(text);
         AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
@@ -230,7 +245,7 @@ public final class RobotConsole implements Console.Commands {
         } catch (IOException e) {
             throw new CommandException("export: " + e.getMessage());
         }
-        events.exported(file.toString());
+        out.accept(Event.of("exported").with("robot", robot.name()).with("file", file.toString()));
     }
 
     private static Path exportFile(String text) throws CommandException {

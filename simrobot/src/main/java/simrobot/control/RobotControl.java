@@ -2,6 +2,9 @@ package simrobot.control;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
@@ -25,7 +28,7 @@ final class RobotControl {
     private final Pioneer robot;
     private final VeriCommandSettings settings;
     private final ModemPort modem;
-    private final ControlListeners listener = new ControlListeners();
+    private final List<Consumer<RobotEvent>> listeners = new CopyOnWriteArrayList<>();
     private final OrderLatencyLog stopwatch;
     private final VeriCommand veriCommand;
     private long callNumber;
@@ -43,7 +46,7 @@ final class RobotControl {
         robot.addStatusListener(this::statusChanged);
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
         if (robot instanceof SimulatedRobot simulated) {
-            simulated.autonomy().addListener(kind -> listener.behaviour(kind));
+            simulated.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
         }
     }
 
@@ -61,13 +64,14 @@ final class RobotControl {
         return robot;
     }
 
-    /** One more to be told; before anything happens. */
-    void listen(ControlListener told) {
-        listener.add(told);
+    /** Adds a listener, called on the simulation's thread; before anything happens. */
+    void listen(Consumer<RobotEvent> listener) {
+        listeners.add(listener);
     }
 
-    ControlListener listener() {
-        return listener;
+    /** Passes an event to all listeners, in the order in which they were added. */
+    void tell(RobotEvent event) {
+        listeners.forEach(listener -> listener.accept(event));
     }
 
     /** @param call its number, by which the modem tells a reply that comes too late */
@@ -79,7 +83,7 @@ final class RobotControl {
 
     /** @param beganNanos when the key's tone began in the received audio, by the clock of this control */
     void key(char key, long beganNanos) {
-        listener.key(key);
+        tell(new RobotEvent.KeyReceived(key));
         stopwatch.keyBegan(beganNanos);
         veriCommand.key(key);
         stopwatch.noKey();
@@ -90,18 +94,18 @@ final class RobotControl {
     }
 
     void callEnded(int cause) {
-        listener.released(cause);
+        tell(new RobotEvent.CallReleased(cause));
         veriCommand.callEnded();
     }
 
     void message(String from, String text) {
-        listener.message(from, text);
+        tell(new RobotEvent.MessageReceived(from, text));
         veriCommand.message(from, text);
     }
 
     private void statusChanged(RobotStatus now) {
         status = now;
-        listener.status(now);
+        tell(new RobotEvent.StatusChanged(now));
         veriCommand.statusChanged();
     }
 
@@ -119,7 +123,7 @@ final class RobotControl {
         @Override
         public void message(String to, String text) {
             if (modem.sendMessage(to, text)) {
-                listener.replySent(to, text);
+                tell(new RobotEvent.ReplySent(to, text));
             }
         }
 
@@ -134,17 +138,17 @@ final class RobotControl {
         @Override
         public void order(String keys, Verdict verdict) {
             stopwatch.order(verdict);
-            listener.order(verdict);
+            tell(new RobotEvent.OrderVerified(verdict.keys(), verdict.word()));
         }
 
         @Override
         public void instructionEnded(Instruction instruction) {
-            listener.pose(robot.pose());
+            tell(new RobotEvent.PoseReported(robot.pose()));
         }
 
         @Override
         public void outcome(Reply reply) {
-            listener.outcome(reply);
+            tell(new RobotEvent.OrderAnswered(reply.tone().number(), reply.text()));
         }
 
         @Override

@@ -1,6 +1,7 @@
 package simrobot.control;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
@@ -42,8 +43,8 @@ public final class TelephoneRobot {
         return number;
     }
 
-    /** One more who is told all that happens around this robot; see {@link SimRobot#onAdded}. */
-    public void listen(ControlListener listener) {
+    /** Adds a listener for all events around this robot; see {@link SimRobot#onAdded}. */
+    public void listen(Consumer<RobotEvent> listener) {
         control.listen(listener);
     }
 

@@ -23,6 +23,7 @@ import simgsm.air.Msisdn;
 import simgsm.speech.AudioOutput;
 import simgsm.station.StationOptions;
 import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
@@ -35,6 +36,7 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Instruction;
+import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
 /** What the record button wrote is shown by the window that replays it. */
@@ -99,8 +101,7 @@ class ReplayModelTest {
             WindowSnapshot there = model.snapshot();
             assertEquals(0.75, there.simulation().robots().get(0).xMeters(), 0.01);
             LoggedEvent last = there.events().get(there.events().size() - 1);
-            assertEquals(LoggedEvent.Kind.STATUS, last.kind());
-            assertEquals("COLLISION", last.what());
+            assertEquals(new RobotEvent.StatusChanged(RobotStatus.COLLISION), last.event());
             assertSame(there, model.snapshot());
             model.seek(0);
             until(() -> model.snapshot().simulation().timeNanos() == 0);

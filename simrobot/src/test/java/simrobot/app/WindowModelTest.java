@@ -30,7 +30,7 @@ import simgsm.station.StationOptions;
 import simrobot.SimRobotMain;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.Fleet;
-import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.Placement;
@@ -41,7 +41,6 @@ import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
-import vericommand.ReplyTone;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
@@ -136,7 +135,7 @@ class WindowModelTest {
                 simRobot.robots().stream().map(TelephoneRobot::name).toList());
         assertEquals("5550209", model.snapshot().lines().get(1).number());
         assertTrue(model.snapshot().events().stream()
-                .anyMatch(event -> event.robot().equals("anna") && event.kind() == LoggedEvent.Kind.ADDED));
+                .anyMatch(event -> event.robot().equals("anna") && event.event() instanceof RobotEvent.Added));
         model.removeRobot("anna");
         // the same thread does the next act, so the one before is done
         assertEquals("", add("bert", "5550209", Optional.empty()));
@@ -234,15 +233,15 @@ class WindowModelTest {
 
     @Test
     void tonesThatHaveLeftAreRememberedUntilTheNextCall() {
-        SentToneHistory tones = new SentToneHistory();
-        tones.toneSent(ReplyTone.CONNECTION_ACCEPTED);
-        tones.toneSent(ReplyTone.EXECUTED);
-        assertEquals("13", tones.tones());
-        tones.call("5550100");
-        assertEquals("", tones.tones());
+        WindowModel.SentTones tones = new WindowModel.SentTones();
+        tones.accept(new RobotEvent.ToneSent('1'));
+        tones.accept(new RobotEvent.ToneSent('3'));
+        assertEquals("13", tones.keys());
+        tones.accept(new RobotEvent.CallReceived("5550100"));
+        assertEquals("", tones.keys());
         for (int i = 0; i < 100; i++) {
-            tones.toneSent(ReplyTone.EXECUTING);
+            tones.accept(new RobotEvent.ToneSent('6'));
         }
-        assertEquals("6".repeat(24), tones.tones());
+        assertEquals("6".repeat(24), tones.keys());
     }
 }

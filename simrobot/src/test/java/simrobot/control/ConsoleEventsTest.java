@@ -8,32 +8,36 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import vericommand.OrderText;
 import vericommand.Pose;
-import vericommand.Reply;
-import vericommand.ReplyTone;
 import vericommand.RobotStatus;
 import vericommand.Verdict;
 
 class ConsoleEventsTest {
     private final List<String> lines = new ArrayList<>();
-    private final RobotEventPrinter events = new RobotEventPrinter("r1", event -> lines.add(event.toString()));
+
+    private void tell(RobotEvent event) {
+        lines.add(event.line("r1").toString());
+    }
+
+    private static RobotEvent verified(Verdict verdict) {
+        return new RobotEvent.OrderVerified(verdict.keys(), verdict.word());
+    }
 
     @Test
     void eventsAreSpelledAsTheContractSays() {
-        events.registered("5550200");
-        events.unregistered("");
-        events.unregistered("3");
-        events.call("5550100");
-        events.call("");
-        events.key('#');
-        events.order(Verdict.of(OrderText.read("** #** **"), RobotStatus.STOPPED));
-        events.order(Verdict.of(OrderText.read("** #**20 **"), RobotStatus.COLLISION));
-        events.outcome(new Reply(ReplyTone.EXECUTING, "Executing a command."));
-        events.toneSent(ReplyTone.EXECUTED);
-        events.replySent("5550100", "6 Executing a command.");
-        events.message("5550100", "");
-        events.released(16);
-        events.status(RobotStatus.NO_MOTORS);
-        events.sonar(new int[] {100, 5000});
+        tell(new RobotEvent.Registered("5550200"));
+        tell(new RobotEvent.Unregistered(""));
+        tell(new RobotEvent.Unregistered("3"));
+        tell(new RobotEvent.CallReceived("5550100"));
+        tell(new RobotEvent.CallReceived(""));
+        tell(new RobotEvent.KeyReceived('#'));
+        tell(verified(Verdict.of(OrderText.read("** #** **"), RobotStatus.STOPPED)));
+        tell(verified(Verdict.of(OrderText.read("** #**20 **"), RobotStatus.COLLISION)));
+        tell(new RobotEvent.OrderAnswered(6, "Executing a command."));
+        tell(new RobotEvent.ToneSent('3'));
+        tell(new RobotEvent.ReplySent("5550100", "6 Executing a command."));
+        tell(new RobotEvent.MessageReceived("5550100", ""));
+        tell(new RobotEvent.CallReleased(16));
+        tell(new RobotEvent.StatusChanged(RobotStatus.NO_MOTORS));
         assertEquals(
                 List.of(
                         "registered robot=r1 number=5550200",
@@ -49,8 +53,7 @@ class ConsoleEventsTest {
                         "reply robot=r1 to=5550100 text=\"6 Executing a command.\"",
                         "sms robot=r1 from=5550100 text=\"\"",
                         "released robot=r1 cause=16",
-                        "status robot=r1 value=\"No motors\"",
-                        "sonar robot=r1 ranges=100,5000"),
+                        "status robot=r1 value=\"No motors\""),
                 lines);
     }
 
@@ -59,8 +62,8 @@ class ConsoleEventsTest {
         Locale before = Locale.getDefault();
         try {
             Locale.setDefault(Locale.GERMANY);
-            events.pose(new Pose(1.23456, -0.00001, 359.999));
-            events.pose(new Pose(-12, 0, -90));
+            tell(new RobotEvent.PoseReported(new Pose(1.23456, -0.00001, 359.999)));
+            tell(new RobotEvent.PoseReported(new Pose(-12, 0, -90)));
         } finally {
             Locale.setDefault(before);
         }

@@ -29,7 +29,7 @@ final class ControlBench implements ModemPort {
     ControlBench(VeriCommandSettings.OnHangup onHangup) {
         VeriCommandSettings settings = new VeriCommandSettings(Locale.ENGLISH, Set.of(), onHangup);
         control = new RobotControl(robot, settings, this, simulation::timeNanos);
-        control.listen(new RobotEventPrinter("robot", event -> log.add(event.toString())));
+        control.listen(event -> log.add(event.line("robot").toString()));
     }
 
     void press(String keys) {

@@ -13,32 +13,31 @@ class EventLogTest {
 
     @Test
     void eventsAreKeptInTheirOrderWithTheirTime() {
-        ControlListener anna = log.of("anna");
-        anna.call("5550100");
+        log.add("anna", new RobotEvent.CallReceived("5550100"));
         now = 20;
-        anna.status(RobotStatus.MOVING);
+        log.add("anna", new RobotEvent.StatusChanged(RobotStatus.MOVING));
         assertEquals(
                 List.of(
-                        new LoggedEvent(0, "anna", LoggedEvent.Kind.CALL, "5550100", ""),
-                        new LoggedEvent(20, "anna", LoggedEvent.Kind.STATUS, "MOVING", "")),
+                        new LoggedEvent(0, "anna", new RobotEvent.CallReceived("5550100")),
+                        new LoggedEvent(20, "anna", new RobotEvent.StatusChanged(RobotStatus.MOVING))),
                 log.newest());
     }
 
     @Test
     void theOldestMakeRoomAndTheNewestIsAlwaysThere() {
         for (int i = 0; i < RobotEventLog.CAPACITY + 5; i++) {
-            log.of("anna").call(String.valueOf(i));
+            log.add("anna", new RobotEvent.CallReceived(String.valueOf(i)));
         }
         assertEquals(RobotEventLog.CAPACITY, log.newest().size());
-        assertEquals("5", log.newest().get(0).what());
+        assertEquals(new RobotEvent.CallReceived("5"), log.newest().get(0).event());
         assertEquals(
-                String.valueOf(RobotEventLog.CAPACITY + 4),
-                log.newest().get(RobotEventLog.CAPACITY - 1).what());
+                new RobotEvent.CallReceived(String.valueOf(RobotEventLog.CAPACITY + 4)),
+                log.newest().get(RobotEventLog.CAPACITY - 1).event());
     }
 
     @Test
     void theListStaysTheSameObjectWhileNothingHappens() {
-        log.of("anna").released(16);
+        log.add("anna", new RobotEvent.CallReleased(16));
         assertSame(log.newest(), log.newest());
     }
 }

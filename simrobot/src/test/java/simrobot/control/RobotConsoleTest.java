@@ -82,7 +82,7 @@ class RobotConsoleTest {
         out.reset();
         Console console = new Console(new PrintStream(out, true, StandardCharsets.UTF_8));
         console.ready(Event.of("ready"));
-        simRobot.robots().forEach(robot -> robot.listen(new RobotEventPrinter(robot.name(), console::emit)));
+        simRobot.robots().forEach(robot -> robot.listen(event -> console.emit(event.line(robot.name()))));
         RobotConsole robotConsole = new RobotConsole(
                 simRobot,
                 fleet,

@@ -81,7 +81,7 @@ final class TelephoneScene implements Uplink {
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), VeriCommandSettings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);
-        control.listen(new RobotEventPrinter("robot", event -> lines.add(event.toString())));
+        control.listen(event -> lines.add(event.line("robot").toString()));
         link.serve(control);
         robot.addFirstMotionListener(() -> wheelsMovedNanos = nowNanos);
         register();

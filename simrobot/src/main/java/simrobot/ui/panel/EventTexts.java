@@ -1,11 +1,10 @@
 package simrobot.ui.panel;
 
 import simgsm.console.TextBundle;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEvent;
 import simrobot.drawing.NumberTexts;
 import simrobot.ui.StatusLamps;
-import vericommand.RobotStatus;
 
 /** Logged events as people read them. */
 final class EventTexts {
@@ -15,22 +14,33 @@ final class EventTexts {
         this.texts = texts;
     }
 
-    String of(LoggedEvent event) {
-        String what = event.what();
-        return switch (event.kind()) {
-            case ADDED -> texts.of("log.added", what);
-            case REMOVED -> texts.of("log.removed");
-            case REGISTERED -> texts.of("log.registered", what);
-            case UNREGISTERED -> texts.of("log.unregistered");
-            case CALL -> texts.of("log.call", what.isEmpty() ? texts.of("order.from.unknown") : what);
-            case ORDER -> texts.of("log.order", what, verdict(event.text()));
-            case OUTCOME -> texts.of("log.outcome", what, event.text());
-            case REPLY -> texts.of("log.reply", what, event.text());
-            case MESSAGE -> texts.of("log.message", what, event.text());
-            case RELEASED -> texts.of("log.released", what);
-            case BEHAVIOUR -> texts.of("log.behaviour", RobotsCard.word(texts, BehaviourKind.valueOf(what)));
-            case STATUS -> StatusLamps.word(texts, RobotStatus.valueOf(what));
-        };
+    String of(RobotEvent event) {
+        if (event instanceof RobotEvent.Added added) {
+            return texts.of("log.added", added.number());
+        } else if (event instanceof RobotEvent.Removed) {
+            return texts.of("log.removed");
+        } else if (event instanceof RobotEvent.Registered registered) {
+            return texts.of("log.registered", registered.number());
+        } else if (event instanceof RobotEvent.Unregistered) {
+            return texts.of("log.unregistered");
+        } else if (event instanceof RobotEvent.CallReceived call) {
+            return texts.of("log.call", call.from().isEmpty() ? texts.of("order.from.unknown") : call.from());
+        } else if (event instanceof RobotEvent.OrderVerified order) {
+            return texts.of("log.order", order.keys(), verdict(order.verdict()));
+        } else if (event instanceof RobotEvent.OrderAnswered answer) {
+            return texts.of("log.outcome", String.valueOf(answer.tone()), answer.text());
+        } else if (event instanceof RobotEvent.ReplySent reply) {
+            return texts.of("log.reply", reply.to(), reply.text());
+        } else if (event instanceof RobotEvent.MessageReceived message) {
+            return texts.of("log.message", message.from(), message.text());
+        } else if (event instanceof RobotEvent.CallReleased released) {
+            return texts.of("log.released", String.valueOf(released.cause()));
+        } else if (event instanceof RobotEvent.BehaviourChanged behaviour) {
+            return texts.of("log.behaviour", RobotsCard.word(texts, behaviour.kind()));
+        } else if (event instanceof RobotEvent.StatusChanged status) {
+            return StatusLamps.word(texts, status.status());
+        }
+        throw new IllegalArgumentException("not an event of the log: " + event);
     }
 
     private String verdict(String word) {
@@ -43,6 +53,6 @@ final class EventTexts {
 
     /** A line for other programs: time, robot, text. */
     String line(LoggedEvent event) {
-        return NumberTexts.clock(event.timeNanos()) + "\t" + event.robot() + "\t" + of(event);
+        return NumberTexts.clock(event.timeNanos()) + "\t" + event.robot() + "\t" + of(event.event());
     }
 }

@@ -183,7 +183,9 @@ final class EventsCard extends JPanel {
             g.setColor(Theme.color(Ink.TEXT));
             g.setFont(Theme.base());
             g.drawString(
-                    Drawing.fitted(Theme.base(), words.of(event), width - 2 * left), (float) left, Theme.exact(30));
+                    Drawing.fitted(Theme.base(), words.of(event.event()), width - 2 * left),
+                    (float) left,
+                    Theme.exact(30));
         }
     }
 }

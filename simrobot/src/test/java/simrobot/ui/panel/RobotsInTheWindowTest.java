@@ -17,7 +17,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
+import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEvent;
 import simrobot.drawing.RobotPreview;
 import simrobot.drawing.Viewport;
 import simrobot.ui.OpenPort;
@@ -249,9 +251,9 @@ class RobotsInTheWindowTest {
     @Test
     void eventsAreReadInWordsOfAllRobotsOrOfTheSelectedOne() {
         bench.events = List.of(
-                new LoggedEvent(0, "anna", LoggedEvent.Kind.ADDED, "5550200", ""),
-                new LoggedEvent(1_230_000_000L, "bert", LoggedEvent.Kind.ORDER, "**#**20**", "accepted"),
-                new LoggedEvent(2_000_000_000L, "anna", LoggedEvent.Kind.STATUS, RobotStatus.COLLISION.name(), ""));
+                new LoggedEvent(0, "anna", new RobotEvent.Added("5550200")),
+                new LoggedEvent(1_230_000_000L, "bert", new RobotEvent.OrderVerified("**#**20**", "accepted")),
+                new LoggedEvent(2_000_000_000L, "anna", new RobotEvent.StatusChanged(RobotStatus.COLLISION)));
         bench.show();
         EventsCard card = card();
         assertEquals(
@@ -268,12 +270,25 @@ class RobotsInTheWindowTest {
     @Test
     void everyKindOfEventHasItsWords() {
         EventTexts words = new EventTexts(SimRobotTexts.in(Locale.ENGLISH));
-        for (LoggedEvent.Kind kind : LoggedEvent.Kind.values()) {
-            String what =
-                    kind == LoggedEvent.Kind.STATUS ? "MOVING" : kind == LoggedEvent.Kind.BEHAVIOUR ? "WANDER" : "16";
-            String text = words.of(new LoggedEvent(0, "anna", kind, what, "refused"));
-            assertFalse(text.isBlank() || text.startsWith("log."), kind + ": " + text);
+        List<RobotEvent> events = List.of(
+                new RobotEvent.Added("16"),
+                new RobotEvent.Removed("16"),
+                new RobotEvent.Registered("16"),
+                new RobotEvent.Unregistered("16"),
+                new RobotEvent.CallReceived("16"),
+                new RobotEvent.OrderVerified("16", "refused"),
+                new RobotEvent.OrderAnswered(16, "refused"),
+                new RobotEvent.ReplySent("16", "refused"),
+                new RobotEvent.MessageReceived("16", "refused"),
+                new RobotEvent.CallReleased(16),
+                new RobotEvent.StatusChanged(RobotStatus.MOVING),
+                new RobotEvent.BehaviourChanged(BehaviourKind.WANDER));
+        for (RobotEvent event : events) {
+            String text = words.of(event);
+            assertFalse(text.isBlank() || text.startsWith("log."), event + ": " + text);
         }
+        // all but keys, tones and poses, which the log leaves out
+        assertEquals(RobotEvent.class.getPermittedSubclasses().length - 3, events.size());
     }
 
     private EventsCard card() {

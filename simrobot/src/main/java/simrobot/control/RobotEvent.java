@@ -1,0 +1,174 @@
+package simrobot.control;
+
+import java.util.Map;
+import java.util.Optional;
+import simgsm.console.Event;
+import simrobot.behaviour.BehaviourKind;
+import vericommand.Pose;
+import vericommand.RobotStatus;
+
+/** What happens around one robot. Console, recording, log and window all take these. */
+public sealed interface RobotEvent {
+    /** The event as the console prints it, with the robot's name as its first field. */
+    Event line(String robot);
+
+    /** A robot was added to the run. */
+    record Added(String number) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "added").with("number", number);
+        }
+    }
+
+    /** A robot was removed from the run. */
+    record Removed(String number) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "removed").with("number", number);
+        }
+    }
+
+    /** The modem is registered. */
+    record Registered(String number) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "registered").with("number", number);
+        }
+    }
+
+    /** @param cause decimal reject cause of TS 24.008, 10.5.3.6; empty if the link is lost */
+    record Unregistered(String cause) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            Event event = about(robot, "unregistered");
+            return cause.isEmpty() ? event : event.with("cause", cause);
+        }
+    }
+
+    /** A call has come. @param from empty if the network does not say */
+    record CallReceived(String from) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "call").with("from", from);
+        }
+    }
+
+    /** A key was decided in the received speech. */
+    record KeyReceived(char key) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "keys").with("keys", key);
+        }
+    }
+
+    /** An order was read and verified, before anything moves. @param verdict accepted, refused or invalid */
+    record OrderVerified(String keys, String verdict) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "order").with("text", keys).with("verdict", verdict);
+        }
+    }
+
+    /** An order was answered. @param tone the number of the reply tone */
+    record OrderAnswered(int tone, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "outcome").with("tone", tone).with("text", text);
+        }
+    }
+
+    /** The last sample of a reply tone was sent. */
+    record ToneSent(char key) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "tone").with("key", key);
+        }
+    }
+
+    /** A reply SMS was submitted. */
+    record ReplySent(String to, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "reply").with("to", to).with("text", text);
+        }
+    }
+
+    /** A short message has come. */
+    record MessageReceived(String from, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "sms").with("from", from).with("text", text);
+        }
+    }
+
+    /** A call was cleared. @param cause of TS 24.008, 10.5.4.11 */
+    record CallReleased(int cause) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "released").with("cause", cause);
+        }
+    }
+
+    /** The robot's status has changed, or was asked for. */
+    record StatusChanged(RobotStatus status) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "status").with("value", status.text());
+        }
+    }
+
+    /** Another autonomous process runs, or none; or it was asked for. */
+    record BehaviourChanged(BehaviourKind kind) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "behaviour").with("value", kind.text());
+        }
+    }
+
+    /** The pose after an instruction, or when it was asked for. */
+    record PoseReported(Pose pose) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "pose")
+                    .with("x", pose.xText(4))
+                    .with("y", pose.yText(4))
+                    .with("heading", pose.headingText(2));
+        }
+    }
+
+    private static Event about(String robot, String name) {
+        return Event.of(name).with("robot", robot);
+    }
+
+    /**
+     * The event of a line that was printed, if it is one that the log keeps: no keys, tones or poses. Empty also for a line of
+     * a later version.
+     */
+    static Optional<RobotEvent> of(String name, Map<String, String> fields) {
+        try {
+            return Optional.ofNullable(
+                    switch (name) {
+                        case "added" -> new Added(field(fields, "number"));
+                        case "removed" -> new Removed(field(fields, "number"));
+                        case "registered" -> new Registered(field(fields, "number"));
+                        case "unregistered" -> new Unregistered(field(fields, "cause"));
+                        case "call" -> new CallReceived(field(fields, "from"));
+                        case "order" -> new OrderVerified(field(fields, "text"), field(fields, "verdict"));
+                        case "outcome" ->
+                            new OrderAnswered(Integer.parseInt(field(fields, "tone")), field(fields, "text"));
+                        case "reply" -> new ReplySent(field(fields, "to"), field(fields, "text"));
+                        case "sms" -> new MessageReceived(field(fields, "from"), field(fields, "text"));
+                        case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
+                        case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
+                        case "behaviour" -> new BehaviourChanged(BehaviourKind.ofText(field(fields, "value")));
+                        default -> null;
+                    });
+        } catch (IllegalArgumentException unknownValue) {
+            return Optional.empty();
+        }
+    }
+
+    private static String field(Map<String, String> fields, String key) {
+        return fields.getOrDefault(key, "");
+    }
+}
