@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import simgsm.console.Arguments;
+import simgsm.console.Collapse;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
 import simrobot.control.SimRobot;
@@ -70,7 +71,7 @@ final class P2osPorts implements AutoCloseable {
     }
 
     void start() {
-        server.ifPresent(P2osServer::start);
+        server.ifPresent(started -> started.start(cause -> Collapse.end("simrobot", cause)));
     }
 
     /** A robot that comes later gets a port, too, if robots have any. */

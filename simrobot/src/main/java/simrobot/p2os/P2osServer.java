@@ -5,112 +5,100 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.nio.channels.SelectionKey;
-import java.nio.channels.Selector;
 import java.util.List;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import simgsm.net.SelectorLoop;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.SimulationThread;
 
 /**
- * Serves P2OS clients over TCP, a port for each robot, one client at a time on each. One thread owns the sockets; what the
- * clients say is done on the simulation's thread.
+ * Serves P2OS clients over TCP, a port for each robot. One thread owns the sockets; the sessions run on the simulation's
+ * thread.
  */
 public final class P2osServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(P2osServer.class.getName());
     private static final int LAST_PORT = 0xFFFF;
 
-    /** How often sessions are told the time while the simulation makes no steps, and doors look round. */
-    private static final long TICK_MILLIS = 50;
+    /** The period in which ports check their clients, and sessions get their time while the simulation makes no steps. */
+    private static final long TICK_NANOS = 50_000_000;
 
     private final SimulationThread simulation;
     private final InetAddress address;
-    private final Selector selector = Selector.open();
-    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final List<P2osAcceptor> doors = new CopyOnWriteArrayList<>();
+    private final SelectorLoop loop = new SelectorLoop("p2os");
+    private final List<P2osPort> ports = new CopyOnWriteArrayList<>();
     private final List<P2osSession> sessions = new CopyOnWriteArrayList<>();
     private final AtomicBoolean tickPosted = new AtomicBoolean();
-    private final Thread thread = new Thread(this::loop, "p2os");
     private int nextPort;
-    private volatile boolean closed;
 
     /**
      * No port is open yet.
      *
-     * @param firstPort the first robot's; the next has the next one. 0 takes any free ones
+     * @param firstPort of the first robot; the next has the next one. 0 takes any free ones
      */
-    public P2osServer(SimulationThread simulation, InetAddress address, int firstPort) throws IOException {
+    public P2osServer(SimulationThread simulation, InetAddress address, int firstPort) {
         this.simulation = simulation;
         this.address = address;
         nextPort = firstPort;
-        thread.setDaemon(true);
     }
 
     /**
      * Opens a port for the robot; before the start, or on the simulation's thread.
      *
      * @return the port
-     * @throws IOException naming the port, when it cannot be had
+     * @throws IOException naming the port that cannot be opened
      */
     public int add(SimulatedRobot robot) throws IOException {
         if (nextPort > LAST_PORT) {
             throw new IOException("no P2OS port left for " + robot.name() + " above " + LAST_PORT);
         }
-        P2osAcceptor door = new P2osAcceptor(this, robot, new InetSocketAddress(address, nextPort));
+        P2osPort port = new P2osPort(this, loop, robot, new InetSocketAddress(address, nextPort));
         nextPort += nextPort == 0 ? 0 : 1;
-        doors.add(door);
-        return door.port();
+        ports.add(port);
+        return port.port();
     }
 
-    /** Closes the robot's port and sends its client away. */
+    /** Closes the robot's port and disconnects its clients. */
     public void remove(SimulatedRobot robot) {
-        post(() -> doors.stream().filter(door -> door.robot() == robot).forEach(door -> {
-            doors.remove(door);
-            door.close();
+        post(() -> ports.removeIf(port -> {
+            boolean isRemoved = port.robot() == robot;
+            if (isRemoved) {
+                port.close();
+            }
+            return isRemoved;
         }));
     }
 
-    /** Clients may come. */
-    public void start() {
-        simulation.withSimulation(owned -> owned.addStepListener(this::tick));
-        doors.forEach(
-                door -> LOG.log(Level.INFO, "P2OS clients of " + door.robot().name() + " on port " + door.port()));
-        thread.start();
+    /**
+     * Serves clients from now on.
+     *
+     * @param onFailure called when the sockets' thread has ended by an error
+     */
+    public void start(Consumer<Throwable> onFailure) {
+        simulation.withSimulation(owned -> owned.addStepListener(this::tickSessions));
+        ports.forEach(port -> LOG.log(Level.INFO, "P2OS port of " + port.robot().name() + ": " + port.port()));
+        loop.start(SelectorLoop.Core.NONE, onFailure);
+        post(this::tick);
     }
 
-    /** Ends all connections and gives the ports back. */
+    /** Ends all connections and closes the ports. */
     @Override
     public void close() {
-        closed = true;
-        selector.wakeup();
-        try {
-            if (thread.isAlive()) {
-                thread.join();
-            } else {
-                shut();
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    // ---- for the doors and their clients -------------------------------------------------------------------------
-
-    Selector selector() {
-        return selector;
+        post(() -> {
+            ports.forEach(P2osPort::close);
+            loop.end();
+        });
+        loop.join();
     }
 
     SimulationThread simulation() {
         return simulation;
     }
 
-    /** Has something done on the thread of the sockets. */
+    /** Queues a task of the sockets' thread. */
     void post(Runnable task) {
-        tasks.add(task);
-        selector.wakeup();
+        loop.post(task);
     }
 
     void add(P2osSession session) {
@@ -123,71 +111,33 @@ public final class P2osServer implements AutoCloseable {
 
     // ---- the simulation's thread -----------------------------------------------------------------------------------
 
-    private void tick(long simulatedNanos) {
+    private void tickSessions(long simulatedNanos) {
         if (!sessions.isEmpty()) {
             long nanos = System.nanoTime();
             sessions.forEach(session -> tick(session, simulatedNanos, nanos));
         }
     }
 
-    /** A fault in a session ends that session, not the simulation. */
-    private void tick(P2osSession session, long simulatedNanos, long nanos) {
+    /** An exception ends the session in which it occurs, not the simulation. */
+    private static void tick(P2osSession session, long simulatedNanos, long nanos) {
         try {
             session.tick(simulatedNanos, nanos);
         } catch (RuntimeException fault) {
-            LOG.log(Level.ERROR, "a P2OS session failed and ends", fault);
+            LOG.log(Level.ERROR, "a P2OS session ends after an internal error", fault);
             session.abort();
         }
     }
 
     // ---- the sockets' thread ---------------------------------------------------------------------------------------
 
-    private void loop() {
-        long ticked = System.nanoTime();
-        while (!closed) {
-            try {
-                selector.select(TICK_MILLIS);
-                List<SelectionKey> ready = List.copyOf(selector.selectedKeys());
-                selector.selectedKeys().clear();
-                ready.forEach(this::serve);
-                for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
-                    task.run();
-                }
-                if (System.nanoTime() - ticked >= TICK_MILLIS * 1_000_000) {
-                    ticked = System.nanoTime();
-                    doors.forEach(P2osAcceptor::lookRound);
-                    postTick();
-                }
-            } catch (IOException | RuntimeException fault) {
-                LOG.log(Level.ERROR, "serving P2OS clients failed, and goes on", fault);
-            }
-        }
-        shut();
-    }
-
-    private void serve(SelectionKey key) {
-        if (key.attachment() instanceof P2osAcceptor door) {
-            door.accept();
-        } else if (key.attachment() instanceof Client client) {
-            client.serve();
-        }
-    }
-
-    private void postTick() {
+    private void tick() {
+        loop.after(TICK_NANOS, this::tick);
+        ports.forEach(port -> port.tick(System.nanoTime()));
         if (!sessions.isEmpty() && tickPosted.compareAndSet(false, true)) {
             simulation.withSimulation(owned -> {
                 tickPosted.set(false);
-                tick(owned.timeNanos());
+                tickSessions(owned.timeNanos());
             });
-        }
-    }
-
-    private void shut() {
-        doors.forEach(P2osAcceptor::close);
-        try {
-            selector.close();
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "closing failed", e);
         }
     }
 }

@@ -8,7 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.util.List;
+import java.util.Queue;
 import java.util.Random;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -20,6 +23,7 @@ class P2osServerTest {
     private static final int HOSTILE_INPUTS = 1200;
 
     private SimulationThread simulation;
+    private final Queue<Throwable> failures = new ConcurrentLinkedQueue<>();
     private P2osServer server;
     private int port;
     private int secondPort;
@@ -32,13 +36,14 @@ class P2osServerTest {
         port = server.add(floor.addRobot("one"));
         secondPort = server.add(floor.addRobot("two"));
         simulation.start();
-        server.start();
+        server.start(fault -> failures.add(fault));
     }
 
     @AfterEach
     void end() {
         server.close();
         simulation.close();
+        assertEquals(List.of(), List.copyOf(failures));
     }
 
     @Test

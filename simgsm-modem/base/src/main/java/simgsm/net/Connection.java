@@ -66,7 +66,7 @@ public abstract class Connection {
     protected void closing(boolean isByPeer) {}
 
     /** The connection was ended by the peer, or by {@link #fail}; not called after {@link #close}. */
-    protected abstract void lost(String reason);
+    protected void lost(String reason) {}
 
     // What a subclass uses.
 

@@ -1,0 +1,124 @@
+package simrobot.p2os;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import simgsm.net.Connection;
+import simgsm.net.OutputQueue;
+
+/**
+ * A client's connection. Its octets go to the session on the simulation's thread, one read at a time, so that a flood is held
+ * back by the client's own full socket. Packets beyond 100 that a client has not read are dropped.
+ */
+final class P2osClientConnection extends Connection {
+    private static final int READ_LIMIT = 2048;
+
+    /** A client that has sent no valid packet for this long, while another waits, loses its place. */
+    private static final long HANDSHAKE_NANOS = 500_000_000;
+
+    private static final int MOST_QUEUED_PACKETS = 100;
+
+    private final P2osServer server;
+    private final P2osPort port;
+    private final long acceptedNanos = System.nanoTime();
+    private final OutputQueue output = new OutputQueue(MOST_QUEUED_PACKETS, 0, written -> {});
+    /** Null while the client waits for its turn. */
+    private P2osSession session;
+
+    /** What the session sends, from the simulation's thread. */
+    private final class SessionOutput implements PacketOutput {
+        @Override
+        public void send(byte[] packet) {
+            server.post(() -> queue(packet));
+        }
+
+        @Override
+        public void close() {
+            server.post(() -> {
+                flush();
+                P2osClientConnection.this.close();
+            });
+        }
+    }
+
+    P2osClientConnection(Endpoint endpoint, P2osServer server, P2osPort port) {
+        super(endpoint);
+        this.server = server;
+        this.port = port;
+    }
+
+    /** Real time. */
+    long acceptedNanos() {
+        return acceptedNanos;
+    }
+
+    /** Begins the session; until then nothing is read. */
+    void begin() {
+        session = new P2osSession(port.robot(), port.start(), new SessionOutput(), System.nanoTime());
+        server.add(session);
+        resumeReading();
+    }
+
+    boolean isSilent(long nowNanos) {
+        long limit = session.isOpen() ? P2osSession.WATCHDOG_NANOS : HANDSHAKE_NANOS;
+        return nowNanos - session.receivedNanos() > limit;
+    }
+
+    private void queue(byte[] packet) {
+        if (output.size() < MOST_QUEUED_PACKETS) {
+            boolean isFirst = output.isEmpty();
+            output.add(packet, false);
+            if (isFirst) {
+                flush();
+            }
+        }
+    }
+
+    @Override
+    protected void opened() {
+        port.accepted(this);
+    }
+
+    @Override
+    protected int readLimit() {
+        return READ_LIMIT;
+    }
+
+    @Override
+    protected boolean wantsInput() {
+        return session != null;
+    }
+
+    @Override
+    protected void received(ByteBuffer octets) {
+        byte[] chunk = new byte[octets.remaining()];
+        octets.get(chunk);
+        pauseReading();
+        server.simulation().withSimulation(simulation -> {
+            try {
+                session.received(chunk, simulation.timeNanos(), System.nanoTime());
+            } finally {
+                server.post(this::resumeReading);
+            }
+        });
+    }
+
+    @Override
+    protected boolean hasOutput() {
+        return !output.isEmpty();
+    }
+
+    @Override
+    protected void writeTo(WritableByteChannel channel) throws IOException {
+        output.flush(channel);
+    }
+
+    @Override
+    protected void closing(boolean isByPeer) {
+        if (session != null) {
+            server.remove(session);
+            server.simulation().post(session::lost);
+        }
+        port.closed(this);
+    }
+}

@@ -1,0 +1,99 @@
+package simrobot.p2os;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.util.ArrayDeque;
+import java.util.List;
+import simgsm.net.Acceptor;
+import simgsm.net.ConnectionLimits;
+import simgsm.net.SelectorLoop;
+import simrobot.robot.SimulatedRobot;
+import vericommand.Pose;
+
+/**
+ * A robot's port, which serves one client at a time. Further clients wait up to 2.5 s; the first of them begins when the
+ * client leaves or has become silent, and those whose time is over are disconnected.
+ */
+final class P2osPort {
+    private static final Logger LOG = System.getLogger(P2osPort.class.getName());
+
+    /** A little longer than the client may be silent. */
+    private static final long WAIT_NANOS = 2_500_000_000L;
+
+    private static final int MOST_WAITING = 16;
+
+    private final SimulatedRobot robot;
+    private final Pose start;
+    private final Acceptor acceptor;
+    private final ArrayDeque<P2osClientConnection> waiting = new ArrayDeque<>();
+    private P2osClientConnection client;
+
+    P2osPort(P2osServer server, SelectorLoop loop, SimulatedRobot robot, InetSocketAddress address) throws IOException {
+        this.robot = robot;
+        start = robot.pose();
+        acceptor = loop.listen(
+                address,
+                new ConnectionLimits(1 + MOST_WAITING, 1 + MOST_WAITING),
+                endpoint -> new P2osClientConnection(endpoint, server, this));
+    }
+
+    SimulatedRobot robot() {
+        return robot;
+    }
+
+    /** The robot's pose when the port was opened. */
+    Pose start() {
+        return start;
+    }
+
+    int port() {
+        return acceptor.port();
+    }
+
+    void accepted(P2osClientConnection connection) {
+        waiting.add(connection);
+        if (client != null) {
+            // Notices a client that has left, also while nothing is read from it.
+            client.read();
+        }
+        beginNext();
+    }
+
+    private void beginNext() {
+        if (client == null && !waiting.isEmpty()) {
+            client = waiting.remove();
+            LOG.log(Level.INFO, robot.name() + ": P2OS client connected");
+            client.begin();
+        }
+    }
+
+    void closed(P2osClientConnection connection) {
+        waiting.remove(connection);
+        if (client == connection) {
+            client = null;
+            LOG.log(Level.INFO, robot.name() + ": P2OS client disconnected");
+            beginNext();
+        }
+    }
+
+    /** Ends the client or the waiting whose time is over. */
+    void tick(long nowNanos) {
+        if (!waiting.isEmpty() && client != null && client.isSilent(nowNanos)) {
+            LOG.log(Level.INFO, robot.name() + ": a silent P2OS client is replaced by the next");
+            client.close();
+        }
+        while (!waiting.isEmpty() && nowNanos - waiting.peek().acceptedNanos() > WAIT_NANOS) {
+            waiting.peek().dismiss();
+        }
+    }
+
+    void close() {
+        acceptor.close();
+        List.copyOf(waiting).forEach(P2osClientConnection::dismiss);
+        if (client != null) {
+            client.close();
+        }
+    }
+}
