@@ -13,8 +13,8 @@ import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.StationSide;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
-import simgsm.speech.CallTap;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
@@ -26,7 +26,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
 
     private final StationThread thread = new StationThread("station", cause -> Collapse.end(PhoneMain.NAME, cause));
     private final AudioOutput output;
-    private final CallTap recorder;
+    private final CallAudioListener recorder;
     private final Handset handset;
     private final MobileStation station;
 
@@ -35,7 +35,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
         this.output = output;
         recorder = settings.recording().isPresent()
                 ? CallRecorder.open(settings.recording().get())
-                : CallTap.NONE;
+                : CallAudioListener.NONE;
         handset = new Handset(
                 settings.identity().number(),
                 settings.keyMode(),

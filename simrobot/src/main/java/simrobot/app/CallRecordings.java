@@ -3,8 +3,8 @@ package simrobot.app;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
-import simgsm.speech.CallTap;
 import simrobot.control.Fleet;
 
 /** Where each robot's calls are recorded. */
@@ -19,9 +19,9 @@ public final class CallRecordings implements Fleet.Recording {
     }
 
     @Override
-    public synchronized CallTap of(String robot) throws IOException {
+    public synchronized CallAudioListener of(String robot) throws IOException {
         if (file.isEmpty()) {
-            return CallTap.NONE;
+            return CallAudioListener.NONE;
         }
         Path path = named ? pathOf(file.get(), robot) : file.get();
         named = true;

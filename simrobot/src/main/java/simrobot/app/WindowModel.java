@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
-import simgsm.speech.Loudspeaker;
+import simgsm.speech.CallMonitor;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
@@ -43,7 +43,7 @@ public final class WindowModel implements OperatorActions {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final SimulationThread simulation;
-    private final Loudspeaker loudspeaker;
+    private final CallMonitor callMonitor;
     private final Fleet fleet;
     private final ListeningPorts ports;
     private final RobotEventLog log;
@@ -92,7 +92,7 @@ public final class WindowModel implements OperatorActions {
         this.ports = ports;
         exports = new FileExports(simRobot.tracks()::csv, new WorldPictures());
         simulation = simRobot.simulation();
-        loudspeaker = simRobot.loudspeaker();
+        callMonitor = simRobot.callMonitor();
         sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
         simRobot.onAdded(this::come);
@@ -158,7 +158,7 @@ public final class WindowModel implements OperatorActions {
                 robot.heard(),
                 robot.veriCommand(),
                 line.sent().keys(),
-                loudspeaker.isAudible());
+                callMonitor.isAudible());
     }
 
     /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
@@ -262,7 +262,7 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void watch(String robot) {
-        loudspeaker.choose(robot);
+        callMonitor.select(robot);
         simulation.withSimulation(owned -> owned.watch(owned.robot(robot).orElse(null)));
     }
 

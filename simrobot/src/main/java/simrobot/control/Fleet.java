@@ -9,7 +9,7 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.UsageException;
 import simgsm.sim.SimCard;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
@@ -27,7 +27,7 @@ import vericommand.Pose;
 public final class Fleet {
     /** Where a robot's calls are recorded. */
     public interface Recording {
-        CallTap of(String robot) throws IOException;
+        CallAudioListener of(String robot) throws IOException;
     }
 
     /** Which card is in a modem's slot; none in an open network. */
@@ -129,7 +129,7 @@ public final class Fleet {
      */
     public TelephoneRobot add(RobotName name, Optional<Pose> place) throws Refusal, IOException, InterruptedException {
         Optional<SimCard> card = card(name);
-        CallTap recorder = kit.recording().of(name.name());
+        CallAudioListener recorder = kit.recording().of(name.name());
         Made made;
         try {
             made = simRobot.onSimulation(() -> attempt(name, card, place, recorder));
@@ -154,7 +154,7 @@ public final class Fleet {
 
     private record Made(TelephoneRobot robot, Refusal refusal) {}
 
-    private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallTap recorder) {
+    private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallAudioListener recorder) {
         Simulation simulation = simRobot.simulation().owned();
         try {
             if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
@@ -183,7 +183,11 @@ public final class Fleet {
     }
 
     private TelephoneRobot make(
-            RobotName name, Optional<SimCard> card, Simulation simulation, Optional<Pose> place, CallTap recorder) {
+            RobotName name,
+            Optional<SimCard> card,
+            Simulation simulation,
+            Optional<Pose> place,
+            CallAudioListener recorder) {
         place.filter(pose -> !simulation.world().ground().contains(pose.xMeters(), pose.yMeters()))
                 .ifPresent(pose -> {
                     throw new IllegalArgumentException("no place for robot " + name.name() + " at " + pose.xMeters()
@@ -201,7 +205,7 @@ public final class Fleet {
         return join(robot, name, card, recorder);
     }
 
-    private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallTap recorder) {
+    private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallAudioListener recorder) {
         StationOptions options = new StationOptions(kit.codec(), recorder);
         Imei imei = imei(name.number());
         return card.isPresent()

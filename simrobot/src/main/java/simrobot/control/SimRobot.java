@@ -17,8 +17,8 @@ import simgsm.air.Msisdn;
 import simgsm.console.Collapse;
 import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallTap;
-import simgsm.speech.Loudspeaker;
+import simgsm.speech.CallAudioListener;
+import simgsm.speech.CallMonitor;
 import simgsm.station.Sim;
 import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
@@ -47,11 +47,11 @@ public final class SimRobot implements AutoCloseable {
     private final ControlThreads drivers;
     private final Duration patience;
     private final List<TelephoneRobot> robots = new CopyOnWriteArrayList<>();
-    private final Map<TelephoneRobot, CallTap> taps = new ConcurrentHashMap<>();
+    private final Map<TelephoneRobot, CallAudioListener> recorders = new ConcurrentHashMap<>();
     private final List<Consumer<TelephoneRobot>> told = new CopyOnWriteArrayList<>();
     private final List<Consumer<TelephoneRobot>> toldOfLeaving = new CopyOnWriteArrayList<>();
     private final List<Runnable> goodbyes = new CopyOnWriteArrayList<>();
-    private final Loudspeaker loudspeaker;
+    private final CallMonitor callMonitor;
     private final TrackLog tracks;
     private volatile boolean started;
 
@@ -70,7 +70,7 @@ public final class SimRobot implements AutoCloseable {
             VeriCommandSettings settings,
             AudioOutput output,
             Duration patience) {
-        loudspeaker = new Loudspeaker(output);
+        callMonitor = new CallMonitor(output);
         this.center = center;
         this.settings = settings;
         this.patience = patience;
@@ -99,10 +99,10 @@ public final class SimRobot implements AutoCloseable {
             throw new IllegalArgumentException(
                     "another robot has the number " + identity.number() + ", expected a free one");
         }
-        CallTap tap = CallTap.both(options.tap(), loudspeaker.tap(robot.name()));
-        StationOptions heard = new StationOptions(options.codec(), tap);
+        CallAudioListener listener = CallAudioListener.both(options.listener(), callMonitor.listener(robot.name()));
+        StationOptions heard = new StationOptions(options.codec(), listener);
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
-        taps.put(added, options.tap());
+        recorders.put(added, options.listener());
         tracks.follow(robot);
         told.forEach(each -> each.accept(added));
         robots.add(added);
@@ -118,8 +118,8 @@ public final class SimRobot implements AutoCloseable {
             robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
             toldOfLeaving.forEach(each -> each.accept(robot));
             tracks.forget(robot.robot());
-            CallTap tap = taps.remove(robot);
-            stationThread.remove(robot.station(), tap::close);
+            CallAudioListener recorder = recorders.remove(robot);
+            stationThread.remove(robot.station(), recorder::close);
         }
     }
 
@@ -161,8 +161,8 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /** Where calls are heard: of several robots the one that is chosen. */
-    public Loudspeaker loudspeaker() {
-        return loudspeaker;
+    public CallMonitor callMonitor() {
+        return callMonitor;
     }
 
     /** Pace, pause and pictures of the world; acts on robots are posted to it. */
@@ -203,8 +203,8 @@ public final class SimRobot implements AutoCloseable {
     public void close() {
         goodbyes.forEach(Runnable::run);
         stationThread.close();
-        taps.values().forEach(CallTap::close);
-        loudspeaker.close();
+        recorders.values().forEach(CallAudioListener::close);
+        callMonitor.close();
         simulationThread.close();
     }
 }

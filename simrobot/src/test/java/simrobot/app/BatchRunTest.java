@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.console.UsageException;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simrobot.SimRobotMain;
 import simrobot.behaviour.BehaviourKind;
@@ -56,7 +56,13 @@ class BatchRunTest {
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         Fleet.Kit kit = new Fleet.Kit(
-                7, true, true, behaviour, SpeechCodec.Kind.A_LAW, name -> CallTap.NONE, number -> Optional.empty());
+                7,
+                true,
+                true,
+                behaviour,
+                SpeechCodec.Kind.A_LAW,
+                name -> CallAudioListener.NONE,
+                number -> Optional.empty());
         List<List<RobotState>> states = new ArrayList<>();
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {

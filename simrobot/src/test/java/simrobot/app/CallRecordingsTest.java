@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 
 class CallRecordingsTest {
     @TempDir
@@ -28,7 +28,7 @@ class CallRecordingsTest {
 
     @Test
     void withoutAFileNothingIsRecorded() throws Exception {
-        assertSame(CallTap.NONE, new CallRecordings(Optional.empty(), true).of("robot"));
+        assertSame(CallAudioListener.NONE, new CallRecordings(Optional.empty(), true).of("robot"));
     }
 
     @ParameterizedTest

@@ -24,7 +24,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simrobot.SimRobotMain;
@@ -77,7 +77,7 @@ class WindowModelTest {
                         true,
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
-                        robot -> CallTap.NONE,
+                        robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         model = modelIn(Locale.ENGLISH);
         simRobot.start();

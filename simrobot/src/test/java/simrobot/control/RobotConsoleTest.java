@@ -30,7 +30,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
@@ -67,7 +67,7 @@ class RobotConsoleTest {
                         true,
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
-                        robot -> CallTap.NONE,
+                        robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         simRobot.simulation().setPaused(true);
         simRobot.simulation().start();

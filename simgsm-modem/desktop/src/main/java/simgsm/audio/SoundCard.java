@@ -7,7 +7,7 @@ import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.LineUnavailableException;
 import javax.sound.sampled.SourceDataLine;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.LazyOutput;
+import simgsm.speech.OnDemandAudioOutput;
 import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
@@ -39,7 +39,7 @@ public final class SoundCard implements AudioOutput {
 
     /** Like {@link #open}, but the device is opened by the first call of {@link #play}. */
     public static AudioOutput openWhenPlayed() {
-        return new LazyOutput(SoundCard::open);
+        return new OnDemandAudioOutput(SoundCard::open);
     }
 
     private SoundCard() {

@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** Where speech is heard. Never blocks: sound that comes faster than it can be played is dropped. */
+/** An output for speech. Never blocks: speech beyond what the device can take is dropped. */
 public interface AudioOutput extends AutoCloseable {
     /** Plays nothing. */
     AudioOutput SILENT = new AudioOutput() {
@@ -16,10 +16,10 @@ public interface AudioOutput extends AutoCloseable {
         public void close() {}
     };
 
-    /** @param samples 8 kHz mono, taken over before the call returns */
+    /** @param samples 8 kHz mono, copied before the call returns */
     void play(short[] samples);
 
-    /** Whether a device is open now. */
+    /** Whether a device is open. */
     boolean isAudible();
 
     @Override

@@ -9,15 +9,15 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Records a station's calls in one WAV file: left what was sent, right what was received, 0.5 s of silence between calls.
- * A thread of its own writes; the file is a whole one after every 200 ms of speech, whatever becomes of the program.
+ * Records a station's calls in one WAV file: left channel sent, right channel received, 0.5 s of silence between calls. A
+ * separate thread writes. The file is valid after each 200 ms of speech, even if the program is killed.
  */
-public final class CallRecorder implements CallTap {
+public final class CallRecorder implements CallAudioListener {
     private static final System.Logger LOG = System.getLogger(CallRecorder.class.getName());
 
     private static final int CHANNELS = 2;
     private static final int GAP_SAMPLES = SpeechCodec.SAMPLES_PER_SECOND / 2 * CHANNELS;
-    /** 13 s of speech may wait for a slow disk. */
+    /** Blocks that may wait for a slow disk: 13 s of speech. */
     private static final int QUEUE_BLOCKS = 64;
 
     private static final long CLOSE_SECONDS = 2;
@@ -25,11 +25,11 @@ public final class CallRecorder implements CallTap {
 
     private final Path path;
     private final WavWriter file;
-    private final CallTracks tracks = new CallTracks(this::queue);
+    private final CallInterleaver interleaver = new CallInterleaver(this::queue);
     private final BlockingQueue<short[]> queue = new ArrayBlockingQueue<>(QUEUE_BLOCKS);
     private final Thread writer;
     private boolean hasRecorded;
-    private boolean saidLoss;
+    private boolean hasLoggedLoss;
 
     private CallRecorder(Path path, WavWriter file) {
         this.path = path;
@@ -40,7 +40,7 @@ public final class CallRecorder implements CallTap {
     }
 
     /**
-     * Begins a recording; what the file held before is gone.
+     * Begins a recording; an existing file is replaced.
      *
      * @throws IOException if the file cannot be written
      */
@@ -48,7 +48,7 @@ public final class CallRecorder implements CallTap {
         try {
             return new CallRecorder(path, new WavWriter(path, CHANNELS));
         } catch (FileSystemException e) {
-            throw e; // Names the file already.
+            throw e; // Contains the file's name.
         } catch (IOException e) {
             throw new IOException(path + ": " + e.getMessage(), e);
         }
@@ -64,22 +64,22 @@ public final class CallRecorder implements CallTap {
 
     @Override
     public void sent(short[] frame) {
-        tracks.sent(frame);
+        interleaver.sent(frame);
     }
 
     @Override
     public void received(short[] frame) {
-        tracks.received(frame);
+        interleaver.received(frame);
     }
 
     @Override
     public void callEnded() {
-        tracks.end();
+        interleaver.end();
     }
 
     private void queue(short[] block) {
-        if (writer.isAlive() && !queue.offer(block) && !saidLoss) {
-            saidLoss = true;
+        if (writer.isAlive() && !queue.offer(block) && !hasLoggedLoss) {
+            hasLoggedLoss = true;
             LOG.log(Level.WARNING, "{0}: the disk does not keep up, speech is missing", path);
         }
     }
@@ -97,7 +97,7 @@ public final class CallRecorder implements CallTap {
         }
     }
 
-    /** Writes what is still to be written, for at most two seconds; any thread may call it, more than once. */
+    /** Writes the rest, for at most 2 s. Any thread may call it, more than once. */
     @Override
     public void close() {
         try {

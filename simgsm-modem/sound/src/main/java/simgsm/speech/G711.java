@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** G.711: logarithmic companding of each sample to one octet. Remembers nothing, so one instance serves all calls. */
+/** G.711: logarithmic companding of each sample to one octet. Has no state, so one instance serves all calls. */
 public final class G711 implements SpeechCodec {
     public static final G711 A_LAW = new G711(Kind.A_LAW);
     public static final G711 MU_LAW = new G711(Kind.MU_LAW);
@@ -49,6 +49,7 @@ public final class G711 implements SpeechCodec {
         return frame;
     }
 
+    /** The 16-bit sample of an octet. */
     public short expand(byte octet) {
         return toLinear[octet & 0xFF];
     }
@@ -67,7 +68,7 @@ public final class G711 implements SpeechCodec {
     }
 
     private static int compressALaw(int sample) {
-        // A-law knows 13 bits; floor keeps the negative half a mirror image of the positive one.
+        // A-law has 13 bits; rounding down makes the negative half a mirror image of the positive one.
         int magnitude = sample >= 0 ? sample >> 3 : ~sample >> 3;
         int segment = Math.max(0, 27 - Integer.numberOfLeadingZeros(magnitude | 1));
         int step = magnitude >> Math.max(segment, 1) & 15;

@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** GSM 06.10's sending side (ETS 300 961, 5.2). */
+/** The GSM 06.10 encoder (ETS 300 961, 5.2). */
 final class GsmEncoder {
     private static final int SUBFRAME = 40;
     private static final int LONGEST_LAG = 120;
@@ -11,24 +11,24 @@ final class GsmEncoder {
 
     private final int[] samples = new int[SpeechCodec.SAMPLES_PER_FRAME];
     private final GsmFrame frame = new GsmFrame();
-    private final GsmPulses pulses = new GsmPulses();
-    private final int[] reflection = new int[GsmRatios.ORDER];
-    private final int[] lattice = new int[GsmRatios.ORDER];
-    /** The reconstructed short-term residual: 120 samples past, then the 40 that are being coded. */
+    private final RegularPulseExcitation pulses = new RegularPulseExcitation();
+    private final int[] reflection = new int[LogAreaRatios.ORDER];
+    private final int[] lattice = new int[LogAreaRatios.ORDER];
+    /** The reconstructed short-term residual: 120 past samples, then the 40 of the current subframe. */
     private final int[] residual = new int[LONGEST_LAG + SUBFRAME];
 
     private final int[] prediction = new int[SUBFRAME];
     private final int[] error = new int[SUBFRAME];
     private final int[] scaled = new int[SUBFRAME];
-    private int[] ratios = new int[GsmRatios.ORDER];
-    private int[] ratiosBefore = new int[GsmRatios.ORDER];
+    private int[] ratios = new int[LogAreaRatios.ORDER];
+    private int[] ratiosBefore = new int[LogAreaRatios.ORDER];
     private int offsetInput;
     private int offsetOutput;
     private int emphasisInput;
 
     byte[] encode(short[] speech) {
         prepare(speech);
-        GsmRatios.code(samples, frame.ratios);
+        LogAreaRatios.code(samples, frame.ratios);
         shortTerm();
         for (int j = 0; j < GsmFrame.SUBFRAMES; j++) {
             longTerm(j);
@@ -36,7 +36,7 @@ final class GsmEncoder {
             pulses.decode(frame, j, error);
             System.arraycopy(residual, SUBFRAME, residual, 0, LONGEST_LAG - SUBFRAME);
             for (int k = 0; k < SUBFRAME; k++) {
-                residual[LONGEST_LAG - SUBFRAME + k] = Fixed.add(error[k], prediction[k]);
+                residual[LONGEST_LAG - SUBFRAME + k] = FixedPoint.add(error[k], prediction[k]);
             }
         }
         return frame.pack();
@@ -50,11 +50,11 @@ final class GsmEncoder {
             offsetInput = input;
             int high = offsetOutput >> 15;
             int low = offsetOutput - (high << 15);
-            long sum = ((long) change << 15) + Fixed.multiplyRounded(low, 32735) + high * 32735L;
+            long sum = ((long) change << 15) + FixedPoint.multiplyRounded(low, 32735) + high * 32735L;
             offsetOutput = clamp(sum);
-            int emphasis = Fixed.multiplyRounded(emphasisInput, -28180);
+            int emphasis = FixedPoint.multiplyRounded(emphasisInput, -28180);
             emphasisInput = clamp(offsetOutput + 16384L) >> 15;
-            samples[k] = Fixed.add(emphasisInput, emphasis);
+            samples[k] = FixedPoint.add(emphasisInput, emphasis);
         }
     }
 
@@ -62,15 +62,15 @@ final class GsmEncoder {
         return (int) Math.max(Integer.MIN_VALUE, Math.min(Integer.MAX_VALUE, value));
     }
 
-    /** The samples become the residual of the lattice filter (5.2.8 to 5.2.10). */
+    /** Replaces the samples by the residual of the lattice filter (5.2.8 to 5.2.10). */
     private void shortTerm() {
         int[] swap = ratiosBefore;
         ratiosBefore = ratios;
         ratios = swap;
-        GsmRatios.decode(frame.ratios, ratios);
+        LogAreaRatios.decode(frame.ratios, ratios);
         for (int part = 0; part < 4; part++) {
-            GsmRatios.between(ratiosBefore, ratios, part, reflection);
-            for (int k = GsmRatios.PART_STARTS[part]; k < GsmRatios.PART_STARTS[part + 1]; k++) {
+            LogAreaRatios.between(ratiosBefore, ratios, part, reflection);
+            for (int k = LogAreaRatios.PART_STARTS[part]; k < LogAreaRatios.PART_STARTS[part + 1]; k++) {
                 samples[k] = analyse(samples[k]);
             }
         }
@@ -79,23 +79,23 @@ final class GsmEncoder {
     private int analyse(int sample) {
         int forward = sample;
         int save = sample;
-        for (int i = 0; i < GsmRatios.ORDER; i++) {
+        for (int i = 0; i < LogAreaRatios.ORDER; i++) {
             int backward = lattice[i];
             lattice[i] = save;
-            save = Fixed.add(backward, Fixed.multiplyRounded(reflection[i], forward));
-            forward = Fixed.add(forward, Fixed.multiplyRounded(reflection[i], backward));
+            save = FixedPoint.add(backward, FixedPoint.multiplyRounded(reflection[i], forward));
+            forward = FixedPoint.add(forward, FixedPoint.multiplyRounded(reflection[i], backward));
         }
         return forward;
     }
 
-    /** Finds the lag and gain at which the past predicts subframe j best; leaves prediction and error (5.2.11, 5.2.12). */
+    /** Finds lag and gain of the best long-term prediction of subframe j; sets prediction and error (5.2.11, 5.2.12). */
     private void longTerm(int j) {
         int from = j * SUBFRAME;
         int peak = 0;
         for (int k = 0; k < SUBFRAME; k++) {
-            peak = Math.max(peak, Fixed.absolute(samples[from + k]));
+            peak = Math.max(peak, FixedPoint.absolute(samples[from + k]));
         }
-        int scale = peak == 0 ? 0 : Math.max(0, 6 - Fixed.headroom(peak << 16));
+        int scale = peak == 0 ? 0 : Math.max(0, 6 - FixedPoint.headroom(peak << 16));
         for (int k = 0; k < SUBFRAME; k++) {
             scaled[k] = samples[from + k] >> scale;
         }
@@ -112,14 +112,14 @@ final class GsmEncoder {
         frame.gain[j] = gain(most << 1 >> 6 - scale, lag);
         int gain = GAINS[frame.gain[j]];
         for (int k = 0; k < SUBFRAME; k++) {
-            prediction[k] = Fixed.multiplyRounded(gain, residual[LONGEST_LAG + k - lag]);
-            error[k] = Fixed.subtract(samples[from + k], prediction[k]);
+            prediction[k] = FixedPoint.multiplyRounded(gain, residual[LONGEST_LAG + k - lag]);
+            error[k] = FixedPoint.subtract(samples[from + k], prediction[k]);
         }
     }
 
     /**
-     * In single precision, as the peer does it: where sums pass 24 bits, on the loudest of periodic signals, several lags
-     * come out equal and the first of them is taken.
+     * Cross-correlation in single precision, as libgsm computes it: where sums exceed 24 bits, on the loudest periodic
+     * signals, several lags have equal sums, and the first is used.
      */
     private float correlation(int lag) {
         float sum = 0;
@@ -142,11 +142,11 @@ final class GsmEncoder {
         if (correlation >= power) {
             return 3;
         }
-        int shift = Fixed.headroom(power);
+        int shift = FixedPoint.headroom(power);
         int r = correlation << shift >> 16;
         int s = power << shift >> 16;
         int index = 0;
-        while (index < GAIN_LEVELS.length && r > Fixed.multiply(s, GAIN_LEVELS[index])) {
+        while (index < GAIN_LEVELS.length && r > FixedPoint.multiply(s, GAIN_LEVELS[index])) {
             index++;
         }
         return index;

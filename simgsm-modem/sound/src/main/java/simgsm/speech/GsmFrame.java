@@ -1,7 +1,7 @@
 package simgsm.speech;
 
 /**
- * The 76 parameters of one 20 ms frame (ETS 300 961, table 1.1), and the 33 octets that carry them: the signature 0xD in
+ * The 76 parameters of one 20 ms frame (ETS 300 961, table 1.1), and its 33 octets: the signature 0xD in
  * four bits, then each parameter with its most significant bit first (RFC 3551, 4.5.8).
  */
 final class GsmFrame {
@@ -17,7 +17,7 @@ final class GsmFrame {
     final int[] lag = new int[SUBFRAMES];
     /** bc: index of the long-term gain. */
     final int[] gain = new int[SUBFRAMES];
-    /** Mc: position of the grid of pulses. */
+    /** Mc: grid position of the pulses. */
     final int[] grid = new int[SUBFRAMES];
     /** xmaxc: coded largest pulse. */
     final int[] largest = new int[SUBFRAMES];

@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** GSM 06.10 full rate at 13 kbit/s; remembers the speech before, so it serves one direction of one call. */
+/** GSM 06.10 full rate at 13 kbit/s; has a state, so each direction of a call needs its own. */
 final class GsmFullRate implements SpeechCodec {
     private final GsmEncoder encoder = new GsmEncoder();
     private final GsmDecoder decoder = new GsmDecoder();

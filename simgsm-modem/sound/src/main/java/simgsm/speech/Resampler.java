@@ -4,17 +4,17 @@ import java.util.Arrays;
 
 /**
  * Changes the sample rate by a windowed-sinc filter, one set of taps for each phase between the two rates. Streaming:
- * write samples in, read samples out. Sample n out stands for the same instant as sample n * from / to in.
+ * write input samples, read output samples. Output sample n is at the time of input sample n * inRate / outRate.
  */
 public final class Resampler {
-    /** What its window, a Kaiser's, makes of it. */
+    /** The transition band of the filter, which a Kaiser window sets. */
     public enum Slope {
-        /** For ears: passes 0 to 90 % of the smaller Nyquist frequency, keeps aliases 80 dB down above 110 %. */
+        /** For listening: passes 0 to 90 % of the lower Nyquist frequency, attenuates aliases by 80 dB above 110 %. */
         STEEP(25, 8),
-        /** For keys, soon: passes 0 to 75 %, keeps aliases 40 dB down above 125 %, and looks ahead a fifth as far. */
+        /** For DTMF, with a fifth of the look-ahead: passes 0 to 75 %, attenuates aliases by 40 dB above 125 %. */
         GENTLE(5, 3.4);
 
-        /** Half the taps, in samples of the slower rate. */
+        /** Half the taps, in samples of the lower rate. */
         private final double halfWidth;
 
         private final double kaiserBeta;
@@ -34,23 +34,24 @@ public final class Resampler {
     private final int half;
     private final float[][] taps;
     private float[] waiting;
-    /** Stream position of {@code waiting[0]}. */
+    /** Stream position, in samples, of {@code waiting[0]}. */
     private long waitingFrom;
 
     private int waitingCount;
     private long written;
     private long read;
 
+    /** @param inRate Hz; @param outRate Hz */
     public Resampler(int inRate, int outRate, Slope slope) {
         this.inRate = inRate;
         long divisor = gcd(inRate, outRate);
         inStep = inRate / divisor;
         outStep = outRate / divisor;
-        double slower = Math.min(inRate, outRate) / (double) inRate;
-        half = (int) Math.ceil(slope.halfWidth / slower);
+        double lowerShare = Math.min(inRate, outRate) / (double) inRate;
+        half = (int) Math.ceil(slope.halfWidth / lowerShare);
         taps = new float[(int) Math.min(outStep, MOST_PHASES)][];
         for (int phase = 0; phase < taps.length; phase++) {
-            taps[phase] = taps(phase / (double) taps.length, slower, slope.kaiserBeta);
+            taps[phase] = taps(phase / (double) taps.length, lowerShare, slope.kaiserBeta);
         }
         waiting = new float[2 * half + 4096];
         waitingFrom = -half;
@@ -62,13 +63,13 @@ public final class Resampler {
     }
 
     /** Taps for the samples {@code -half+1 .. half} around a point {@code fraction} of a sample after sample 0. */
-    private float[] taps(double fraction, double slower, double kaiserBeta) {
+    private float[] taps(double fraction, double lowerShare, double kaiserBeta) {
         float[] result = new float[2 * half];
         double[] exact = new double[2 * half];
         double sum = 0;
         for (int i = 0; i < exact.length; i++) {
             double distance = i - (half - 1) - fraction;
-            double x = Math.PI * slower * distance;
+            double x = Math.PI * lowerShare * distance;
             double u = distance / half;
             double window = Math.abs(u) >= 1 ? 0 : bessel(kaiserBeta * Math.sqrt(1 - u * u)) / bessel(kaiserBeta);
             exact[i] = (x == 0 ? 1 : Math.sin(x) / x) * window;
@@ -91,10 +92,12 @@ public final class Resampler {
         return sum;
     }
 
+    /** Time from an output sample to the last input sample that it needs. */
     public double lookAheadSeconds() {
         return half / (double) inRate;
     }
 
+    /** Adds input samples. */
     public void write(float[] samples, int count) {
         reserve(count);
         System.arraycopy(samples, 0, waiting, waitingCount, count);
@@ -102,7 +105,7 @@ public final class Resampler {
         written += count;
     }
 
-    /** No more will come: what is still inside the filter can be read. */
+    /** Ends the input; the rest of the output can then be read. */
     public void end() {
         reserve(half);
         Arrays.fill(waiting, waitingCount, waitingCount + half, 0);
@@ -120,7 +123,7 @@ public final class Resampler {
         waitingCount -= done;
     }
 
-    /** As many samples as can be made, into {@code samples[from..to)}. @return how many */
+    /** Writes the available output to {@code samples[from..to)}. @return the number of samples */
     public int read(short[] samples, int from, int to) {
         int at = from;
         for (; at < to; at++, read++) {
@@ -140,6 +143,7 @@ public final class Resampler {
         return at - from;
     }
 
+    /** Rounded and limited to 16 bits. */
     public static short saturate(float value) {
         return (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.round(value)));
     }

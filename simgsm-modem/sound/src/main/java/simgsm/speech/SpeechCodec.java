@@ -1,15 +1,14 @@
 package simgsm.speech;
 
 /**
- * Turns 20 ms frames into octets and back. A codec may remember the speech before, so each direction of each call has
- * one of its own.
+ * Codes 20 ms frames as octets and back. A codec may have a state, so each direction of each call needs its own.
  */
 public interface SpeechCodec {
     int SAMPLES_PER_SECOND = 8000;
     int FRAME_MILLIS = 20;
     int SAMPLES_PER_FRAME = 160;
 
-    /** The kinds that a call can use. */
+    /** The codecs. */
     enum Kind {
         /** G.711 mu-law. */
         MU_LAW(0, 160),
@@ -35,7 +34,7 @@ public interface SpeechCodec {
             return octetsPerFrame;
         }
 
-        /** A fresh codec for one direction of one call. */
+        /** A new codec for one direction of one call. */
         public SpeechCodec open() {
             return switch (this) {
                 case MU_LAW -> G711.MU_LAW;
@@ -50,6 +49,6 @@ public interface SpeechCodec {
     /** @param frame 160 samples */
     byte[] encode(short[] frame);
 
-    /** @param octets one frame; IllegalArgumentException when its length is not {@link Kind#octetsPerFrame} */
+    /** @param octets one frame; IllegalArgumentException if its length is not {@link Kind#octetsPerFrame} */
     short[] decode(byte[] octets);
 }

@@ -10,17 +10,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Writes 8 kHz, 16-bit WAV files: a whole recording at once, or block by block while it lasts. */
+/** Writes 8 kHz, 16-bit WAV files, at once or block by block. */
 public final class WavWriter implements Closeable {
     private static final int HEADER_OCTETS = 44;
-    /** What the header's 32 bits can tell. */
+    /** Most octets of samples: the limit of the header's 32-bit lengths. */
     private static final long MOST_DATA_OCTETS = 0xFFFF_FFFFL - HEADER_OCTETS;
 
     private final FileChannel file;
     private final int channels;
     private long octets;
 
-    /** Starts a recording whose length is not known yet; the header is put right by {@link #commit} and on closing. */
+    /** Begins a file of unknown length; {@link #commit} and closing write the length into the header. */
     public WavWriter(Path path, int channels) throws IOException {
         if (channels < 1 || channels > 2) {
             throw new IllegalArgumentException(channels + " channels (expected 1 or 2)");
@@ -31,7 +31,7 @@ public final class WavWriter implements Closeable {
         writeFully(header(channels, 0));
     }
 
-    /** Writes a whole mono recording. */
+    /** Writes a complete mono file. */
     public static void write(Path path, short[] samples) throws IOException {
         byte[] all = new byte[HEADER_OCTETS + 2 * samples.length];
         ByteBuffer buffer = ByteBuffer.wrap(all).put(header(1, 2L * samples.length));
@@ -39,7 +39,7 @@ public final class WavWriter implements Closeable {
         Files.write(path, all);
     }
 
-    /** @param samples one per channel in turn */
+    /** Appends samples. @param samples one per channel in turn */
     public void write(short[] samples) throws IOException {
         if (octets + 2L * samples.length > MOST_DATA_OCTETS) {
             throw new IOException("a WAV file holds no more than 4 GiB");
@@ -50,7 +50,7 @@ public final class WavWriter implements Closeable {
         octets += 2L * samples.length;
     }
 
-    /** Puts the header right for what has been written so far: from now on the file is a whole one. */
+    /** Writes the current length into the header, after which the file is valid. */
     public void commit() throws IOException {
         ByteBuffer header = header(channels, octets);
         while (header.hasRemaining()) {

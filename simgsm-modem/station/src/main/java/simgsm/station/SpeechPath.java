@@ -6,7 +6,7 @@ import java.util.Optional;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 
 /** The speech of an active call: a frame up every 20 ms by the station's own time, and what comes down in RTP's order. */
@@ -25,7 +25,7 @@ final class SpeechPath {
 
     private final StationParts parts;
     private final SpeechSource source;
-    private final CallTap tap;
+    private final CallAudioListener listener;
     private final SpeechCodec.Kind codec;
     /** New for each call, as the decoders are, because a codec may remember. */
     private SpeechCodec coder;
@@ -47,7 +47,7 @@ final class SpeechPath {
 
     SpeechPath(StationParts parts, StationOptions options, SpeechSource source, int synchronizationSource) {
         this.parts = parts;
-        this.tap = options.tap();
+        this.listener = options.listener();
         this.codec = options.codec();
         this.source = source;
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
@@ -78,14 +78,14 @@ final class SpeechPath {
         decoders = Map.of(
                 RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
                 RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
-        tap.callBegan();
+        listener.callBegan();
         nextFrameNanos = parts.timers().nowNanos();
         parts.timers().startAt(StationTimer.SPEECH, nextFrameNanos);
     }
 
     void stop() {
         if (active) {
-            tap.callEnded();
+            listener.callEnded();
         }
         active = false;
         heardCodec = null;
@@ -113,7 +113,7 @@ final class SpeechPath {
         if (!active) {
             return;
         }
-        tap.sent(frame);
+        listener.sent(frame);
         framesSinceHeard++;
         RtpPacket packet =
                 new RtpPacket(codec.payloadType(), sequence, timestamp, synchronizationSource, coder.encode(frame));
@@ -165,7 +165,7 @@ final class SpeechPath {
     }
 
     private void tell(short[] samples) {
-        tap.received(samples);
+        listener.received(samples);
         parts.notifications().add(listener -> listener.speechReceived(samples));
     }
 }

@@ -21,7 +21,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 
 class SpeechTest {
@@ -150,7 +150,7 @@ class SpeechTest {
 
     @Test
     void aStationThatSpeaksFullRateSends33OctetsAFrame() throws Exception {
-        call(new StationOptions(SpeechCodec.Kind.GSM_FULL_RATE, CallTap.NONE));
+        call(new StationOptions(SpeechCodec.Kind.GSM_FULL_RATE, CallAudioListener.NONE));
         DtmfGenerator key = new DtmfGenerator();
         key.enqueue(DtmfKey.FIVE, 100, 100);
         StringBuilder heard = new StringBuilder();
@@ -211,7 +211,7 @@ class SpeechTest {
     @Test
     void whoListensInHearsBothDirectionsOfTheCall() {
         List<String> tapped = new ArrayList<>();
-        call(new StationOptions(SpeechCodec.Kind.A_LAW, new CallTap() {
+        call(new StationOptions(SpeechCodec.Kind.A_LAW, new CallAudioListener() {
             @Override
             public void callBegan() {
                 tapped.add("began");
@@ -244,7 +244,9 @@ class SpeechTest {
 
     @Test
     void muLawIsNotSpoken() {
-        assertThrows(IllegalArgumentException.class, () -> new StationOptions(SpeechCodec.Kind.MU_LAW, CallTap.NONE));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new StationOptions(SpeechCodec.Kind.MU_LAW, CallAudioListener.NONE));
     }
 
     @Test

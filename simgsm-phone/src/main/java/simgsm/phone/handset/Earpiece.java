@@ -4,13 +4,13 @@ import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallMix;
+import simgsm.speech.CallMixer;
 
 /** What is heard at the ear and seen on the scope: the far end's speech and one's own. */
 final class Earpiece {
     private final AudioOutput output;
     private final ToneTracer tracer = new ToneTracer();
-    private final CallMix mix = new CallMix();
+    private final CallMixer mix = new CallMixer();
     private boolean changed;
 
     Earpiece(AudioOutput output) {

@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** What is heard of calls, and of which. */
-class LoudspeakerTest {
+class CallMonitorTest {
     private final List<Integer> played = new ArrayList<>();
     private boolean closed;
     private final AudioOutput output = new AudioOutput() {
@@ -39,7 +39,7 @@ class LoudspeakerTest {
 
     @Test
     void bothDirectionsAreHeardAtOnce() {
-        CallTap call = new Loudspeaker(output).tap("anna");
+        CallAudioListener call = new CallMonitor(output).listener("anna");
         call.callBegan();
         call.sent(frame(1));
         call.received(frame(20));
@@ -50,7 +50,7 @@ class LoudspeakerTest {
 
     @Test
     void theSumOfTwoLoudVoicesIsClippedAndDoesNotWrap() {
-        CallMix mix = new CallMix();
+        CallMixer mix = new CallMixer();
         mix.received(frame(30_000));
         assertEquals(Short.MAX_VALUE, mix.sent(frame(30_000))[0]);
         mix.received(frame(-30_000));
@@ -59,7 +59,7 @@ class LoudspeakerTest {
 
     @Test
     void ofABurstTheNewestIsHeard() {
-        CallMix mix = new CallMix();
+        CallMixer mix = new CallMixer();
         for (int i = 1; i <= 10; i++) {
             mix.received(frame(i));
         }
@@ -70,9 +70,9 @@ class LoudspeakerTest {
 
     @Test
     void withoutAChoiceTheCallThatBeganFirstIsHeard() {
-        Loudspeaker speaker = new Loudspeaker(output);
-        CallTap anna = speaker.tap("anna");
-        CallTap bert = speaker.tap("bert");
+        CallMonitor speaker = new CallMonitor(output);
+        CallAudioListener anna = speaker.listener("anna");
+        CallAudioListener bert = speaker.listener("bert");
         anna.callBegan();
         bert.callBegan();
         anna.sent(frame(1));
@@ -84,15 +84,15 @@ class LoudspeakerTest {
 
     @Test
     void theChosenStationIsHeardAndNoOther() {
-        Loudspeaker speaker = new Loudspeaker(output);
-        CallTap anna = speaker.tap("anna");
-        CallTap bert = speaker.tap("bert");
-        speaker.choose("bert");
+        CallMonitor speaker = new CallMonitor(output);
+        CallAudioListener anna = speaker.listener("anna");
+        CallAudioListener bert = speaker.listener("bert");
+        speaker.select("bert");
         anna.callBegan();
         bert.callBegan();
         anna.sent(frame(1));
         bert.sent(frame(2));
-        speaker.choose("anna");
+        speaker.select("anna");
         anna.sent(frame(3));
         bert.sent(frame(4));
         assertEquals(List.of(2, 3), played);
@@ -100,14 +100,14 @@ class LoudspeakerTest {
 
     @Test
     void whoIsSilentAnywayIsNotListenedTo() {
-        Loudspeaker speaker = new Loudspeaker(AudioOutput.SILENT);
-        assertSame(CallTap.NONE, speaker.tap("anna"));
+        CallMonitor speaker = new CallMonitor(AudioOutput.SILENT);
+        assertSame(CallAudioListener.NONE, speaker.listener("anna"));
         assertFalse(speaker.isAudible());
     }
 
     @Test
     void theOutputIsClosedWithTheLoudspeaker() {
-        Loudspeaker speaker = new Loudspeaker(output);
+        CallMonitor speaker = new CallMonitor(output);
         assertTrue(speaker.isAudible());
         speaker.close();
         assertTrue(closed);
@@ -116,7 +116,7 @@ class LoudspeakerTest {
     @Test
     void aLazyOutputIsOpenedByTheFirstSound() {
         List<String> opened = new ArrayList<>();
-        LazyOutput late = new LazyOutput(() -> {
+        OnDemandAudioOutput late = new OnDemandAudioOutput(() -> {
             opened.add("opened");
             return output;
         });
@@ -133,7 +133,7 @@ class LoudspeakerTest {
 
     @Test
     void aLazyOutputThatIsClosedFirstOpensNothing() {
-        LazyOutput late = new LazyOutput(() -> {
+        OnDemandAudioOutput late = new OnDemandAudioOutput(() -> {
             throw new AssertionError("opened");
         });
         late.close();

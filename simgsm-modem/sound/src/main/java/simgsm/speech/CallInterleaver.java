@@ -6,15 +6,15 @@ import java.util.Deque;
 import java.util.function.Consumer;
 
 /**
- * A call's two directions laid side by side: left what was sent, right what was received. What was sent keeps the time;
- * what is received late or in bursts is still put without a hole, as long as it comes within 200 ms.
+ * Interleaves both directions of a call: left sent, right received. The sent frames set the time; received ones that are
+ * late or come in bursts follow each other without a gap if they are at most 200 ms late.
  */
-final class CallTracks {
-    /** More than this is not waited for: silence stands for it. */
+final class CallInterleaver {
+    /** Frames of 20 ms that a received frame may be late; after that silence replaces it. */
     static final int LONGEST_LAG_FRAMES = 10;
-    /** So much may come ahead of what is sent, after the sender's own pause. */
+    /** Received frames that may be ahead of those sent; after that silence is added as sent. */
     static final int LONGEST_LEAD_FRAMES = 25;
-    /** 200 ms of both tracks are handed on at a time. */
+    /** Frames in a block: 200 ms. */
     private static final int BLOCK_FRAMES = 10;
 
     private static final short[] SILENCE = new short[SpeechCodec.SAMPLES_PER_FRAME];
@@ -22,12 +22,12 @@ final class CallTracks {
     private final Consumer<short[]> blocks;
     private final Deque<short[]> left = new ArrayDeque<>();
     private final Deque<short[]> right = new ArrayDeque<>();
-    private boolean heard;
+    private boolean hasReceived;
     private short[] block = new short[2 * BLOCK_FRAMES * SpeechCodec.SAMPLES_PER_FRAME];
     private int fill;
 
-    /** @param blocks given the samples of both, left and right in turn */
-    CallTracks(Consumer<short[]> blocks) {
+    /** @param blocks receives the samples, left and right in turn */
+    CallInterleaver(Consumer<short[]> blocks) {
         this.blocks = blocks;
     }
 
@@ -40,10 +40,10 @@ final class CallTracks {
     }
 
     void received(short[] frame) {
-        while (!heard && right.size() + 1 < left.size()) {
+        while (!hasReceived && right.size() + 1 < left.size()) {
             right.add(SILENCE);
         }
-        heard = true;
+        hasReceived = true;
         right.add(frame);
         if (right.size() > LONGEST_LEAD_FRAMES) {
             left.add(SILENCE);
@@ -51,7 +51,7 @@ final class CallTracks {
         drain();
     }
 
-    /** The call is over: hands on the rest. */
+    /** Ends the call and outputs the rest. */
     void end() {
         while (left.size() < right.size()) {
             left.add(SILENCE);
@@ -64,7 +64,7 @@ final class CallTracks {
             blocks.accept(Arrays.copyOf(block, fill));
             fill = 0;
         }
-        heard = false;
+        hasReceived = false;
     }
 
     private void drain() {

@@ -2,20 +2,20 @@ package simgsm.speech;
 
 import java.util.function.Supplier;
 
-/** An output that is opened when something is to be played for the first time. */
-public final class LazyOutput implements AudioOutput {
+/** An output that is opened at the first frame to play. */
+public final class OnDemandAudioOutput implements AudioOutput {
     private final Supplier<AudioOutput> opener;
     private AudioOutput output = SILENT;
-    private boolean asked;
+    private boolean isOpened;
 
-    public LazyOutput(Supplier<AudioOutput> opener) {
+    public OnDemandAudioOutput(Supplier<AudioOutput> opener) {
         this.opener = opener;
     }
 
     @Override
     public synchronized void play(short[] samples) {
-        if (!asked) {
-            asked = true;
+        if (!isOpened) {
+            isOpened = true;
             output = opener.get();
         }
         output.play(samples);
@@ -28,7 +28,7 @@ public final class LazyOutput implements AudioOutput {
 
     @Override
     public synchronized void close() {
-        asked = true;
+        isOpened = true;
         output.close();
     }
 }

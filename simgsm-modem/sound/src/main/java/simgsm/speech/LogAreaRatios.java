@@ -1,9 +1,9 @@
 package simgsm.speech;
 
-/** Log area ratios, the form in which the short-term filter travels (ETS 300 961, 5.2.4 to 5.2.9). */
-final class GsmRatios {
+/** LAR, the coded form of the short-term filter (ETS 300 961, 5.2.4 to 5.2.9). */
+final class LogAreaRatios {
     static final int ORDER = 8;
-    /** First sample of each part of the frame with a filter of its own (table 3.2). */
+    /** First sample of each part of the frame that has its own filter (table 3.2). */
     static final int[] PART_STARTS = {0, 13, 27, 40, 160};
 
     private static final int[] A = {20480, 20480, 20480, 20480, 13964, 15360, 8534, 9036};
@@ -12,14 +12,14 @@ final class GsmRatios {
     private static final int[] MOST = {31, 31, 15, 15, 7, 7, 3, 3};
     private static final int[] INVERSE_A = {13107, 13107, 13107, 13107, 19223, 17476, 31454, 29708};
 
-    private GsmRatios() {}
+    private LogAreaRatios() {}
 
-    /** Codes a frame's samples; scales them in place and back, which costs loud frames their lowest bits (5.2.4). */
+    /** Codes a frame's samples. Scales them in place and back, which clears the lowest bits of loud frames (5.2.4). */
     static void code(int[] samples, int[] codes) {
         int[] reflection = reflection(correlate(samples));
         for (int i = 0; i < ORDER; i++) {
-            int ratio = Fixed.multiply(A[i], toRatio(reflection[i]));
-            ratio = Fixed.add(Fixed.add(ratio, B[i]), 256) >> 9;
+            int ratio = FixedPoint.multiply(A[i], toRatio(reflection[i]));
+            ratio = FixedPoint.add(FixedPoint.add(ratio, B[i]), 256) >> 9;
             codes[i] = Math.max(LEAST[i], Math.min(MOST[i], ratio)) - LEAST[i];
         }
     }
@@ -27,13 +27,13 @@ final class GsmRatios {
     private static int[] correlate(int[] samples) {
         int peak = 0;
         for (int sample : samples) {
-            peak = Math.max(peak, Fixed.absolute(sample));
+            peak = Math.max(peak, FixedPoint.absolute(sample));
         }
-        int scale = peak == 0 ? 0 : 4 - Fixed.headroom(peak << 16);
+        int scale = peak == 0 ? 0 : 4 - FixedPoint.headroom(peak << 16);
         if (scale > 0) {
             int factor = 16384 >> scale - 1;
             for (int k = 0; k < samples.length; k++) {
-                samples[k] = Fixed.multiplyRounded(samples[k], factor);
+                samples[k] = FixedPoint.multiplyRounded(samples[k], factor);
             }
         }
         int[] sums = new int[ORDER + 1];
@@ -58,7 +58,7 @@ final class GsmRatios {
         if (sums[0] == 0) {
             return result;
         }
-        int shift = Fixed.headroom(sums[0]);
+        int shift = FixedPoint.headroom(sums[0]);
         int[] p = new int[ORDER + 1];
         int[] k = new int[ORDER + 1];
         for (int i = 0; i <= ORDER; i++) {
@@ -66,25 +66,25 @@ final class GsmRatios {
             k[i] = p[i];
         }
         for (int n = 0; n < ORDER; n++) {
-            int size = Fixed.absolute(p[1]);
+            int size = FixedPoint.absolute(p[1]);
             if (p[0] < size) {
                 break;
             }
-            int r = Fixed.divide(size, p[0]);
+            int r = FixedPoint.divide(size, p[0]);
             r = p[1] > 0 ? -r : r;
             result[n] = r;
-            p[0] = Fixed.add(p[0], Fixed.multiplyRounded(p[1], r));
+            p[0] = FixedPoint.add(p[0], FixedPoint.multiplyRounded(p[1], r));
             for (int m = 1; m < ORDER - n; m++) {
                 int next = p[m + 1];
-                p[m] = Fixed.add(next, Fixed.multiplyRounded(k[m], r));
-                k[m] = Fixed.add(k[m], Fixed.multiplyRounded(next, r));
+                p[m] = FixedPoint.add(next, FixedPoint.multiplyRounded(k[m], r));
+                k[m] = FixedPoint.add(k[m], FixedPoint.multiplyRounded(next, r));
             }
         }
         return result;
     }
 
     private static int toRatio(int reflection) {
-        int size = Fixed.absolute(reflection);
+        int size = FixedPoint.absolute(reflection);
         if (size < 22118) {
             size >>= 1;
         } else if (size < 31130) {
@@ -98,9 +98,9 @@ final class GsmRatios {
     /** Decoded ratios (5.2.8). */
     static void decode(int[] codes, int[] ratios) {
         for (int i = 0; i < ORDER; i++) {
-            int scaled = Fixed.subtract(codes[i] + LEAST[i] << 10, B[i] << 1);
-            int ratio = Fixed.multiplyRounded(INVERSE_A[i], scaled);
-            ratios[i] = Fixed.add(ratio, ratio);
+            int scaled = FixedPoint.subtract(codes[i] + LEAST[i] << 10, B[i] << 1);
+            int ratio = FixedPoint.multiplyRounded(INVERSE_A[i], scaled);
+            ratios[i] = FixedPoint.add(ratio, ratio);
         }
     }
 
@@ -108,9 +108,9 @@ final class GsmRatios {
     static void between(int[] before, int[] now, int part, int[] reflection) {
         for (int i = 0; i < ORDER; i++) {
             int ratio = switch (part) {
-                case 0 -> Fixed.add(Fixed.add(before[i] >> 2, now[i] >> 2), before[i] >> 1);
-                case 1 -> Fixed.add(before[i] >> 1, now[i] >> 1);
-                case 2 -> Fixed.add(Fixed.add(before[i] >> 2, now[i] >> 2), now[i] >> 1);
+                case 0 -> FixedPoint.add(FixedPoint.add(before[i] >> 2, now[i] >> 2), before[i] >> 1);
+                case 1 -> FixedPoint.add(before[i] >> 1, now[i] >> 1);
+                case 2 -> FixedPoint.add(FixedPoint.add(before[i] >> 2, now[i] >> 2), now[i] >> 1);
                 default -> now[i];
             };
             reflection[i] = toReflection(ratio);
@@ -118,13 +118,13 @@ final class GsmRatios {
     }
 
     private static int toReflection(int ratio) {
-        int size = Fixed.absolute(ratio);
+        int size = FixedPoint.absolute(ratio);
         if (size < 11059) {
             size <<= 1;
         } else if (size < 20070) {
             size += 11059;
         } else {
-            size = Fixed.add(size >> 2, 26112);
+            size = FixedPoint.add(size >> 2, 26112);
         }
         return ratio < 0 ? -size : size;
     }

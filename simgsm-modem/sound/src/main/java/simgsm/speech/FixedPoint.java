@@ -1,11 +1,11 @@
 package simgsm.speech;
 
-/** The 16-bit fixed-point operations in which GSM 06.10 is written (ETS 300 961, 5.1): saturating, rounded as there. */
-final class Fixed {
+/** The 16-bit fixed-point operations in which GSM 06.10 is written (ETS 300 961, 5.1): with its saturation and rounding. */
+final class FixedPoint {
     static final int MOST = Short.MAX_VALUE;
     static final int LEAST = Short.MIN_VALUE;
 
-    private Fixed() {}
+    private FixedPoint() {}
 
     static int saturate(int value) {
         return value > MOST ? MOST : Math.max(value, LEAST);
@@ -23,7 +23,7 @@ final class Fixed {
         return a == LEAST ? MOST : Math.abs(a);
     }
 
-    /** Product of two fractions of 15 bits, cut off. */
+    /** Product of two fractions of 15 bits, truncated. */
     static int multiply(int a, int b) {
         return a == LEAST && b == LEAST ? MOST : a * b >> 15;
     }
@@ -33,12 +33,12 @@ final class Fixed {
         return a == LEAST && b == LEAST ? MOST : a * b + 16384 >> 15;
     }
 
-    /** How far a positive 32-bit number can be shifted left without touching the sign. */
+    /** The left shift of a positive 32-bit number that leaves the sign bit 0. */
     static int headroom(int a) {
         return Integer.numberOfLeadingZeros(a) - 1;
     }
 
-    /** The fraction {@code numerator / denominator} in 15 bits, cut off; 0 to 1. */
+    /** The fraction {@code numerator / denominator} in 15 bits, truncated; 0 to 1. */
     static int divide(int numerator, int denominator) {
         int quotient = 0;
         int rest = numerator;

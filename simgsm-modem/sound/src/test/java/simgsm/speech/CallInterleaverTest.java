@@ -8,11 +8,11 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Two directions side by side; frames are told apart by the value of their samples. */
-class CallTracksTest {
+class CallInterleaverTest {
     private final List<Integer> left = new ArrayList<>();
     private final List<Integer> right = new ArrayList<>();
     private final List<Integer> blockLengths = new ArrayList<>();
-    private final CallTracks tracks = new CallTracks(this::take);
+    private final CallInterleaver tracks = new CallInterleaver(this::take);
 
     private void take(short[] block) {
         blockLengths.add(block.length);

@@ -1,29 +1,29 @@
 package simgsm.speech;
 
 /**
- * Somebody who listens in on a station's calls, both directions. Told on the station's thread, so it never waits; frames
- * are 20 ms, 8 kHz, 16 bit, and nobody changes them afterwards.
+ * Receives the speech of a station's calls in both directions, on the station's thread; it must not block. Frames are
+ * 20 ms, 8 kHz, 16 bit, and do not change afterwards.
  */
-public interface CallTap {
-    /** Nobody listens in. */
-    CallTap NONE = new CallTap() {};
+public interface CallAudioListener {
+    /** Ignores all calls. */
+    CallAudioListener NONE = new CallAudioListener() {};
 
-    /** A call is active from now on. */
+    /** A call has become active. */
     default void callBegan() {}
 
     default void sent(short[] frame) {}
 
-    /** Frames that were lost come as silence. */
+    /** Lost frames are silence. */
     default void received(short[] frame) {}
 
     default void callEnded() {}
 
-    /** The station is no more. */
+    /** The station is removed. */
     default void close() {}
 
-    /** Two who listen in on the same calls. */
-    static CallTap both(CallTap one, CallTap other) {
-        return new CallTap() {
+    /** A listener that forwards to two. */
+    static CallAudioListener both(CallAudioListener one, CallAudioListener other) {
+        return new CallAudioListener() {
             @Override
             public void callBegan() {
                 one.callBegan();

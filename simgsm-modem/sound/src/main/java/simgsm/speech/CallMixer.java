@@ -3,17 +3,17 @@ package simgsm.speech;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** What is heard at one end of a call: both directions at once. What is sent gives the beat. */
-public final class CallMix {
-    /** More than this waits only when received frames come in a burst; the oldest is then dropped. */
+/** Mixes both directions of a call, one frame for each frame sent. */
+public final class CallMixer {
+    /** Received frames that may wait; in a longer burst the oldest is dropped. */
     private static final int MAX_WAITING = 3;
 
     private final Deque<short[]> waiting = new ArrayDeque<>();
 
-    /** Nothing has been heard yet. */
-    public CallMix() {}
+    /** A mixer for a new call. */
+    public CallMixer() {}
 
-    /** 20 ms from the far end; heard with the next that is sent. */
+    /** Takes 20 ms of the other end, for the next frame sent. */
     public void received(short[] frame) {
         if (waiting.size() == MAX_WAITING) {
             waiting.remove();
@@ -21,7 +21,7 @@ public final class CallMix {
         waiting.add(frame.clone());
     }
 
-    /** 20 ms of one's own. @return what is heard meanwhile, the caller's to keep */
+    /** Takes 20 ms of this end. @return a new frame with the sum of both, saturated */
     public short[] sent(short[] frame) {
         short[] mixed = frame.clone();
         short[] far = waiting.poll();
@@ -33,7 +33,7 @@ public final class CallMix {
         return mixed;
     }
 
-    /** The call is over: what still waits is heard no more. */
+    /** Drops the frames that wait, at the end of the call. */
     public void clear() {
         waiting.clear();
     }

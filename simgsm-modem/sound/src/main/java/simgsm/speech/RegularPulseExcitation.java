@@ -1,7 +1,7 @@
 package simgsm.speech;
 
-/** Regular pulses: the prediction's error, thinned out to every third sample (ETS 300 961, 5.2.13 to 5.2.17). */
-final class GsmPulses {
+/** RPE: the prediction error, decimated to every third sample (ETS 300 961, 5.2.13 to 5.2.17). */
+final class RegularPulseExcitation {
     private static final int LENGTH = 40;
     private static final int[] WEIGHTS = {-134, -374, 0, 2054, 5741, 8192, 5741, 2054, 0, -374, -134};
     private static final int[] INVERSE_MANTISSA = {29128, 26215, 23832, 21846, 20165, 18725, 17476, 16384};
@@ -26,7 +26,7 @@ final class GsmPulses {
             for (int i = 0; i < WEIGHTS.length; i++) {
                 sum += padded[k + i] * WEIGHTS[i];
             }
-            weighted[k] = Fixed.saturate(sum >> 13);
+            weighted[k] = FixedPoint.saturate(sum >> 13);
         }
     }
 
@@ -51,17 +51,17 @@ final class GsmPulses {
         int start = frame.grid[j];
         int largest = 0;
         for (int i = 0; i < GsmFrame.PULSES; i++) {
-            largest = Math.max(largest, Fixed.absolute(weighted[start + 3 * i]));
+            largest = Math.max(largest, FixedPoint.absolute(weighted[start + 3 * i]));
         }
         int magnitude = 0;
         for (int rest = largest >> 9; rest > 0 && magnitude < 6; rest >>= 1) {
             magnitude++;
         }
-        frame.largest[j] = Fixed.add(largest >> magnitude + 5, magnitude << 3);
+        frame.largest[j] = FixedPoint.add(largest >> magnitude + 5, magnitude << 3);
         split(frame.largest[j]);
         for (int i = 0; i < GsmFrame.PULSES; i++) {
             int pulse = (short) (weighted[start + 3 * i] << 6 - exponent);
-            frame.pulses[j][i] = (Fixed.multiply(pulse, INVERSE_MANTISSA[mantissa]) >> 12) + 4;
+            frame.pulses[j][i] = (FixedPoint.multiply(pulse, INVERSE_MANTISSA[mantissa]) >> 12) + 4;
         }
     }
 
@@ -81,7 +81,7 @@ final class GsmPulses {
         mantissa -= 8;
     }
 
-    /** The error as the receiver sees it. */
+    /** The error as the decoder reconstructs it. */
     void decode(GsmFrame frame, int j, int[] e) {
         split(frame.largest[j]);
         int shift = 6 - exponent;
@@ -89,7 +89,7 @@ final class GsmPulses {
         java.util.Arrays.fill(e, 0);
         for (int i = 0; i < GsmFrame.PULSES; i++) {
             int pulse = 2 * frame.pulses[j][i] - 7 << 12;
-            pulse = Fixed.add(Fixed.multiplyRounded(MANTISSA[mantissa], pulse), half);
+            pulse = FixedPoint.add(FixedPoint.multiplyRounded(MANTISSA[mantissa], pulse), half);
             e[frame.grid[j] + 3 * i] = pulse >> shift;
         }
     }
