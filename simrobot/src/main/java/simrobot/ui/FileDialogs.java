@@ -11,20 +11,25 @@ import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
 
-/** Asks where a world is to be saved, and whether changes may be lost. */
+/** The dialogs about files that are written: where to, and whether changes are saved. */
 public final class FileDialogs {
-    private static final String ENDING = ".map";
-
     private FileDialogs() {}
 
-    /** A {@code .map} that the person chose; one that is there only if it may be replaced. */
-    public static Optional<Path> choose(TextBundle texts, Component owner, Path proposal) {
-        Path folder = proposal.toAbsolutePath().getParent();
-        JFileChooser chooser = new JFileChooser(folder == null ? null : folder.toFile());
-        chooser.setSelectedFile(new File(withEnding(proposal).getFileName().toString()));
-        chooser.setFileFilter(new FileNameExtensionFilter(texts.of("editor.files"), "map"));
+    /**
+     * Asks where a file is to be saved; an existing file is returned only after the user has agreed to replace it.
+     *
+     * @param filter description of the files that are shown
+     * @param ending of the files, without the dot
+     */
+    public static Optional<Path> save(TextBundle texts, Component owner, Path proposal, String filter, String ending) {
+        JFileChooser chooser = proposal.getParent() == null
+                ? new JFileChooser()
+                : new JFileChooser(proposal.getParent().toFile());
+        chooser.setSelectedFile(
+                new File(withEnding(proposal, ending).getFileName().toString()));
+        chooser.setFileFilter(new FileNameExtensionFilter(filter, ending));
         while (chooser.showSaveDialog(owner) == JFileChooser.APPROVE_OPTION) {
-            Path file = withEnding(chooser.getSelectedFile().toPath());
+            Path file = withEnding(chooser.getSelectedFile().toPath(), ending);
             if (!Files.exists(file) || mayReplace(texts, owner, file)) {
                 return Optional.of(file);
             }
@@ -32,47 +37,56 @@ public final class FileDialogs {
         return Optional.empty();
     }
 
-    /** Only maps are written: a Saphira world is saved beside itself, as a map. */
-    public static Path withEnding(Path file) {
+    /** With the ending; it replaces that of a Saphira world, which is never written. */
+    public static Path withEnding(Path file, String ending) {
         String name = String.valueOf(file.getFileName());
-        if (name.toLowerCase(Locale.ROOT).endsWith(ENDING)) {
-            return file;
-        }
-        return file.resolveSibling(name.replaceFirst("\\.(wld|WLD)$", "") + ENDING);
+        return name.toLowerCase(Locale.ROOT).endsWith("." + ending)
+                ? file
+                : file.resolveSibling(name.replaceFirst("\\.(wld|WLD)$", "") + "." + ending);
     }
 
-    public static boolean mayReplace(TextBundle texts, Component owner, Path file) {
-        Object[] answers = {texts.of("editor.replace.yes"), texts.of("editor.cancel")};
-        return JOptionPane.showOptionDialog(
+    private static boolean mayReplace(TextBundle texts, Component owner, Path file) {
+        String question = texts.of("editor.replace", file.getFileName());
+        return choose(
                         owner,
-                        texts.of("editor.replace", file.getFileName()),
+                        question,
                         texts.of("editor.saveAs"),
-                        JOptionPane.DEFAULT_OPTION,
-                        JOptionPane.PLAIN_MESSAGE,
-                        null,
-                        answers,
-                        answers[1])
+                        1,
+                        texts.of("editor.replace.yes"),
+                        texts.of("editor.cancel"))
                 == 0;
     }
 
-    /** What becomes of changes that are nowhere but in the editor. */
-    public enum Leaving {
+    /** @return the index of the chosen answer, or -1 */
+    private static int choose(Component owner, String question, String title, int proposed, Object... answers) {
+        return JOptionPane.showOptionDialog(
+                owner,
+                question,
+                title,
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.PLAIN_MESSAGE,
+                null,
+                answers,
+                answers[proposed]);
+    }
+
+    /** What happens to unsaved changes of the editor. */
+    public enum UnsavedChoice {
         SAVE,
         DROP,
         STAY
     }
 
-    public static Leaving ask(TextBundle texts, Component owner, String world) {
-        Object[] answers = {texts.of("editor.save"), texts.of("editor.drop"), texts.of("editor.cancel")};
-        int answer = JOptionPane.showOptionDialog(
+    /** Asks what happens to unsaved changes; a closed dialog is STAY. */
+    public static UnsavedChoice askAboutChanges(TextBundle texts, Component owner, String world) {
+        int answer = choose(
                 owner,
                 texts.of("editor.unsaved", world),
                 texts.of("editor.title"),
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.PLAIN_MESSAGE,
-                null,
-                answers,
-                answers[0]);
-        return answer == 0 ? Leaving.SAVE : answer == 1 ? Leaving.DROP : Leaving.STAY;
+                0,
+                texts.of("editor.save"),
+                texts.of("editor.drop"),
+                texts.of("editor.cancel"));
+        return answer < 0 ? UnsavedChoice.STAY : UnsavedChoice.values()[answer];
     }
 }

@@ -68,11 +68,11 @@ class SimRobotTextsTest {
         }
     }
 
-    /** Its tools, fields and buttons put their keys together. */
+    /** The editor composes the keys of its tools, fields and actions. */
     private static boolean isOfTheEditor(String key, String last, CharSequence sources) {
         boolean tool = Stream.of(EditorTool.values()).anyMatch(each -> each.id().equals(last));
         boolean field = key.startsWith("editor.field.");
-        return key.startsWith("editor.") && (tool || field || sources.toString().contains("button(\"" + last + '"'));
+        return key.startsWith("editor.") && (tool || field || sources.toString().contains("action(\"" + last + '"'));
     }
 
     private static boolean isStatus(String word) {

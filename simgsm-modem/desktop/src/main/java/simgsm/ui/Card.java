@@ -8,10 +8,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.draw.Ink;
 
-/** A calm sheet on the surface: rounded, thin line, an optional title, content below. */
+/** A rounded sheet with a thin border, an optional title, and content below it. */
 public final class Card extends JPanel {
-    private final JLabel title = new JLabel();
-
     public Card(Component content) {
         super(new BorderLayout(0, 0));
         setOpaque(false);
@@ -21,18 +19,9 @@ public final class Card extends JPanel {
 
     public Card(String titleText, Component content) {
         this(content);
-        title.setText(titleText);
-        title.setFont(Theme.title());
+        JLabel title = Theme.styled(new JLabel(titleText), label -> label.setFont(Theme.title()));
         title.setBorder(Theme.padding(0, 0, Theme.GRID, 0));
         add(title, BorderLayout.NORTH);
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (title != null) {
-            title.setFont(Theme.title());
-        }
     }
 
     @Override

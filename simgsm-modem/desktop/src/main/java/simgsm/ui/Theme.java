@@ -7,6 +7,8 @@ import java.awt.Font;
 import java.awt.Insets;
 import java.awt.Stroke;
 import java.awt.Window;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
@@ -83,7 +85,7 @@ public final class Theme {
         }
     }
 
-    /** Lets a whole tree of components take over the present appearance and zoom. */
+    /** Updates a tree of components after appearance or zoom have changed. */
     public static void refresh(Component root) {
         SwingUtilities.updateComponentTreeUI(root);
         if (!(root instanceof Window)) {
@@ -103,6 +105,13 @@ public final class Theme {
 
     static Color color(Ink ink, Appearance in, double opacity) {
         return new Color(ink.rgb(in) | (int) Math.round(opacity * 255) << 24, true);
+    }
+
+    /** Applies a style to a component now and again after every {@link #refresh}. */
+    public static <C extends JComponent> C styled(C component, Consumer<C> style) {
+        style.accept(component);
+        component.addPropertyChangeListener("UI", change -> style.accept(component));
+        return component;
     }
 
     /** Logical pixels for a distance in units, at the present zoom; at least 1 for anything above 0. */

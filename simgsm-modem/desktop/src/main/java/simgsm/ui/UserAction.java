@@ -1,22 +1,24 @@
 package simgsm.ui;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** One thing that a user can do: name, description, mnemonic, icon, whether it can be done now; shared by all its ways. */
+/** An action of the user with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings alike. */
 public final class UserAction extends AbstractAction {
-    private final Runnable deed;
+    private final Runnable task;
 
     /**
-     * @param id names the act in input maps and tests, as {@code phone.call}
-     * @param name what menus and buttons show; a {@code &} stands before the mnemonic
+     * @param id names the action in input maps and tests, as {@code phone.call}
+     * @param name what menus and buttons show; a {@code &} marks the mnemonic after it
      */
-    public UserAction(String id, String name, Runnable deed) {
-        this.deed = deed;
+    public UserAction(String id, String name, Runnable task) {
+        this.task = task;
         putValue(Action.ACTION_COMMAND_KEY, id);
         int mark = name.indexOf('&');
         if (mark >= 0 && mark + 1 < name.length()) {
@@ -28,6 +30,7 @@ public final class UserAction extends AbstractAction {
         }
     }
 
+    /** Sets the tool tip. */
     public UserAction described(String description) {
         putValue(SHORT_DESCRIPTION, description);
         return this;
@@ -38,6 +41,7 @@ public final class UserAction extends AbstractAction {
         return this;
     }
 
+    /** Shows a key in menus; does not bind it. */
     public UserAction with(KeyStroke accelerator) {
         putValue(ACCELERATOR_KEY, accelerator);
         return this;
@@ -47,9 +51,20 @@ public final class UserAction extends AbstractAction {
         return (String) getValue(ACTION_COMMAND_KEY);
     }
 
-    /** Reaches the act by keys wherever the focus is in the window. */
+    public String name() {
+        return (String) getValue(NAME);
+    }
+
+    /** Binds keys everywhere in the anchor's window. */
     public void bindInWindow(JComponent anchor, KeyStroke... strokes) {
         bind(anchor, JComponent.WHEN_IN_FOCUSED_WINDOW, strokes);
+    }
+
+    /** Binds a key everywhere in the anchor's window; the tool tip is the name with the key. @param modifiers of InputEvent */
+    public UserAction onKey(JComponent anchor, int key, int modifiers) {
+        bindInWindow(anchor, KeyStroke.getKeyStroke(key, modifiers));
+        return described(
+                name() + "  (" + InputEvent.getModifiersExText(modifiers) + "+" + KeyEvent.getKeyText(key) + ")");
     }
 
     /** @param condition one of JComponent's WHEN_ constants */
@@ -63,7 +78,7 @@ public final class UserAction extends AbstractAction {
     @Override
     public void actionPerformed(ActionEvent event) {
         if (isEnabled()) {
-            deed.run();
+            task.run();
         }
     }
 }

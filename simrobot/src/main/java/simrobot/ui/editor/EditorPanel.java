@@ -7,15 +7,12 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import javax.swing.AbstractButton;
 import javax.swing.ButtonGroup;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
@@ -25,39 +22,38 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.editor.Draft;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.EventThread;
 import simrobot.ui.FileDialogs;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
 import simrobot.ui.TextLine;
+import simrobot.ui.ToolButtons;
 import simrobot.world.World;
 
-/** The world editor: a tool row, the floor that is edited, and a sheet with the items. */
+/** The world editor: rows of tools, the floor that is edited, and a sidebar with the items. */
 public final class EditorPanel extends JPanel {
     private static final double[] RASTERS_METERS = {0, 0.1, 0.5};
-    private static final int CTRL = InputEvent.CTRL_DOWN_MASK;
+    private static final String ENDING = "map";
 
     private final TextBundle texts;
     private final OperatorActions operator;
     private final Runnable closed;
     private final EditorView floor;
-    private final ItemSidebar sheet;
+    private final ItemSidebar sidebar;
     private final TextLine title = new TextLine("editor.file", Theme::title, Ink.TEXT);
     private final TextLine state = new TextLine("editor.state", Theme::base, Ink.QUIET);
     private final Map<EditorTool, JToggleButton> tools = new EnumMap<>(EditorTool.class);
-    private final JPanel rows;
-    private UserAction undo;
-    private UserAction redo;
-    private UserAction delete;
-    private UserAction apply;
+    private final UserAction undo;
+    private final UserAction redo;
+    private final UserAction delete;
+    private final UserAction apply;
     private Path file = Path.of("");
     private boolean named;
     private World applied;
-    private String said = "";
+    private String message = "";
     private boolean failed;
 
-    /** @param closed run when the person is done */
+    /** @param closed run when the editor is left */
     public EditorPanel(TextBundle texts, OperatorActions operator, Runnable closed) {
         super(new BorderLayout());
         this.texts = texts;
@@ -65,19 +61,22 @@ public final class EditorPanel extends JPanel {
         this.closed = closed;
         setOpaque(false);
         setName("editor");
-        floor = new EditorView(texts, this::tell);
-        sheet = new ItemSidebar(texts, floor);
+        floor = new EditorView(texts, this::showState);
+        sidebar = new ItemSidebar(texts, floor);
+        undo = action("undo", Symbol.UNDO.icon(), KeyEvent.VK_Z, () -> floor.step(floor.draft()::undo));
+        redo = action("redo", Symbol.REDO.icon(), KeyEvent.VK_Y, () -> floor.step(floor.draft()::redo));
+        delete = action("delete", Symbol.ERASE.icon(), KeyEvent.VK_D, () -> floor.step(floor.draft()::deleteSelected));
+        apply = action("apply", Symbol.PLAY.icon(), KeyEvent.VK_ENTER, () -> apply(() -> {}));
         JPanel files = Arrange.row(
                 Theme.HALF,
-                button("back", Symbol.LEFT.icon(), KeyEvent.VK_W, this::close, true),
+                named(action("back", Symbol.LEFT.icon(), KeyEvent.VK_W, this::close)),
                 Arrange.growing(title),
-                button("save", null, KeyEvent.VK_S, () -> save(() -> {}), true),
-                button("saveAs", null, 0, () -> saveAs(() -> {}), true),
-                button("apply", Symbol.PLAY.icon(), KeyEvent.VK_ENTER, this::apply, true));
-        rows = Arrange.column(Theme.HALF, files, new SplitRow(toolRow(), editRow()));
-        CompactButtons.buttonsIn(rows);
+                named(action("save", null, KeyEvent.VK_S, () -> save(() -> {}))),
+                named(action("saveAs", null, 0, () -> saveAs(() -> {}))),
+                named(apply));
+        JPanel rows = Arrange.column(Theme.HALF, files, new SplitRow(toolRow(), editRow()));
         JPanel middle = Arrange.row(
-                Theme.GRID, Arrange.growing(Arrange.column(Theme.GRID, Arrange.growing(floor), state)), sheet);
+                Theme.GRID, Arrange.growing(Arrange.column(Theme.GRID, Arrange.growing(floor), state)), sidebar);
         add(Arrange.column(Theme.GRID, rows, Arrange.growing(middle)));
     }
 
@@ -86,33 +85,30 @@ public final class EditorPanel extends JPanel {
         ButtonGroup one = new ButtonGroup();
         for (EditorTool tool : EditorTool.values()) {
             String name = texts.of("editor.tool." + tool.id());
-            JToggleButton button = new JToggleButton();
-            UserAction act = new UserAction("editor.tool." + tool.id(), name, () -> {
-                floor.setTool(tool);
-                floor.requestFocusInWindow();
-            });
-            act.bindInWindow(this, KeyStroke.getKeyStroke(tool.key(), InputEvent.ALT_DOWN_MASK));
-            button.setAction(
-                    act.with(tool.symbol().icon()).described(name + "  (Alt+" + KeyEvent.getKeyText(tool.key()) + ")"));
-            button.setIconTextGap(Theme.HALF);
+            UserAction action = new UserAction("editor.tool." + tool.id(), name, () -> {
+                        floor.setTool(tool);
+                        floor.requestFocusInWindow();
+                    })
+                    .with(tool.symbol().icon())
+                    .onKey(this, tool.key(), InputEvent.ALT_DOWN_MASK);
+            JToggleButton button = ToolButtons.named(new JToggleButton(), action);
             one.add(button);
-            tools.put(tool, ComponentNames.name(button, act.id(), name));
+            tools.put(tool, button);
             row.add(button);
         }
         return row;
     }
 
     private JPanel editRow() {
-        JPanel row = Arrange.row(
+        return Arrange.row(
                 Theme.HALF,
-                button("undo", Symbol.UNDO.icon(), KeyEvent.VK_Z, () -> step(floor.draft()::undo), false),
-                button("redo", Symbol.REDO.icon(), KeyEvent.VK_Y, () -> step(floor.draft()::redo), false),
-                button("delete", Symbol.ERASE.icon(), KeyEvent.VK_D, () -> step(floor.draft()::deleteSelected), false),
+                ToolButtons.icon(new JButton(), undo),
+                ToolButtons.icon(new JButton(), redo),
+                ToolButtons.icon(new JButton(), delete),
                 rasters(),
-                button("smaller", Symbol.MINUS.icon(), 0, () -> floor.zoom(0.8), false),
-                button("larger", Symbol.PLUS.icon(), 0, () -> floor.zoom(1.25), false),
-                button("fit", Symbol.FIT.icon(), KeyEvent.VK_F, floor::fit, false));
-        return row;
+                ToolButtons.icon(new JButton(), action("smaller", Symbol.MINUS.icon(), 0, () -> floor.zoom(0.8))),
+                ToolButtons.icon(new JButton(), action("larger", Symbol.PLUS.icon(), 0, () -> floor.zoom(1.25))),
+                ToolButtons.icon(new JButton(), action("fit", Symbol.FIT.icon(), KeyEvent.VK_F, floor::fit)));
     }
 
     private JComboBox<String> rasters() {
@@ -126,56 +122,29 @@ public final class EditorPanel extends JPanel {
         return ComponentNames.name(box, "editor.raster", texts.of("editor.raster"));
     }
 
-    private AbstractButton button(String id, Icon icon, int key, Runnable deed, boolean worded) {
-        String name = texts.of("editor." + id);
-        UserAction act = new UserAction("editor." + id, name, deed);
-        if (icon != null) {
-            act.with(icon);
-        }
-        if (key != 0) {
-            act.bindInWindow(this, KeyStroke.getKeyStroke(key, CTRL));
-        }
-        JButton button =
-                new JButton(act.described(name + (key == 0 ? "" : "  (Ctrl+" + KeyEvent.getKeyText(key) + ")")));
-        button.setHideActionText(!worded);
-        button.setIconTextGap(Theme.HALF);
-        keep(id, act);
-        return ComponentNames.name(button, act.id(), name);
+    /** @param key with Ctrl, 0 for none */
+    private UserAction action(String id, Icon icon, int key, Runnable task) {
+        UserAction action = new UserAction("editor." + id, texts.of("editor." + id), task).with(icon);
+        return key == 0 ? action.described(action.name()) : action.onKey(this, key, InputEvent.CTRL_DOWN_MASK);
     }
 
-    private void keep(String id, UserAction act) {
-        switch (id) {
-            case "undo" -> undo = act;
-            case "redo" -> redo = act;
-            case "delete" -> delete = act;
-            case "apply" -> apply = act;
-            default -> {
-                // can always be done
-            }
-        }
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (rows != null) {
-            CompactButtons.buttonsIn(rows);
-        }
+    private JButton named(UserAction action) {
+        return ToolButtons.named(new JButton(), action);
     }
 
     // ---- the draft -------------------------------------------------------------------------------------------------
 
     /**
-     * Begins to edit.
+     * Begins to edit a world.
      *
-     * @param place where the world is saved, or might be
-     * @param isThere whether it is, as this world
+     * @param place the file of the world, or the proposal for a new one
+     * @param isThere whether the file exists and holds this world
      */
     public void edit(World world, Path place, boolean isThere, List<RobotSnapshot> robots) {
         file = place;
         named = isThere;
         applied = isThere ? world : null;
-        say("", false);
+        report("", false);
         floor.edit(new Draft(world), robots);
         floor.setTool(isThere ? EditorTool.SELECT : EditorTool.WALL);
         floor.requestFocusInWindow();
@@ -185,22 +154,14 @@ public final class EditorPanel extends JPanel {
         floor.showRobots(robots);
     }
 
-    private void step(Runnable deed) {
-        deed.run();
-        floor.fireChanged();
-    }
-
-    private void say(String words, boolean failure) {
-        said = words;
+    private void report(String words, boolean failure) {
+        message = words;
         failed = failure;
-        tell();
+        showState();
     }
 
-    private void tell() {
+    private void showState() {
         Draft draft = floor.draft();
-        if (undo == null || sheet == null) {
-            return;
-        }
         undo.setEnabled(draft.canUndo());
         redo.setEnabled(draft.canRedo());
         delete.setEnabled(draft.selected().isPresent());
@@ -208,26 +169,28 @@ public final class EditorPanel extends JPanel {
         boolean changed = draft.isChanged() || !named;
         title.show(texts.of(changed ? "editor.file.changed" : "editor.file", file.getFileName()));
         tools.get(floor.tool()).setSelected(true);
-        sheet.show(draft);
+        sidebar.show(draft);
         String hint = texts.of("editor.hint." + floor.tool().id());
-        state.show(said.isEmpty() ? hint : said, failed ? Ink.DANGER : Ink.QUIET);
+        state.show(message.isEmpty() ? hint : message, failed ? Ink.DANGER : Ink.QUIET);
     }
 
     // ---- apply, save, close ----------------------------------------------------------------------------------------
 
-    private void apply() {
-        World world = floor.draft().committed().named(file.getFileName().toString());
+    /** @param done run when the robots are in the edited world */
+    private void apply(Runnable done) {
         World draft = floor.draft().committed();
+        World world = draft.named(file.getFileName().toString());
         operator.apply(world, file, EventThread.onEventThread(refusal -> {
             if (refusal.isEmpty()) {
                 applied = draft;
+                done.run();
             }
-            say(refusal.orElse(texts.of("editor.applied")), refusal.isPresent());
+            report(refusal.orElse(texts.of("editor.applied")), refusal.isPresent());
         }));
     }
 
     private void save(Runnable done) {
-        if (named && FileDialogs.withEnding(file).equals(file)) {
+        if (named && FileDialogs.withEnding(file, ENDING).equals(file)) {
             write(file, done);
         } else {
             saveAs(done);
@@ -235,10 +198,11 @@ public final class EditorPanel extends JPanel {
     }
 
     private void saveAs(Runnable done) {
-        FileDialogs.choose(texts, this, file).ifPresent(chosen -> write(chosen, done));
+        FileDialogs.save(texts, this, file.toAbsolutePath(), texts.of("editor.files"), ENDING)
+                .ifPresent(chosen -> write(chosen, done));
     }
 
-    /** @param done run when it is on the disk */
+    /** @param done run when the file is written */
     void write(Path target, Runnable done) {
         World world = floor.draft().committed();
         operator.save(world, target, EventThread.onEventThread(refusal -> {
@@ -248,38 +212,28 @@ public final class EditorPanel extends JPanel {
                 floor.draft().markSaved(world);
                 done.run();
             }
-            say(refusal.orElse(texts.of("editor.saved", target)), refusal.isPresent());
+            report(refusal.orElse(texts.of("editor.saved", target)), refusal.isPresent());
         }));
     }
 
     private void close() {
-        boolean unsaved = floor.draft().isChanged();
-        FileDialogs.Leaving leaving =
-                unsaved ? FileDialogs.ask(texts, this, String.valueOf(file.getFileName())) : FileDialogs.Leaving.DROP;
-        switch (leaving) {
-            case SAVE -> save(this::leave);
-            case DROP -> leave(Optional.empty());
+        if (!floor.draft().isChanged()) {
+            closed.run();
+            return;
+        }
+        switch (FileDialogs.askAboutChanges(texts, this, String.valueOf(file.getFileName()))) {
+            case SAVE -> save(this::applyAndClose);
+            case DROP -> closed.run();
             case STAY -> floor.requestFocusInWindow();
         }
     }
 
-    /** What was saved is what the robots are to have, too. */
-    private void leave() {
-        leave(Optional.of(floor.draft().committed()));
-    }
-
-    private void leave(Optional<World> world) {
-        if (world.isPresent() && world.get() != applied) {
-            operator.apply(
-                    world.get().named(file.getFileName().toString()), file, EventThread.onEventThread(refusal -> {
-                        if (refusal.isEmpty()) {
-                            closed.run();
-                        } else {
-                            say(refusal.get(), true);
-                        }
-                    }));
-        } else {
+    /** Puts the saved world under the robots, unless it is there already. */
+    private void applyAndClose() {
+        if (floor.draft().committed() == applied) {
             closed.run();
+        } else {
+            apply(closed);
         }
     }
 }

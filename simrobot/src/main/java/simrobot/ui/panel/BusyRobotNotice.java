@@ -14,16 +14,15 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
+import simrobot.ui.ToolButtons;
 
 /**
- * Looks after calls and orders to robots that are not selected. While nobody commands the selected one the window goes over
- * to the one that is commanded; otherwise it says who is, and offers to.
+ * Notices calls and orders to robots that are not selected. A robot that becomes busy is selected while the selected one is
+ * idle; otherwise a notice names it, with a button that selects it.
  */
 final class BusyRobotNotice extends JPanel {
     private final TextBundle texts;
@@ -39,15 +38,12 @@ final class BusyRobotNotice extends JPanel {
         this.select = select;
         setOpaque(false);
         show = new UserAction("elsewhere.show", texts.of("elsewhere.show"), () -> select.accept(other));
-        JButton button = ComponentNames.name(new JButton(show), "elsewhere.show", texts.of("elsewhere.show"));
-        JPanel row = Arrange.row(Theme.GRID, Arrange.growing(text), button);
-        CompactButtons.buttonsIn(row);
-        add(new Card(row));
+        add(new Card(Arrange.row(Theme.GRID, Arrange.growing(text), ToolButtons.named(new JButton(), show))));
         setVisible(false);
     }
 
-    /** @param mayLeave whether the window may go over to another robot now */
-    void show(List<TelephoneSnapshot> lines, String selected, boolean mayLeave) {
+    /** @param maySelect whether another robot may be selected now */
+    void show(List<TelephoneSnapshot> lines, String selected, boolean maySelect) {
         Set<String> before = busy;
         List<TelephoneSnapshot> commanded =
                 lines.stream().filter(TelephoneSnapshot::isBusy).toList();
@@ -58,14 +54,14 @@ final class BusyRobotNotice extends JPanel {
         Optional<TelephoneSnapshot> begun = commanded.stream()
                 .filter(line -> !before.contains(line.robot()))
                 .findFirst();
-        if (begun.isPresent() && !busy.contains(selected) && mayLeave) {
+        if (begun.isPresent() && !busy.contains(selected) && maySelect) {
             select.accept(begun.get().robot());
         } else {
-            tell(elsewhere);
+            showNotice(elsewhere);
         }
     }
 
-    private void tell(Optional<TelephoneSnapshot> line) {
+    private void showNotice(Optional<TelephoneSnapshot> line) {
         other = line.map(TelephoneSnapshot::robot).orElse("");
         text.show(line.map(this::words).orElse(""));
         if (isVisible() != line.isPresent()) {

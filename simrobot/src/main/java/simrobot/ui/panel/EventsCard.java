@@ -31,9 +31,9 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.control.LoggedEvent;
 import simrobot.drawing.NumberTexts;
-import simrobot.ui.CompactButtons;
+import simrobot.ui.ToolButtons;
 
-/** What happened, the newest at the bottom: of all robots or of the selected one; lines can be copied. */
+/** The event log of all robots or of the selected one, the newest at the bottom; lines can be copied. */
 final class EventsCard extends JPanel {
     private final EventTexts words;
     private final Rows model = new Rows();
@@ -57,12 +57,7 @@ final class EventsCard extends JPanel {
         UserAction copy =
                 new UserAction("events.copy", texts.of("log.copy"), this::copy).described(texts.of("log.copy.hint"));
         copy.bind(list, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_C, InputEvent.CTRL_DOWN_MASK));
-        JPanel tools = Arrange.row(
-                Theme.HALF,
-                onlySelected,
-                Arrange.spring(),
-                ComponentNames.name(new JButton(copy), "events.copy", texts.of("log.copy.hint")));
-        CompactButtons.buttonsIn(tools);
+        JPanel tools = Arrange.row(Theme.HALF, onlySelected, Arrange.spring(), ToolButtons.named(new JButton(), copy));
         add(new Card(texts.of("log.title"), Arrange.column(Theme.GRID, tools, Arrange.growing(pane))));
     }
 
@@ -77,7 +72,7 @@ final class EventsCard extends JPanel {
         }
     }
 
-    /** Stays at the end when it was there, as a log does. */
+    /** A list that shows its end keeps showing it. */
     private void filter() {
         var bar = pane.getVerticalScrollBar();
         boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - Theme.px(4);
@@ -108,7 +103,7 @@ final class EventsCard extends JPanel {
         return new Dimension(Theme.px(180), Theme.px(160));
     }
 
-    /** The log grows at its end and is cut at its beginning, so a row is what it was when it is told once. */
+    /** The log grows at its end, so rows that the list has are not announced again. */
     private static final class Rows extends AbstractListModel<LoggedEvent> {
         private List<LoggedEvent> rows = List.of();
 
@@ -135,7 +130,7 @@ final class EventsCard extends JPanel {
         }
     }
 
-    /** Two lines: when and who, then what. */
+    /** Two lines: time and robot, then the event. */
     private final class RowRenderer extends PaintedComponent implements ListCellRenderer<LoggedEvent> {
         private LoggedEvent event;
         private boolean chosen;

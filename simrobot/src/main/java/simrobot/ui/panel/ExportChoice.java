@@ -2,43 +2,36 @@ package simrobot.ui.panel;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JButton;
-import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.JPopupMenu;
-import javax.swing.KeyStroke;
-import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.UserAction;
 import simrobot.ui.EventThread;
 import simrobot.ui.FileDialogs;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.ToolButtons;
 
-/** Saves what is to be seen: the world as PNG or SVG, the selected robot's track as CSV. */
+/** The button that exports the world as PNG or SVG, or the selected robot's track as CSV. */
 final class ExportChoice {
     private final TextBundle texts;
     private final OperatorActions operator;
-    private final JButton button;
+    private final JButton button = new JButton();
     private String robot = "";
     private Path world = Path.of("world.map");
 
     ExportChoice(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
-        UserAction act = new UserAction("tool.export", texts.of("tool.export"), this::offer).with(Symbol.DOWN.icon(12));
-        button = new JButton(act);
-        button.setText(texts.of("tool.export.word"));
+        UserAction action = new UserAction("tool.export", texts.of("tool.export"), this::showMenu)
+                .with(Symbol.DOWN.icon(12))
+                .onKey(button, KeyEvent.VK_X, InputEvent.CTRL_DOWN_MASK);
+        ToolButtons.button(button, action, texts.of("tool.export.word"));
         button.setHorizontalTextPosition(JButton.LEADING);
-        button.setToolTipText(texts.of("tool.export") + "  (Ctrl+X)");
-        act.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_X, InputEvent.CTRL_DOWN_MASK));
-        ComponentNames.name(button, "tool.export", texts.of("tool.export"));
     }
 
     JButton component() {
@@ -50,7 +43,7 @@ final class ExportChoice {
         world = worldFile;
     }
 
-    private void offer() {
+    private void showMenu() {
         menu().show(button, 0, button.getHeight());
     }
 
@@ -69,25 +62,12 @@ final class ExportChoice {
     }
 
     private void choose(String ending, String name) {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setSelectedFile(new File(name + "." + ending));
-        chooser.setFileFilter(new FileNameExtensionFilter(ending.toUpperCase(Locale.ROOT), ending));
-        while (chooser.showSaveDialog(button) == JFileChooser.APPROVE_OPTION) {
-            Path file = withEnding(chooser.getSelectedFile().toPath(), ending);
-            if (!Files.exists(file) || FileDialogs.mayReplace(texts, button, file)) {
-                operator.export(robot, file, EventThread.onEventThread(refusal -> tell(file, refusal)));
-                return;
-            }
-        }
+        FileDialogs.save(texts, button, Path.of(name + "." + ending), ending.toUpperCase(Locale.ROOT), ending)
+                .ifPresent(file ->
+                        operator.export(robot, file, EventThread.onEventThread(refusal -> showResult(file, refusal))));
     }
 
-    static Path withEnding(Path file, String ending) {
-        String name = String.valueOf(file.getFileName());
-        boolean ended = name.toLowerCase(Locale.ROOT).endsWith("." + ending);
-        return ended ? file : file.resolveSibling(name + "." + ending);
-    }
-
-    private void tell(Path file, Optional<String> refusal) {
+    private void showResult(Path file, Optional<String> refusal) {
         refusal.ifPresent(
                 why -> JOptionPane.showMessageDialog(button, why, texts.of("tool.export"), JOptionPane.ERROR_MESSAGE));
         if (refusal.isEmpty()) {

@@ -12,26 +12,27 @@ import javax.swing.ButtonGroup;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.ToolButtons;
 import simrobot.ui.ValueRow;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
-/** The column beside the floor: which robots there are, and all about the selected one. */
+/** The column at the right of the floor: the robots, and the state of the selected one or the events. */
 final class Inspector extends JPanel {
+    private static final String ROBOT = "robot";
+    private static final String EVENTS = "events";
+
     private final RobotsCard robots;
-    private final NewRobotForm newcomer;
+    private final NewRobotForm newRobot;
     private final EventsCard events;
     private final CardLayout sheets = new CardLayout();
     private final JPanel sheet = new JPanel(sheets);
@@ -45,7 +46,6 @@ final class Inspector extends JPanel {
     private final SonarRose sonar;
     private final CameraView camera;
     private final String low;
-    private JPanel tabs;
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
@@ -53,8 +53,8 @@ final class Inspector extends JPanel {
         super(new BorderLayout());
         setOpaque(false);
         low = texts.of("pose.battery.low");
-        newcomer = new NewRobotForm(texts, operator, view);
-        robots = new RobotsCard(texts, selection, operator, this::askForNewcomer);
+        newRobot = new NewRobotForm(texts, operator, view);
+        robots = new RobotsCard(texts, selection, operator, this::toggleNewRobotForm);
         events = new EventsCard(texts);
         x = new ValueRow("pose.x", "x", "m");
         y = new ValueRow("pose.y", "y", "m");
@@ -69,14 +69,14 @@ final class Inspector extends JPanel {
         Card rose = new Card(texts.of("sonar.title"), sonar);
         Card picture = new Card(texts.of("camera.title"), camera);
         sheet.setOpaque(false);
-        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels)), "robot");
-        sheet.add(events, "events");
-        JPanel top = Arrange.column(Theme.GRID, robots, newcomer, tabs(texts));
+        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels)), ROBOT);
+        sheet.add(events, EVENTS);
+        JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
     }
 
     private static JScrollPane scrolled(JPanel content) {
-        JScrollPane all = new RoomForItsBar(new ScrolledColumn(content));
+        JScrollPane all = new ColumnScrollPane(new ScrolledColumn(content));
         all.setBorder(null);
         all.setViewportBorder(null);
         all.setOpaque(false);
@@ -85,46 +85,34 @@ final class Inspector extends JPanel {
         return all;
     }
 
-    /** What the lower part shows: the robot or the events. */
+    /** The lower part shows the robot or the events. */
     private JPanel tabs(TextBundle texts) {
-        JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, "robot");
-        JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, "events");
+        JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, ROBOT);
+        JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, EVENTS);
         ButtonGroup one = new ButtonGroup();
         one.add(robot);
         one.add(log);
         robot.setSelected(true);
-        tabs = Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log));
-        CompactButtons.buttonsIn(tabs);
-        return tabs;
+        return Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log));
     }
 
     private JToggleButton tab(String id, TextBundle texts, int key, String name) {
         JToggleButton button = new JToggleButton();
-        UserAction act = new UserAction(id, texts.of(id), () -> {
+        UserAction action = new UserAction(id, texts.of(id), () -> {
             button.setSelected(true);
             sheets.show(sheet, name);
         });
-        act.bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK));
-        button.setAction(act.described(texts.of(id) + "  (Alt+" + KeyEvent.getKeyText(key) + ")"));
-        return ComponentNames.name(button, id, texts.of(id));
+        return ToolButtons.named(button, action.onKey(this, key, InputEvent.ALT_DOWN_MASK));
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (tabs != null) {
-            CompactButtons.buttonsIn(tabs);
-        }
-    }
-
-    private void askForNewcomer() {
-        newcomer.toggle(names, numbers);
+    private void toggleNewRobotForm() {
+        newRobot.toggle(names, numbers);
         revalidate();
     }
 
-    /** As wide as its view and its scroll bar, so that nothing narrows when the bar appears. */
-    private static final class RoomForItsBar extends JScrollPane {
-        RoomForItsBar(ScrolledColumn column) {
+    /** Prefers the width of its view and its scroll bar, so that the view does not become narrower when the bar appears. */
+    private static final class ColumnScrollPane extends JScrollPane {
+        ColumnScrollPane(ScrolledColumn column) {
             super(column);
         }
 

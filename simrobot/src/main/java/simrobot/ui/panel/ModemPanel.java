@@ -26,7 +26,7 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 
-/** M2: its number, the network, the call, and what it hears. */
+/** M2: its number, the network, the call, and the tone scope. */
 final class ModemPanel extends JPanel {
     private final TextBundle texts;
     private final TextLine number = new TextLine("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
@@ -35,10 +35,16 @@ final class ModemPanel extends JPanel {
     private final Lamp call;
     private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
-    private final JLabel sound = ComponentNames.name(new JLabel(), "modem.sound", "");
+    private final JLabel sound = ComponentNames.name(
+            Theme.styled(new JLabel(), label -> {
+                label.setFont(Theme.small());
+                label.setForeground(Theme.color(Ink.QUIET));
+            }),
+            "modem.sound",
+            "");
     private final ToneScopePanel scope;
     private final OperatorActions operator;
-    /** Holds for whichever robot is shown. */
+    /** The same for all robots. */
     private ToneExperiment experiment = ToneExperiment.NONE;
 
     private String robot = "";
@@ -67,7 +73,6 @@ final class ModemPanel extends JPanel {
         JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
         Card card = new Card(texts.of("modem.title"), content);
         add(card, BorderLayout.CENTER);
-        dress();
     }
 
     void show(TelephoneSnapshot line) {
@@ -99,7 +104,7 @@ final class ModemPanel extends JPanel {
         }
         RejectCause cause = modem.rejectCause().orElseThrow();
         return switch (cause) {
-            // The centre says "illegal MS" to a second terminal that claims a number in use.
+            // the centre rejects a second terminal with a number in use by "illegal MS"
             case ILLEGAL_MS -> texts.of("modem.refused.taken");
             case IMSI_UNKNOWN_IN_HLR -> texts.of("modem.refused.unknown");
             case ILLEGAL_ME -> texts.of("modem.refused.equipment");
@@ -110,7 +115,7 @@ final class ModemPanel extends JPanel {
         };
     }
 
-    /** With little room the floor goes before the scope's faders. */
+    /** @param compact without the tone scope's sliders, and lower */
     void setCompact(boolean compact) {
         scope.setCompact(compact);
     }
@@ -129,19 +134,6 @@ final class ModemPanel extends JPanel {
             sound.setText(audible ? "" : words);
             sound.setToolTipText(words);
             sound.getAccessibleContext().setAccessibleName(words);
-        }
-    }
-
-    private void dress() {
-        sound.setFont(Theme.small());
-        sound.setForeground(Theme.color(Ink.QUIET));
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (sound != null) {
-            dress();
         }
     }
 

@@ -19,16 +19,16 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.drawing.NumberTexts;
 import simrobot.drawing.RobotPreview;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.EventThread;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.TextLine;
+import simrobot.ui.ToolButtons;
 import simrobot.ui.floor.WorldView;
 import vericommand.Pose;
 
 /**
- * Asks for a new robot: its name, its modem's number, and where it is to stand. The place may be typed, or shown on the
- * floor; without one it goes to the first home that is free.
+ * The form for a new robot: its name, its modem's number and its place. The place is typed or pressed on the floor; without
+ * one the robot is put on the first free home.
  */
 final class NewRobotForm extends JPanel {
     private final TextBundle texts;
@@ -40,7 +40,7 @@ final class NewRobotForm extends JPanel {
     private final JTextField y = new JTextField(2);
     private final JTextField heading = new JTextField(2);
     private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).shrinking();
-    private String awaited = "";
+    private String addedName = "";
 
     NewRobotForm(TextBundle texts, OperatorActions operator, WorldView view) {
         super(new BorderLayout());
@@ -55,9 +55,8 @@ final class NewRobotForm extends JPanel {
         JPanel buttons = Arrange.row(
                 Theme.HALF,
                 Arrange.spring(),
-                ComponentNames.name(new JButton(cancel), cancel.id(), texts.of("newcomer.cancel")),
-                ComponentNames.name(new JButton(add), add.id(), texts.of("newcomer.add")));
-        CompactButtons.buttonsIn(buttons);
+                ToolButtons.named(new JButton(), cancel),
+                ToolButtons.named(new JButton(), add));
         JPanel rows = Arrange.column(
                 6,
                 labelled("newcomer.name", name),
@@ -74,7 +73,6 @@ final class NewRobotForm extends JPanel {
         setVisible(false);
     }
 
-    /** It takes what room there is; the column does not grow for it. */
     private TextLine hint() {
         TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET).shrinking();
         hint.show(texts.of("newcomer.hint"));
@@ -117,8 +115,8 @@ final class NewRobotForm extends JPanel {
     private void add() {
         try {
             Optional<Pose> place = NewRobot.place(x.getText(), y.getText(), heading.getText());
-            awaited = name.getText().strip();
-            operator.addRobot(awaited, number.getText().strip(), place, EventThread.onEventThread(this::answered));
+            addedName = name.getText().strip();
+            operator.addRobot(addedName, number.getText().strip(), place, EventThread.onEventThread(this::answered));
         } catch (IllegalArgumentException notANumber) {
             problem.show(texts.of("newcomer.numbers", notANumber.getMessage()));
         }
@@ -127,7 +125,7 @@ final class NewRobotForm extends JPanel {
     private void answered(Optional<String> refusal) {
         problem.show(refusal.orElse(""));
         if (refusal.isEmpty()) {
-            view.requestSelection(awaited);
+            view.requestSelection(addedName);
             close();
         }
     }
@@ -136,13 +134,5 @@ final class NewRobotForm extends JPanel {
         setVisible(false);
         view.choosePlace(null);
         view.requestFocusInWindow();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (getParent() != null) {
-            CompactButtons.buttonsIn(this);
-        }
     }
 }

@@ -2,49 +2,42 @@ package simrobot.ui.panel;
 
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import javax.swing.JFileChooser;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
-import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.ui.FileDialogs;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.ToolButtons;
 
-/** Records the session in a file that is asked for, until it is pressed again. */
+/** The button that records the session in a file until it is pressed again. */
 final class RecordButton {
     private static final String ENDING = "rec";
 
     private final TextBundle texts;
     private final OperatorActions operator;
-    private final JToggleButton button;
+    private final JToggleButton button = new JToggleButton();
     private Optional<Path> recording = Optional.empty();
     private boolean known;
 
     RecordButton(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
-        UserAction act = new UserAction("tool.record", texts.of("tool.record"), this::press).with(Symbol.RECORD.icon());
-        button = new JToggleButton(act);
-        button.setText(null);
-        button.setHideActionText(true);
-        act.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_K, InputEvent.CTRL_DOWN_MASK));
-        ComponentNames.name(button, "tool.record", texts.of("tool.record"));
+        UserAction action = new UserAction("tool.record", texts.of("tool.record"), this::press)
+                .with(Symbol.RECORD.icon())
+                .onKey(button, KeyEvent.VK_K, InputEvent.CTRL_DOWN_MASK);
+        ToolButtons.icon(button, action);
     }
 
     JToggleButton component() {
         return button;
     }
 
-    /** A switch shows what is, not what was clicked. */
+    /** The button shows whether the session is recorded, not the last click. */
     void show(Optional<Path> file) {
         button.setSelected(file.isPresent());
         if (!known || !file.equals(recording)) {
@@ -64,15 +57,7 @@ final class RecordButton {
             operator.record(Optional.empty());
             return;
         }
-        JFileChooser chooser = new JFileChooser();
-        chooser.setSelectedFile(new File("session." + ENDING));
-        chooser.setFileFilter(new FileNameExtensionFilter(texts.of("tool.record.files"), ENDING));
-        while (chooser.showSaveDialog(button) == JFileChooser.APPROVE_OPTION) {
-            Path file = ExportChoice.withEnding(chooser.getSelectedFile().toPath(), ENDING);
-            if (!Files.exists(file) || FileDialogs.mayReplace(texts, button, file)) {
-                operator.record(Optional.of(file));
-                return;
-            }
-        }
+        FileDialogs.save(texts, button, Path.of("session." + ENDING), texts.of("tool.record.files"), ENDING)
+                .ifPresent(file -> operator.record(Optional.of(file)));
     }
 }

@@ -6,7 +6,6 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -23,13 +22,13 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.OpenPort;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.StatusLamps;
 import simrobot.ui.TextLine;
+import simrobot.ui.ToolButtons;
 
-/** Which robots there are, the selected one's status and ports, and the buttons that add and remove robots. */
+/** The list of the robots, the selected one's status, process and ports, and the buttons that add and remove robots. */
 final class RobotsCard extends JPanel {
     private final TextBundle texts;
     private final RobotList robots;
@@ -41,27 +40,27 @@ final class RobotsCard extends JPanel {
     private final JPanel process;
     private final JComboBox<String> behaviour = new JComboBox<>();
     private String selected = "";
-    private BehaviourKind present = BehaviourKind.NONE;
+    private BehaviourKind current = BehaviourKind.NONE;
     private boolean showing;
 
-    /** @param newcomer opens and closes the form for a new robot */
-    RobotsCard(TextBundle texts, Consumer<String> selection, OperatorActions operator, Runnable newcomer) {
+    /** @param newRobot opens and closes the form for a new robot */
+    RobotsCard(TextBundle texts, Consumer<String> selection, OperatorActions operator, Runnable newRobot) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
-        add = new UserAction("robot.add", texts.of("robot.add"), newcomer).with(Symbol.PLUS.icon(12));
-        add.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK));
+        add = new UserAction("robot.add", texts.of("robot.add"), newRobot).with(Symbol.PLUS.icon(12));
+        add.onKey(this, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
         remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
                 .with(Symbol.MINUS.icon(12));
+        remove.described(texts.of("robot.remove.hint"));
         remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
         buttons = Arrange.row(
                 Theme.HALF,
-                button(add, texts.of("robot.add.hint")),
-                button(remove, texts.of("robot.remove.hint")),
+                ToolButtons.named(new JButton(), add),
+                ToolButtons.named(new JButton(), remove),
                 Arrange.spring());
-        CompactButtons.buttonsIn(buttons);
         for (BehaviourKind kind : BehaviourKind.values()) {
             behaviour.addItem(word(texts, kind));
         }
@@ -77,24 +76,13 @@ final class RobotsCard extends JPanel {
                 texts.of("robots.title"), Arrange.column(10, robots.component(), buttons, statuses, process, ports)));
     }
 
-    private static AbstractButton button(UserAction act, String hint) {
-        JButton button = new JButton(act.described(hint));
-        return ComponentNames.name(button, act.id(), hint);
-    }
-
-    /** Ctrl and an arrow select the next or the last robot from everywhere in the window. */
+    /** Ctrl and an arrow select the next or the previous robot from everywhere in the window. */
     private void step(int key, int by) {
         new UserAction("robots.step." + by, "", () -> robots.step(by))
                 .bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        CompactButtons.buttonsIn(this);
-    }
-
-    /** Nothing can be done to the robots of a recording. */
+    /** The robots of a recording cannot be changed. */
     void setLive(boolean live) {
         buttons.setVisible(live);
         add.setEnabled(live);
@@ -109,20 +97,20 @@ final class RobotsCard extends JPanel {
         };
     }
 
-    /** A choice shows what is: it asks, and what the robot then does comes back. */
+    /** The box shows the robot's process, not the last choice: a choice is a request. */
     private void chosen(OperatorActions operator) {
         BehaviourKind kind = BehaviourKind.values()[behaviour.getSelectedIndex()];
-        if (!showing && kind != present) {
+        if (!showing && kind != current) {
             operator.setBehaviour(selected, kind);
         }
     }
 
     private void show(Optional<RobotSnapshot> robot) {
-        present = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
+        current = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
         behaviour.setEnabled(robot.isPresent());
-        if (behaviour.getSelectedIndex() != present.ordinal() && !behaviour.isPopupVisible()) {
+        if (behaviour.getSelectedIndex() != current.ordinal() && !behaviour.isPopupVisible()) {
             showing = true;
-            behaviour.setSelectedIndex(present.ordinal());
+            behaviour.setSelectedIndex(current.ordinal());
             showing = false;
         }
     }

@@ -2,8 +2,6 @@ package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -13,7 +11,6 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OperatorActions;
@@ -26,14 +23,14 @@ import simrobot.ui.floor.WorldView;
 import simrobot.ui.replay.TimelinePanel;
 import simrobot.world.World;
 
-/** SimRobot's whole window without its frame: tools, floor and inspector, and below them modem and VeriCommand. */
+/** SimRobot's window without its frame: tools above; floor and inspector; modem and VeriCommand below the floor. */
 public final class SimRobotPanel extends JPanel {
     private static final String RUNNING = "running";
     private static final String EDITING = "editing";
     private static final String NEW_WORLD = "new.map";
 
-    /** In units; in a lower window the floor needs the room more than the scope's faders do. */
-    private static final int LEAST_ROOMY_HEIGHT = 640;
+    /** In units; in a lower window the tone scope is compact, which leaves more height to the floor. */
+    private static final int COMPACT_BELOW = 640;
 
     private final TextBundle texts;
     private final OperatorActions operator;
@@ -44,18 +41,17 @@ public final class SimRobotPanel extends JPanel {
     private final VeriCommandPanel orders;
     private final TextLine notice = new TextLine("notice", Theme::strong, Ink.DANGER);
     private final JPanel noticeRow;
-    private final CardLayout sheet = new CardLayout();
-    private final JPanel sheets = new JPanel(sheet);
+    private final CardLayout pages = new CardLayout();
+    private final JPanel page = new JPanel(pages);
     private final EditorPanel editor;
     private boolean pausedBefore;
     private WindowSnapshot shown;
-    private final BusyRobotNotice elsewhere;
+    private final BusyRobotNotice busyNotice;
     private final TimelinePanel timeline;
     private final JPanel bottom;
     private String selected;
-    private String wished;
+    private String requested;
 
-    /** A window that shows the given snapshot until it gets a newer one. */
     public SimRobotPanel(Locale language, WindowSnapshot first, OperatorActions operator) {
         super(new BorderLayout());
         this.operator = operator;
@@ -69,19 +65,22 @@ public final class SimRobotPanel extends JPanel {
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);
-        elsewhere = new BusyRobotNotice(texts, this::select);
-        JPanel floor = new Framed(world);
+        busyNotice = new BusyRobotNotice(texts, this::select);
+        JPanel floor = new JPanel(new BorderLayout());
+        floor.add(world);
+        floor.setBorder(Theme.padding(1));
+        Theme.styled(floor, frame -> frame.setBackground(Theme.color(Ink.LINE)));
         bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), orders);
         timeline = new TimelinePanel(texts, operator);
-        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), elsewhere, bottom, timeline);
+        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), busyNotice, bottom, timeline);
         JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);
         JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle));
-        sheets.setOpaque(false);
-        sheets.setBorder(Theme.padding(Theme.GRID));
-        sheets.add(all, RUNNING);
-        sheets.add(editor, EDITING);
-        add(sheets, BorderLayout.CENTER);
-        setBackground(Theme.color(Ink.SURFACE));
+        page.setOpaque(false);
+        page.setBorder(Theme.padding(Theme.GRID));
+        page.add(all, RUNNING);
+        page.add(editor, EDITING);
+        add(page, BorderLayout.CENTER);
+        Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         setName("simrobot");
         show(first);
     }
@@ -89,12 +88,12 @@ public final class SimRobotPanel extends JPanel {
     /** Shows the newest snapshot. */
     public void show(WindowSnapshot newest) {
         shown = newest;
-        if (robot(wished).isPresent()) {
-            selected = wished;
-            wished = null;
+        if (robot(requested).isPresent()) {
+            selected = requested;
+            requested = null;
             operator.watch(selected);
         }
-        elsewhere.show(newest.lines(), selected, !world.placing().isDragging());
+        busyNotice.show(newest.lines(), selected, !world.placing().isDragging());
         if (robot(selected).isEmpty()) {
             selected = newest.simulation().robots().stream()
                     .findFirst()
@@ -119,20 +118,20 @@ public final class SimRobotPanel extends JPanel {
         });
         line.ifPresent(modem::show);
         line.ifPresent(orders::show);
-        String told = newest.notice().isEmpty() && newest.worldChanged()
+        String text = newest.notice().isEmpty() && newest.worldChanged()
                 ? texts.of("world.changed", newest.worldFile().getFileName())
                 : newest.notice();
-        notice.show(told);
-        if (noticeRow.isVisible() == told.isEmpty()) {
-            noticeRow.setVisible(!told.isEmpty());
+        notice.show(text);
+        if (noticeRow.isVisible() == text.isEmpty()) {
+            noticeRow.setVisible(!text.isEmpty());
             revalidate();
         }
     }
 
-    /** Makes this robot the one that the whole window is about. */
+    /** Selects a robot in the whole window; one that is not there yet is selected when it is added. */
     void select(String robot) {
         if (robot(robot).isEmpty()) {
-            wished = robot;
+            requested = robot;
         } else if (!robot.equals(selected)) {
             selected = robot;
             operator.watch(robot);
@@ -142,34 +141,34 @@ public final class SimRobotPanel extends JPanel {
 
     // ---- editing ---------------------------------------------------------------------------------------------------
 
-    /** While a world is edited, time stands still. @param fresh a new world, else the present one */
-    private void edit(boolean fresh) {
+    /** Pauses the simulation and shows the editor. @param isNew a new world, else the current one */
+    private void edit(boolean isNew) {
         pausedBefore = shown.paused();
         operator.setPaused(true);
-        World present = shown.simulation().world();
+        World current = shown.simulation().world();
         Path file = shown.worldFile();
         editor.edit(
-                fresh ? World.bare().named(NEW_WORLD) : present,
-                fresh ? file.resolveSibling(NEW_WORLD) : file,
-                !fresh,
+                isNew ? World.bare().named(NEW_WORLD) : current,
+                isNew ? file.resolveSibling(NEW_WORLD) : file,
+                !isNew,
                 shown.simulation().robots());
-        sheet.show(sheets, EDITING);
+        pages.show(page, EDITING);
     }
 
     private void stopEditing() {
-        sheet.show(sheets, RUNNING);
+        pages.show(page, RUNNING);
         operator.setPaused(pausedBefore);
         focusFloor();
     }
 
     // ----------------------------------------------------------------------------------------------------------------
 
-    /** For tests: its menu is not in the tree of components. */
+    /** For tests: a menu is not in the tree of components. */
     public WorldChoice worldChoice() {
         return tools.worldChoice();
     }
 
-    /** The floor, which should have the keyboard first. */
+    /** Gives the floor the keyboard focus. */
     public void focusFloor() {
         world.requestFocusInWindow();
     }
@@ -196,34 +195,7 @@ public final class SimRobotPanel extends JPanel {
 
     @Override
     public void doLayout() {
-        modem.setCompact(getHeight() < Theme.px(LEAST_ROOMY_HEIGHT));
+        modem.setCompact(getHeight() < Theme.px(COMPACT_BELOW));
         super.doLayout();
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        setBackground(Theme.color(Ink.SURFACE));
-    }
-
-    /** A thin line about the floor. */
-    private static final class Framed extends JPanel {
-        Framed(WorldView view) {
-            super(new BorderLayout());
-            setOpaque(false);
-            setBorder(Theme.padding(1));
-            add(view, BorderLayout.CENTER);
-        }
-
-        @Override
-        protected void paintComponent(Graphics graphics) {
-            Graphics2D g = Drawing.on(graphics);
-            try {
-                g.setColor(Theme.color(Ink.LINE));
-                g.fillRect(0, 0, getWidth(), getHeight());
-            } finally {
-                g.dispose();
-            }
-        }
     }
 }

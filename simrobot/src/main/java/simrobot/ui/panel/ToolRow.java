@@ -1,6 +1,7 @@
 package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -14,10 +15,8 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
-import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
 import simgsm.ui.Symbol;
@@ -26,9 +25,9 @@ import simgsm.ui.UserAction;
 import simgsm.ui.window.WindowKeys;
 import simrobot.drawing.Layers;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.ui.CompactButtons;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
+import simrobot.ui.ToolButtons;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
@@ -48,10 +47,10 @@ final class ToolRow extends JPanel {
     private final SpeedChoice speed;
     private final JToggleButton ruler;
     private final RecordButton record;
-    /** What changes robots or world; not there while a recording is looked at. */
-    private final List<JComponent> acts;
-
     private final ExportChoice exports;
+    /** What changes robots or world; hidden while a recording is played. */
+    private final List<JComponent> liveTools;
+
     private String robot = "";
     private boolean paused;
 
@@ -64,31 +63,35 @@ final class ToolRow extends JPanel {
         setOpaque(false);
         worlds = new WorldChoice(texts, operator, editing);
         link = Lamp.ofLink(language);
-        power = toggle("power", Symbol.POWER.icon(), KeyEvent.VK_P, () -> operator.setPower(robot, switchOf("power")));
-        motors = toggle(
-                "motors", Symbol.MOTOR.icon(), KeyEvent.VK_M, () -> operator.setMotors(robot, switchOf("motors")));
+        power = worded(new JToggleButton(), "power", Symbol.POWER.icon(), KeyEvent.VK_P, this::switchPower);
+        motors = worded(new JToggleButton(), "motors", Symbol.MOTOR.icon(), KeyEvent.VK_M, this::switchMotors);
         pause = button("pause", Symbol.PAUSE.icon(), KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
         step = button("step", Symbol.STEP.icon(), KeyEvent.VK_PERIOD, operator::stepOnce);
         follow = toggle("follow", Symbol.FOLLOW.icon(), KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
         speed = new SpeedChoice(texts, operator);
         ruler = toggle("ruler", Symbol.RULER.icon(), KeyEvent.VK_R, view::toggleRuler);
         exports = new ExportChoice(texts, operator);
-        JButton brake = button("brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
-        worded(brake, "brake");
-        worded(power, "power");
-        worded(motors, "motors");
+        JButton brake = worded(new JButton(), "brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
         record = new RecordButton(texts, operator);
         JPanel running = Arrange.row(
-                Theme.HALF, worlds.component(), gap(), link, gap(), power, motors, brake, gap(), pause, step);
-        running.add(speed.component());
-        running.add(record.component());
-        acts = List.of(worlds.component(), power, motors, brake, record.component());
-        add(new SplitRow(running, looking()), BorderLayout.CENTER);
-        CompactButtons.buttonsIn(this);
+                Theme.HALF,
+                worlds.component(),
+                gap(),
+                link,
+                gap(),
+                power,
+                motors,
+                brake,
+                gap(),
+                pause,
+                step,
+                speed.component(),
+                record.component());
+        liveTools = List.of(worlds.component(), power, motors, brake, record.component());
+        add(new SplitRow(running, floorTools()), BorderLayout.CENTER);
     }
 
-    /** What the floor shows. */
-    private JPanel looking() {
+    private JPanel floorTools() {
         return Arrange.row(
                 Theme.HALF,
                 button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
@@ -103,17 +106,11 @@ final class ToolRow extends JPanel {
                 button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        CompactButtons.buttonsIn(this);
-    }
-
     void show(WindowSnapshot newest, Optional<RobotSnapshot> selected, Optional<LinkState> linkState) {
         worlds.show(newest.worldFile());
         boolean live = newest.timeline().isEmpty();
-        for (JComponent act : acts) {
-            act.setVisible(live);
+        for (JComponent tool : liveTools) {
+            tool.setVisible(live);
         }
         record.show(newest.recording());
         link.setVisible(linkState.isPresent());
@@ -151,11 +148,14 @@ final class ToolRow extends JPanel {
         view.fit();
     }
 
-    /** A switch shows what is, not what was clicked; so a click asks for the opposite of what the robot last told. */
-    private boolean switchOf(String which) {
-        return view.selectedRobot()
-                .map(shown -> which.equals("power") ? !shown.powered() : !shown.motors())
-                .orElse(true);
+    // Switches show the robot's state, not the last click; so a click requests the opposite of that state.
+
+    private void switchPower() {
+        view.selectedRobot().ifPresent(shown -> operator.setPower(robot, !shown.powered()));
+    }
+
+    private void switchMotors() {
+        view.selectedRobot().ifPresent(shown -> operator.setMotors(robot, !shown.motors()));
     }
 
     // ---- buttons ---------------------------------------------------------------------------------------------------
@@ -163,13 +163,8 @@ final class ToolRow extends JPanel {
     private static JComponent gap() {
         JPanel gap = new JPanel(null);
         gap.setOpaque(false);
-        gap.setPreferredSize(new java.awt.Dimension(Theme.GRID, 1));
+        gap.setPreferredSize(new Dimension(Theme.GRID, 1));
         return gap;
-    }
-
-    private void worded(AbstractButton button, String key) {
-        button.setText(texts.of("tool." + key + ".word"));
-        button.setIconTextGap(Theme.HALF);
     }
 
     private JToggleButton layer(String id, Icon icon, int key, UnaryOperator<Layers> change) {
@@ -178,29 +173,21 @@ final class ToolRow extends JPanel {
         return button;
     }
 
-    private JToggleButton toggle(String id, Icon icon, int key, Runnable deed) {
-        return dressed(new JToggleButton(act(id, icon, key, deed)), id);
+    private JToggleButton toggle(String id, Icon icon, int key, Runnable task) {
+        return ToolButtons.icon(new JToggleButton(), action(id, icon, key, task));
     }
 
-    private JButton button(String id, Icon icon, int key, Runnable deed) {
-        return dressed(new JButton(act(id, icon, key, deed)), id);
+    private JButton button(String id, Icon icon, int key, Runnable task) {
+        return ToolButtons.icon(new JButton(), action(id, icon, key, task));
     }
 
-    private <B extends AbstractButton> B dressed(B button, String id) {
-        button.setText(null);
-        button.setHideActionText(true);
-        return ComponentNames.name(button, "tool." + id, texts.of("tool." + id));
+    private <B extends AbstractButton> B worded(B button, String id, Icon icon, int key, Runnable task) {
+        return ToolButtons.button(button, action(id, icon, key, task), texts.of("tool." + id + ".word"));
     }
 
-    /** With Ctrl and its letter an act is reached from everywhere in the window. */
-    private UserAction act(String id, Icon icon, int key, Runnable deed) {
-        String name = texts.of("tool." + id);
-        UserAction act = new UserAction("tool." + id, name, deed).with(icon);
-        if (key == 0) {
-            return act.described(name);
-        }
-        KeyStroke stroke = KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK);
-        act.bindInWindow(this, stroke);
-        return act.described(name + "  (Ctrl+" + KeyEvent.getKeyText(key) + ")");
+    /** @param key with Ctrl, 0 for none */
+    private UserAction action(String id, Icon icon, int key, Runnable task) {
+        UserAction action = new UserAction("tool." + id, texts.of("tool." + id), task).with(icon);
+        return key == 0 ? action.described(action.name()) : action.onKey(this, key, InputEvent.CTRL_DOWN_MASK);
     }
 }

@@ -3,6 +3,7 @@ package simrobot.ui.panel;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,32 +16,33 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
-import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.UserAction;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.ToolButtons;
 
-/** The present world's name; pressing it offers its neighbours in the folder, or any other file. */
+/** The button with the world's name; its menu lists the worlds in its folder. */
 public final class WorldChoice {
     private final TextBundle texts;
     private final OperatorActions operator;
     private final Consumer<Boolean> editing;
-    private final JButton button;
+    private final JButton button = new JButton();
+    private final UserAction edit;
     private Path file = Path.of("");
 
-    /** @param editing told true for a new world, false for the present one */
+    /** @param editing receives true to edit a new world, false to edit the current one */
     WorldChoice(TextBundle texts, OperatorActions operator, Consumer<Boolean> editing) {
         this.texts = texts;
         this.editing = editing;
         this.operator = operator;
-        UserAction open = new UserAction("tool.world", texts.of("tool.world"), this::offer).with(Symbol.DOWN.icon(12));
-        button = new JButton(open);
+        UserAction open = new UserAction("tool.world", texts.of("tool.world"), this::showMenu)
+                .with(Symbol.DOWN.icon(12))
+                .onKey(button, KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK);
+        ToolButtons.named(button, open.described(texts.of("tool.world")));
         button.setHorizontalTextPosition(JButton.LEADING);
-        button.setToolTipText(texts.of("tool.world"));
-        open.bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK));
-        new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
-                .bindInWindow(button, KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK));
-        ComponentNames.name(button, "tool.world", texts.of("tool.world"));
+        edit = new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK))
+                .onKey(button, KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK);
     }
 
     JButton component() {
@@ -55,7 +57,7 @@ public final class WorldChoice {
         }
     }
 
-    private void offer() {
+    private void showMenu() {
         menu().show(button, 0, button.getHeight());
     }
 
@@ -66,8 +68,7 @@ public final class WorldChoice {
             menu.add(new UserAction("world." + name, name, () -> operator.load(neighbour)));
         }
         menu.addSeparator();
-        menu.add(new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
-                .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK)));
+        menu.add(edit);
         menu.add(new UserAction("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
         menu.addSeparator();
         menu.add(new UserAction("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
@@ -75,7 +76,7 @@ public final class WorldChoice {
         return menu;
     }
 
-    /** The worlds beside this one; a folder that cannot be read has none. */
+    /** The worlds in the folder of this one; none when it cannot be read. */
     private List<Path> neighbours() {
         Path folder = file.toAbsolutePath().getParent();
         if (folder == null) {
@@ -83,7 +84,7 @@ public final class WorldChoice {
         }
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(WorldChoice::isWorld).sorted().limit(30).toList();
-        } catch (IOException | java.io.UncheckedIOException unreadable) {
+        } catch (IOException | UncheckedIOException unreadable) {
             return List.of();
         }
     }

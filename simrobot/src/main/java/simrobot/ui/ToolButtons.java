@@ -1,0 +1,42 @@
+package simrobot.ui;
+
+import java.awt.Insets;
+import javax.swing.AbstractButton;
+import javax.swing.UIDefaults;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/** Buttons of tool rows: the margins are smaller than Nimbus's. */
+public final class ToolButtons {
+    private ToolButtons() {}
+
+    /** A button with the action's icon; it has the action's id as its component's name. */
+    public static <B extends AbstractButton> B icon(B button, UserAction action) {
+        return button(button, action, null);
+    }
+
+    /** A button with the action's icon, if it has one, and its name. */
+    public static <B extends AbstractButton> B named(B button, UserAction action) {
+        return button(button, action, action.name());
+    }
+
+    /** @param word shown in place of the action's name; null for none */
+    public static <B extends AbstractButton> B button(B button, UserAction action, String word) {
+        button.setAction(action);
+        button.setHideActionText(true);
+        button.setText(word);
+        button.setIconTextGap(Theme.HALF);
+        Theme.styled(button, it -> setMargins(it, word == null ? 7 : 10));
+        return ComponentNames.name(button, action.id(), action.name());
+    }
+
+    private static void setMargins(AbstractButton button, int side) {
+        Insets insets = new Insets(Theme.px(6), Theme.px(side), Theme.px(6), Theme.px(side));
+        UIDefaults overrides = new UIDefaults();
+        overrides.put("Button.contentMargins", insets);
+        overrides.put("ToggleButton.contentMargins", insets);
+        button.putClientProperty("Nimbus.Overrides.InheritDefaults", true);
+        button.putClientProperty("Nimbus.Overrides", overrides);
+    }
+}
