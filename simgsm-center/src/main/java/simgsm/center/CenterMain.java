@@ -89,7 +89,7 @@ public final class CenterMain {
         CenterSettings settings = CenterSettings.read(arguments);
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
-            return isHeadless || !Display.isThere()
+            return isHeadless || !Display.isAvailable()
                     ? HeadlessDemo.run(arguments, settings)
                     : WindowedDemo.run(arguments, settings);
         }

@@ -6,8 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import simgsm.dtmf.ToneExperiment;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.control.FileExports;
 import simrobot.control.LoggedEvent;
 import simrobot.replay.RecordedEvent;
@@ -135,17 +133,7 @@ public final class ReplayModel implements OperatorActions {
         thread.start();
     }
 
-    // ---- what cannot be done ---------------------------------------------------------------------------------------
-
-    @Override
-    public void setPower(String robot, boolean on) {
-        // it is past
-    }
-
-    @Override
-    public void setMotors(String robot, boolean on) {
-        // it is past
-    }
+    // ---- what a recording refuses -----------------------------------------------------------------------------------
 
     @Override
     public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
@@ -158,21 +146,6 @@ public final class ReplayModel implements OperatorActions {
     }
 
     @Override
-    public void removeRobot(String robot) {
-        // it is past
-    }
-
-    @Override
-    public void brake(String robot) {
-        // it is past
-    }
-
-    @Override
-    public void setBehaviour(String robot, BehaviourKind kind) {
-        // it is past
-    }
-
-    @Override
     public void apply(World world, Path file, Consumer<Optional<String>> answer) {
         answer.accept(Optional.of(refusals.onlyLookedAt()));
     }
@@ -180,20 +153,5 @@ public final class ReplayModel implements OperatorActions {
     @Override
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
         answer.accept(Optional.of(refusals.onlyLookedAt()));
-    }
-
-    @Override
-    public void record(Optional<Path> file) {
-        // it is past
-    }
-
-    @Override
-    public void tryOut(String robot, ToneExperiment experiment) {
-        // nobody calls
-    }
-
-    @Override
-    public void load(Path worldFile) {
-        // it is past
     }
 }

@@ -349,11 +349,6 @@ public final class WindowModel implements OperatorActions {
     }
 
     @Override
-    public void seek(long nanos) {
-        // time that runs cannot be turned back
-    }
-
-    @Override
     public void record(Optional<Path> file) {
         sessions.record(file);
     }

@@ -9,42 +9,37 @@ import simrobot.robot.Placement;
 import simrobot.world.World;
 import vericommand.Pose;
 
-/** What the person at the window may do; each act goes to the thread that owns what it touches. */
+/**
+ * What the window's user can do; each action is passed to the thread that owns what it changes. Answers come from any thread:
+ * empty on success, else the reason in the window's language. Actions with an empty body are those that either a running
+ * simulation or a recording does not have.
+ */
 public interface OperatorActions {
-    void setPower(String robot, boolean on);
+    default void setPower(String robot, boolean on) {}
 
-    void setMotors(String robot, boolean on);
+    default void setMotors(String robot, boolean on) {}
 
-    /**
-     * Puts a standing robot somewhere, if it fits there.
-     *
-     * @param answer told what became of it, by any thread
-     */
+    /** Moves a robot that stands still, if there is room. */
     void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer);
 
-    /**
-     * Makes a robot with a modem of its own.
-     *
-     * @param place none: on the first home that is free
-     * @param answer told by any thread: nothing when it is there, else why not
-     */
+    /** Adds a robot with a modem of its own. @param place empty for the first free home */
     void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer);
 
-    void removeRobot(String robot);
+    default void removeRobot(String robot) {}
 
-    /** Brings the robot to rest with its own deceleration. */
-    void brake(String robot);
+    /** Stops the robot with its own deceleration. */
+    default void brake(String robot) {}
 
-    /** Has the robot go its own ways, or stop doing so. */
-    void setBehaviour(String robot, BehaviourKind kind);
+    /** Begins a process, or ends it with NONE. */
+    default void setBehaviour(String robot, BehaviourKind kind) {}
 
-    /** Wants this robot's sonars in the pictures, however many robots there are. */
+    /** Selects the robot whose sonars are in the snapshots and whose calls are heard. */
     void watch(String robot);
 
-    /** What this robot's scope is to hear; its modem hears the call as it is. */
-    void tryOut(String robot, ToneExperiment experiment);
+    /** Changes what the robot's tone scope hears; its modem hears the call unchanged. */
+    default void tryOut(String robot, ToneExperiment experiment) {}
 
-    /** Simulated seconds per second; infinite is as fast as it can. */
+    /** Simulated seconds per second; infinity for as fast as the machine can. */
     void setSpeed(double simulatedSecondsPerSecond);
 
     void setPaused(boolean paused);
@@ -53,36 +48,27 @@ public interface OperatorActions {
     void stepOnce();
 
     /**
-     * Puts an edited world under the robots; who stands in its walls goes to a home.
+     * Replaces the world; robots that would stand in a wall are moved to homes.
      *
-     * @param file where the world is, or is to be, saved
-     * @param answer told by any thread: nothing when it is done, else why not
+     * @param file of the world, or the proposal for one that is not saved
      */
     void apply(World world, Path file, Consumer<Optional<String>> answer);
 
-    /**
-     * Writes a world to a file, as a .map.
-     *
-     * @param answer told by any thread: nothing when it is on the disk, else why not
-     */
+    /** Writes a world to a .map file. */
     void save(World world, Path file, Consumer<Optional<String>> answer);
 
-    /**
-     * Writes a picture of the world (.png, .svg) or the robot's track (.csv), by the file's ending.
-     *
-     * @param answer told by any thread: nothing when it is on the disk, else why not
-     */
+    /** Writes a picture of the world (.png, .svg) or the robot's track (.csv), by the file's ending. */
     void export(String robot, Path file, Consumer<Optional<String>> answer);
 
-    /** Jumps to a simulated time of a recording that is played. */
-    void seek(long nanos);
+    /** Jumps to a simulated time of a recording. */
+    default void seek(long nanos) {}
 
-    /** Begins to record the session in a file, or with none ends what was begun; a problem is told. */
-    void record(Optional<Path> file);
+    /** Begins to record the session in a file, or ends it when empty; errors are shown as a notice. */
+    default void record(Optional<Path> file) {}
 
-    /** Something for the person at the window to read in {@link WindowSnapshot#notice}. */
+    /** Shows a message as {@link WindowSnapshot#notice}. */
     void tell(String message);
 
-    /** Loads another world; a problem is told through {@link WindowSnapshot#notice}. */
-    void load(Path worldFile);
+    /** Loads another world; errors are shown as a notice. */
+    default void load(Path worldFile) {}
 }

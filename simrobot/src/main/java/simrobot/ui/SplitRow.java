@@ -3,13 +3,13 @@ package simrobot.ui;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.LayoutManager;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import javax.swing.JPanel;
+import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
-/** Two groups at the two ends of a row; where they do not fit beside each other the second goes to a row of its own. */
+/** Two groups at the two ends of a row; when they do not fit, the second has a row of its own. */
 public final class SplitRow extends JPanel {
     private final Component left;
     private final Component right;
@@ -38,17 +38,7 @@ public final class SplitRow extends JPanel {
         return Theme.px(Theme.GRID);
     }
 
-    private final class Rows implements LayoutManager {
-        @Override
-        public void addLayoutComponent(String name, Component component) {
-            // both are known
-        }
-
-        @Override
-        public void removeLayoutComponent(Component component) {
-            // both stay
-        }
-
+    private final class Rows implements Arrange.FixedLayout {
         @Override
         public Dimension preferredLayoutSize(Container parent) {
             Dimension a = left.getPreferredSize();

@@ -12,12 +12,12 @@ import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
 /**
- * The system's sound device. Its own thread opens it and waits for it, for both may take long; until it is open, and if
- * there is none, what is played is dropped.
+ * The system's default sound device. A thread of its own opens it and writes to it, because both may block. Samples are
+ * dropped until it is open, and always when there is none.
  */
 public final class SoundCard implements AudioOutput {
     private static final System.Logger LOG = System.getLogger(SoundCard.class.getName());
-    /** Tried in turn: speech as it is, then what every card can do. */
+    /** Tried in turn: the rate of speech, then a rate that every device has. */
     private static final int[] RATES_HERTZ = {SpeechCodec.SAMPLES_PER_SECOND, 48_000};
 
     private static final int QUEUE_FRAMES = 10;
@@ -29,15 +29,12 @@ public final class SoundCard implements AudioOutput {
     private volatile boolean audible;
     private volatile boolean closed;
 
-    /**
-     * The system's default sound device. Returns at once; until the device is open, and if there is none, it plays nothing,
-     * as {@link AudioOutput#SILENT}.
-     */
+    /** Begins to open the device and returns at once. */
     public static AudioOutput open() {
         return new SoundCard();
     }
 
-    /** Like {@link #open}, but the device is opened by the first call of {@link #play}. */
+    /** The device is opened by the first call of {@link #play}. */
     public static AudioOutput openWhenPlayed() {
         return new OnDemandAudioOutput(SoundCard::open);
     }
@@ -74,7 +71,7 @@ public final class SoundCard implements AudioOutput {
     private void run() {
         for (int rate : RATES_HERTZ) {
             AudioFormat format = new AudioFormat(rate, 16, 1, true, false);
-            // Without a device getLine throws IllegalArgumentException, not LineUnavailableException.
+            // without a device getLine throws IllegalArgumentException, not LineUnavailableException
             try (SourceDataLine line = AudioSystem.getSourceDataLine(format)) {
                 line.open(format, rate / 1000 * LINE_MILLIS * 2);
                 line.start();

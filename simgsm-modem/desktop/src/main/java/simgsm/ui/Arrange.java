@@ -5,35 +5,37 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Insets;
 import java.awt.LayoutManager;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
 /**
- * Rows and columns whose gaps are in units of the theme and follow the zoom. A component wrapped by {@link #growing} takes
- * what room is left; the others get what they prefer, across the line all of it.
+ * Rows and columns whose gaps are in units of the theme and follow the zoom. Components marked by {@link #growing} share the
+ * length that is left; the others get their preferred length. All get the whole height of a row or width of a column.
  */
 public final class Arrange {
     private static final String GROWS = "simgsm.grows";
 
     private Arrange() {}
 
-    /** Side by side. @param gap in units */
+    /** A row. @param gap in units */
     public static JPanel row(int gap, Component... children) {
         return panel(new Line(true, gap), children);
     }
 
-    /** One below the other. @param gap in units */
+    /** A column. @param gap in units */
     public static JPanel column(int gap, Component... children) {
         return panel(new Line(false, gap), children);
     }
 
-    /** Marks a component as one that takes the room that is left. */
+    /** Marks a component as one that shares the length that is left. */
     public static <T extends JComponent> T growing(T component) {
         component.putClientProperty(GROWS, true);
         return component;
     }
 
-    /** Empty room that grows. */
+    /** Empty space that grows. */
     public static JComponent spring() {
         JPanel spring = new JPanel(null);
         spring.setOpaque(false);
@@ -54,17 +56,7 @@ public final class Arrange {
         return component instanceof JComponent c && c.getClientProperty(GROWS) != null;
     }
 
-    private record Line(boolean across, int gap) implements LayoutManager {
-        @Override
-        public void addLayoutComponent(String name, Component component) {
-            // Components are asked for when it matters.
-        }
-
-        @Override
-        public void removeLayoutComponent(Component component) {
-            // See above.
-        }
-
+    private record Line(boolean across, int gap) implements FixedLayout {
         @Override
         public Dimension preferredLayoutSize(Container parent) {
             return size(parent, false);
@@ -76,46 +68,43 @@ public final class Arrange {
         }
 
         private Dimension size(Container parent, boolean minimum) {
-            int along = 0;
-            int beside = 0;
-            int count = 0;
-            for (Component child : parent.getComponents()) {
-                if (child.isVisible()) {
-                    Dimension size = minimum && grows(child) ? child.getMinimumSize() : child.getPreferredSize();
-                    along += across ? size.width : size.height;
-                    beside = Math.max(beside, across ? size.height : size.width);
-                    count++;
-                }
+            int along = -Theme.px(gap);
+            int other = 0;
+            for (Component child : visible(parent)) {
+                Dimension size = minimum && grows(child) ? child.getMinimumSize() : child.getPreferredSize();
+                along += (across ? size.width : size.height) + Theme.px(gap);
+                other = Math.max(other, across ? size.height : size.width);
             }
-            along += Math.max(0, count - 1) * Theme.px(gap);
             Insets in = parent.getInsets();
-            int width = (across ? along : beside) + in.left + in.right;
-            int height = (across ? beside : along) + in.top + in.bottom;
+            int width = (across ? Math.max(0, along) : other) + in.left + in.right;
+            int height = (across ? other : Math.max(0, along)) + in.top + in.bottom;
             return new Dimension(width, height);
         }
 
         @Override
         public void layoutContainer(Container parent) {
+            List<Component> children = visible(parent);
             Insets in = parent.getInsets();
-            int length = across ? parent.getWidth() - in.left - in.right : parent.getHeight() - in.top - in.bottom;
-            int breadth = across ? parent.getHeight() - in.top - in.bottom : parent.getWidth() - in.left - in.right;
-            int spare = length - fixedLength(parent);
-            int growers = growers(parent);
+            int width = parent.getWidth() - in.left - in.right;
+            int height = parent.getHeight() - in.top - in.bottom;
+            int spare = (across ? width : height) + Theme.px(gap);
+            int growing = 0;
+            for (Component child : children) {
+                spare -= Theme.px(gap) + (grows(child) ? 0 : length(child));
+                growing += grows(child) ? 1 : 0;
+            }
             int at = across ? in.left : in.top;
-            for (Component child : parent.getComponents()) {
-                if (!child.isVisible()) {
-                    continue;
-                }
+            for (Component child : children) {
                 int part = length(child);
                 if (grows(child)) {
-                    part = Math.max(0, spare / growers);
+                    part = Math.max(0, spare / growing);
                     spare -= part;
-                    growers--;
+                    growing--;
                 }
                 if (across) {
-                    child.setBounds(at, in.top, part, breadth);
+                    child.setBounds(at, in.top, part, height);
                 } else {
-                    child.setBounds(in.left, at, breadth, part);
+                    child.setBounds(in.left, at, width, part);
                 }
                 at += part + Theme.px(gap);
             }
@@ -126,24 +115,19 @@ public final class Arrange {
             return across ? size.width : size.height;
         }
 
-        private int fixedLength(Container parent) {
-            int length = 0;
-            int count = 0;
-            for (Component child : parent.getComponents()) {
-                if (child.isVisible()) {
-                    length += grows(child) ? 0 : length(child);
-                    count++;
-                }
-            }
-            return length + Math.max(0, count - 1) * Theme.px(gap);
+        private static List<Component> visible(Container parent) {
+            return Stream.of(parent.getComponents())
+                    .filter(Component::isVisible)
+                    .toList();
         }
+    }
 
-        private static int growers(Container parent) {
-            int count = 0;
-            for (Component child : parent.getComponents()) {
-                count += child.isVisible() && grows(child) ? 1 : 0;
-            }
-            return count;
-        }
+    /** A layout that needs no notice of components that are added and removed. */
+    public interface FixedLayout extends LayoutManager {
+        @Override
+        default void addLayoutComponent(String name, Component component) {}
+
+        @Override
+        default void removeLayoutComponent(Component component) {}
     }
 }

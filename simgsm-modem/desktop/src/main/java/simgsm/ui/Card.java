@@ -19,7 +19,7 @@ public final class Card extends JPanel {
 
     public Card(String titleText, Component content) {
         this(content);
-        JLabel title = Theme.styled(new JLabel(titleText), label -> label.setFont(Theme.title()));
+        JLabel title = Theme.label(titleText, Theme::title, Ink.TEXT);
         title.setBorder(Theme.padding(0, 0, Theme.GRID, 0));
         add(title, BorderLayout.NORTH);
     }

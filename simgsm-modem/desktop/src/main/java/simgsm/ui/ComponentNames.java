@@ -5,7 +5,7 @@ import java.awt.Container;
 import java.util.Optional;
 import javax.swing.JComponent;
 
-/** Names: one for tests and one for assistive technology. */
+/** Names of components for tests and for assistive technology. */
 public final class ComponentNames {
     private ComponentNames() {}
 

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import simgsm.console.TextBundle;
 
-/** The texts of the shared pieces. */
+/** The texts of this module's components. */
 public final class DesktopTexts {
     private DesktopTexts() {}
 

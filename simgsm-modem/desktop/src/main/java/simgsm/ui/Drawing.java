@@ -10,20 +10,20 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 
-/** How everything is painted: the rendering hints in one place, and the few shapes that all painters need. */
+/** Rendering hints, crisp rectangles and texts for painters. */
 public final class Drawing {
     private Drawing() {}
 
     private static final FontRenderContext FRACTIONAL = new FontRenderContext(null, true, true);
 
-    /** A copy to paint on, with the house's hints; the caller disposes of it. */
+    /** A copy with the rendering hints set, which the caller disposes of. */
     public static Graphics2D on(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         prepare(g);
         return g;
     }
 
-    /** Sets the house's hints: antialiasing, exact geometry, text for grey levels (it looks the same on every screen). */
+    /** Sets the rendering hints: antialiasing, exact geometry, grey-level text, which looks the same on every screen. */
     public static void prepare(Graphics2D g) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
@@ -53,7 +53,7 @@ public final class Drawing {
         return t.getShearX() == 0 && t.getShearY() == 0 && t.getScaleX() != 0 && t.getScaleY() != 0;
     }
 
-    /** Fills a rectangle with edges on device pixels: bars and grid lines stay crisp at 125 %. */
+    /** Fills a rectangle with its edges on device pixels, so that bars and grid lines are crisp at a scale of 125 %. */
     public static void fillCrisp(Graphics2D g, double x, double y, double width, double height) {
         double left = snapX(g, x);
         double top = snapY(g, y);
@@ -83,7 +83,7 @@ public final class Drawing {
         g.draw(new Line2D.Double(x1, y1, x2, y2));
     }
 
-    /** Text centred on a point, by its cap height rather than its line height, so that it sits in keys. */
+    /** Text centred on a point, vertically by the height of its capitals. */
     public static void centred(Graphics2D g, String text, Font font, double x, double y) {
         g.setFont(font);
         double width = font.getStringBounds(text, FRACTIONAL).getWidth();
@@ -96,7 +96,7 @@ public final class Drawing {
         g.drawString(text, (float) (x - width), (float) y);
     }
 
-    /** The width that text takes when it is painted by the house's hints, in whole pixels, rounded up. */
+    /** The width of a text with these rendering hints, in pixels, rounded up. */
     public static int width(Font font, String text) {
         return (int) Math.ceil(font.getStringBounds(text, FRACTIONAL).getWidth());
     }

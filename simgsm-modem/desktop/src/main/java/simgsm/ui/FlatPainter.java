@@ -6,13 +6,16 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import javax.swing.Painter;
+import javax.swing.UIDefaults;
 import simgsm.draw.Ink;
 
 /**
- * Paints one region of a Nimbus component in one set of states. A region is painted as a box (fill, line, corner), or
- * as a mark on top of one (arrow, tick, dot).
+ * Paints one region of a Nimbus component in one set of states, flat: a fill, a thin line, a ring for the focus, or a mark
+ * such as an arrow or a tick.
  */
 record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent> {
     enum Kind {
@@ -29,7 +32,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         SLIDER_THUMB,
         NOTHING,
         ARROW_DOWN,
-        /** What Synth turns into the direction that an arrow button has. */
+        /** Synth turns it into the direction of the arrow button. */
         ARROW_LEFT,
         ARROW_UP,
         TAB,
@@ -45,8 +48,22 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         GRIP
     }
 
-    /** The painter for a region, or null where Nimbus's own will do. */
-    static FlatPainter of(String region, String states, String painter) {
+    /** Such as {@code Button[Focused+MouseOver].backgroundPainter}: the region, its states, the kind of painter. */
+    private static final Pattern KEY = Pattern.compile("([^\\[]+)\\[([^\\]]*)\\]\\.(\\w+Painter)");
+
+    /** Replaces Nimbus's painters by flat ones. */
+    static void replaceIn(UIDefaults defaults) {
+        for (Object key : defaults.keySet().toArray()) {
+            Matcher match = KEY.matcher(key.toString());
+            FlatPainter painter = match.matches() ? of(match.group(1), match.group(2), match.group(3)) : null;
+            if (painter != null) {
+                defaults.put(key, painter);
+            }
+        }
+    }
+
+    /** The painter for a region; null to keep Nimbus's own. */
+    private static FlatPainter of(String region, String states, String painter) {
         Kind kind = kindOf(region, painter);
         return kind == null ? null : new FlatPainter(kind, Arrays.asList(states.split("\\+")));
     }
@@ -172,7 +189,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         }
     }
 
-    /** The mark of the focus: a second line of the accent's colour around the first, never a colour alone. */
+    /** Focus: a second line in the accent colour around the first. */
     private void ring(Graphics2D g, double w, double h, double i, double radiusUnits) {
         if (is("Focused")) {
             g.setColor(Theme.color(Ink.ACCENT, 0.45));

@@ -12,7 +12,7 @@ import javax.swing.plaf.InsetsUIResource;
 import javax.swing.plaf.nimbus.NimbusLookAndFeel;
 import simgsm.draw.Ink;
 
-/** Nimbus with our colours and fonts, and its glossy painters replaced by flat ones. */
+/** Nimbus with the theme's colours and fonts and with flat painters. */
 final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     private UIDefaults defaults;
 
@@ -22,7 +22,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
             defaults = super.getDefaults();
             colours();
             sizes();
-            FlatPainters.replaceIn(defaults);
+            FlatPainter.replaceIn(defaults);
         }
         return defaults;
     }
@@ -97,18 +97,18 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put("Button[Default+Focused+Pressed].textForeground", Ink.ON_ACCENT);
     }
 
-    /** Synth paints a renderer's background only if the colour does not come from the look and feel: so plain for states. */
+    /** Colours of states are plain ones: Synth ignores a renderer's background that is a UIResource. */
     private void put(String key, Ink ink) {
         Color color = Theme.color(ink);
         boolean plain = key.contains("[") || key.endsWith("RowColor");
         defaults.put(key, plain ? color : new ColorUIResource(color));
     }
 
-    /** Nimbus's own room inside its components, for which it knows no zoom. */
+    /** Nimbus's margins inside components, multiplied by the zoom. */
     private void margins() {
         for (Object key : defaults.keySet().toArray()) {
-            boolean room = key.toString().endsWith(".contentMargins") || key.equals("ComboBox.padding");
-            if (room && defaults.get(key) instanceof Insets in) {
+            boolean margin = key.toString().endsWith(".contentMargins") || key.equals("ComboBox.padding");
+            if (margin && defaults.get(key) instanceof Insets in) {
                 defaults.put(
                         key,
                         new InsetsUIResource(scaled(in.top), scaled(in.left), scaled(in.bottom), scaled(in.right)));
@@ -136,7 +136,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
         defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
         defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));
-        // Swing's own text by the same hint as Drawing's, also where the desktop has no wish.
+        // the same antialiasing as in Drawing, whatever the desktop's setting
         defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         defaults.put("Table.rowHeight", Theme.px(24));
         defaults.put("Tree.rowHeight", Theme.px(24));

@@ -4,13 +4,13 @@ import java.util.Locale;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** The link to the centre, as every window's lamp shows it. */
+/** The state of the link to the centre, with its mark, colour and word. */
 public enum LinkState {
-    /** Registered, or with the centre: listening. */
+    /** Registered; for the centre: listening. */
     UP(StatusMark.DISC, Ink.GOOD),
-    /** No centre yet; trying. */
+    /** No centre found yet. */
     SEARCHING(StatusMark.HALF_DISC, Ink.WARNING),
-    /** The network refuses. */
+    /** Rejected by the network. */
     REFUSED(StatusMark.SLASHED_RING, Ink.DANGER),
     /** Switched off. */
     OFF(StatusMark.RING, Ink.QUIET);

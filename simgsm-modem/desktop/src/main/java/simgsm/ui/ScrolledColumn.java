@@ -7,9 +7,9 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
 
-/** What stands in a scroll pane as high as its view, or as its parts need at least: only then it scrolls. */
+/** The content of a scroll pane that is as high as the view, but at least its minimum height; only then it scrolls. */
 public final class ScrolledColumn extends JPanel implements Scrollable {
-    /** @param content whose minimum size is what it needs, as that of {@link Arrange#column} */
+    /** @param content with a minimum size, as {@link Arrange#column} has one */
     public ScrolledColumn(JComponent content) {
         super(new BorderLayout());
         setOpaque(false);

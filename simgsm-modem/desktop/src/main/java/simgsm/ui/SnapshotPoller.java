@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import javax.swing.Timer;
 
 /**
- * Shows the newest snapshot some 40 times a second, only when it changed: slow painting drops frames, never events. The
+ * Reads the newest snapshot 40 times a second and shows it when it is another object: slow painting skips snapshots. The
  * snapshots come from another thread through a volatile or atomic reference.
  */
 public final class SnapshotPoller<T> {
@@ -30,7 +30,7 @@ public final class SnapshotPoller<T> {
         timer.stop();
     }
 
-    /** Shows now, if there is something new. */
+    /** Shows the newest snapshot now if it has not been shown. */
     public void show() {
         T newest = source.get();
         if (newest != shown) {

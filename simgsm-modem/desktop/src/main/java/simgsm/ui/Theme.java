@@ -8,7 +8,9 @@ import java.awt.Insets;
 import java.awt.Stroke;
 import java.awt.Window;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.UnsupportedLookAndFeelException;
@@ -112,6 +114,14 @@ public final class Theme {
         style.accept(component);
         component.addPropertyChangeListener("UI", change -> style.accept(component));
         return component;
+    }
+
+    /** A label with a font and a colour of the theme. */
+    public static JLabel label(String text, Supplier<Font> font, Ink ink) {
+        return styled(new JLabel(text), label -> {
+            label.setFont(font.get());
+            label.setForeground(color(ink));
+        });
     }
 
     /** Logical pixels for a distance in units, at the present zoom; at least 1 for anything above 0. */

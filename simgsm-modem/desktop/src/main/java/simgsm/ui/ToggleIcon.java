@@ -11,7 +11,7 @@ import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.plaf.UIResource;
 
-/** The box of a check box or radio button, growing with the zoom; Nimbus's own has one size. */
+/** The box of a check box or radio button; unlike Nimbus's it follows the zoom. */
 final class ToggleIcon implements Icon, UIResource {
     private static final double UNITS = 18;
 

@@ -1,5 +1,5 @@
 /**
- * The Swing pieces that the suite's windows share, and the one design language behind them.
+ * The Swing components that the suite's windows share, and their theme.
  *
  * <p>Read first: {@link simgsm.ui.Theme} (every colour, font, stroke and distance), then {@link simgsm.ui.Drawing} (how
  * everything is painted), then the components. A component is plain: it can be built and painted without a display, it

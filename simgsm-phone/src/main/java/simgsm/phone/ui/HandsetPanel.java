@@ -26,7 +26,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
-import simgsm.ui.window.ScreenArea;
+import simgsm.ui.window.Display;
 
 /** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */
 public final class HandsetPanel extends JPanel {
@@ -132,7 +132,7 @@ public final class HandsetPanel extends JPanel {
         if (window != null && before != layout.height() && getWidth() > 0) {
             double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
             int grown = (int) Math.round((layout.height() - before) * scale);
-            ScreenArea.resize(window, window.getWidth(), window.getHeight() + grown);
+            Display.resize(window, window.getWidth(), window.getHeight() + grown);
         }
         revalidate();
         repaint();

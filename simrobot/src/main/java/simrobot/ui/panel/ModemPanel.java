@@ -35,13 +35,7 @@ final class ModemPanel extends JPanel {
     private final Lamp call;
     private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
-    private final JLabel sound = ComponentNames.name(
-            Theme.styled(new JLabel(), label -> {
-                label.setFont(Theme.small());
-                label.setForeground(Theme.color(Ink.QUIET));
-            }),
-            "modem.sound",
-            "");
+    private final JLabel sound = ComponentNames.name(Theme.label("", Theme::small, Ink.QUIET), "modem.sound", "");
     private final ToneScopePanel scope;
     private final OperatorActions operator;
     /** The same for all robots. */

@@ -6,14 +6,14 @@ import simgsm.console.TextBundle;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.DesktopTexts;
 
-/** How a call's speech is coded, in a word or two. */
+/** The name of a call's speech codec. */
 public final class CodecText {
     private CodecText() {}
 
     /**
-     * As "A-law", or "GSM 06.10 out, A-law in" where the two ends have chosen differently.
+     * As "A-law", or "GSM 06.10 out, A-law in" when the two directions differ.
      *
-     * @param heard empty while nothing has come
+     * @param heard empty until speech has been received
      */
     public static String of(SpeechCodec.Kind sent, Optional<SpeechCodec.Kind> heard, Locale language) {
         TextBundle texts = DesktopTexts.in(language);

@@ -3,8 +3,6 @@ package simgsm.ui.scope;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -19,13 +17,14 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * A slider: a track, lit from its point of rest to where it stands, and a knob. Dragged with the mouse, moved by the arrows,
- * Page Up and Page Down, the wheel; Home and a double click bring it back to rest. Swing's own cannot be made without a
- * display under this look and feel.
+ * A slider: a track, coloured from the neutral value to the current one, and a knob. The mouse drags it; the arrows and the
+ * wheel move it by 1, the Page keys by 5; Home and a double click set the neutral value. (Under Nimbus a JSlider cannot be
+ * made without a display.)
  */
 final class Slider extends JComponent implements Accessible {
     private static final double KNOB = 6;
@@ -33,21 +32,20 @@ final class Slider extends JComponent implements Accessible {
 
     private final int least;
     private final int most;
-    private final int rest;
+    private final int neutral;
     private final transient Runnable moved;
     private int value;
 
     /**
-     * A fader at rest.
+     * A slider at its neutral value.
      *
-     * @param rest where it does nothing, from least to most
-     * @param moved told of every change, on the event thread
+     * @param moved run after every change, on the event thread
      */
-    Slider(int least, int most, int rest, Runnable moved) {
+    Slider(int least, int most, int neutral, Runnable moved) {
         this.least = least;
         this.most = most;
-        this.rest = rest;
-        this.value = rest;
+        this.neutral = neutral;
+        this.value = neutral;
         this.moved = moved;
         setFocusable(true);
         bind(KeyEvent.VK_LEFT, "less", () -> setValue(value - 1));
@@ -56,34 +54,24 @@ final class Slider extends JComponent implements Accessible {
         bind(KeyEvent.VK_UP, "more", () -> setValue(value + 1));
         bind(KeyEvent.VK_PAGE_DOWN, "much.less", () -> setValue(value - PAGE));
         bind(KeyEvent.VK_PAGE_UP, "much.more", () -> setValue(value + PAGE));
-        bind(KeyEvent.VK_HOME, "rest", () -> setValue(rest));
+        bind(KeyEvent.VK_HOME, "neutral", () -> setValue(neutral));
         bind(KeyEvent.VK_END, "most", () -> setValue(most));
         Mouse mouse = new Mouse();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(event -> setValue(value - event.getWheelRotation()));
-        addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusGained(FocusEvent event) {
-                repaint();
-            }
-
-            @Override
-            public void focusLost(FocusEvent event) {
-                repaint();
-            }
-        });
+        PaintedComponent.repaintOnFocus(this);
     }
 
-    private void bind(int key, String id, Runnable deed) {
-        new UserAction(id, id, deed).bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
+    private void bind(int key, String id, Runnable task) {
+        new UserAction(id, id, task).bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
     }
 
     int value() {
         return value;
     }
 
-    /** Moves it; kept within its bounds. */
+    /** Sets the value, limited to its range. */
     void setValue(int wanted) {
         int next = Math.max(least, Math.min(most, wanted));
         if (next != value) {
@@ -102,7 +90,7 @@ final class Slider extends JComponent implements Accessible {
         return isPreferredSizeSet() ? super.getPreferredSize() : new Dimension(Theme.px(56), Theme.px(22));
     }
 
-    /** Where the knob's middle lies for a value, in pixels from the left. */
+    /** The knob's centre for a value, in pixels from the left. */
     private double at(int place) {
         double edge = Theme.exact(KNOB + 2);
         return edge + (getWidth() - 2 * edge) * (place - least) / (most - least);
@@ -121,15 +109,15 @@ final class Slider extends JComponent implements Accessible {
             double middle = getHeight() / 2.0;
             double thick = Theme.exact(4);
             bar(g, at(least), at(most), middle, thick, Ink.LINE);
-            bar(g, Math.min(at(rest), at(value)), Math.max(at(rest), at(value)), middle, thick, Ink.ACCENT);
+            bar(g, Math.min(at(neutral), at(value)), Math.max(at(neutral), at(value)), middle, thick, Ink.ACCENT);
             g.setColor(Theme.color(Ink.CONTROL_LINE));
-            Drawing.vertical(g, at(rest) - Theme.exact(0.5), middle - Theme.exact(6), middle + Theme.exact(6));
+            Drawing.vertical(g, at(neutral) - Theme.exact(0.5), middle - Theme.exact(6), middle + Theme.exact(6));
             double radius = Theme.exact(KNOB);
             var knob = new Ellipse2D.Double(at(value) - radius, middle - radius, 2 * radius, 2 * radius);
             g.setColor(Theme.color(Ink.CARD));
             g.fill(knob);
             g.setStroke(hasFocus() ? Theme.stroke(2.4) : Theme.line());
-            g.setColor(Theme.color(hasFocus() || value != rest ? Ink.ACCENT : Ink.CONTROL_LINE));
+            g.setColor(Theme.color(hasFocus() || value != neutral ? Ink.ACCENT : Ink.CONTROL_LINE));
             g.draw(knob);
         } finally {
             g.dispose();
@@ -146,7 +134,7 @@ final class Slider extends JComponent implements Accessible {
         public void mousePressed(MouseEvent event) {
             requestFocusInWindow();
             if (event.getClickCount() == 2) {
-                setValue(rest);
+                setValue(neutral);
             } else {
                 pointTo(event.getX());
             }
@@ -161,12 +149,12 @@ final class Slider extends JComponent implements Accessible {
     @Override
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null) {
-            accessibleContext = new Spoken();
+            accessibleContext = new SliderContext();
         }
         return accessibleContext;
     }
 
-    private final class Spoken extends AccessibleJComponent implements AccessibleValue {
+    private final class SliderContext extends AccessibleJComponent implements AccessibleValue {
         @Override
         public AccessibleRole getAccessibleRole() {
             return AccessibleRole.SLIDER;

@@ -1,7 +1,9 @@
 package simgsm.ui.scope;
 
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.GridLayout;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -22,8 +24,8 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * What if there were noise, or the tones were off pitch? Two sliders for what a tone scope does to the sound that it hears,
- * and how many keys it still hears then. The call itself stays as it is, and the bar says so.
+ * Two sliders for the noise and the frequency shift that are added to what a tone scope hears, and how many keys it still hears
+ * then. The call itself is not changed, and the bar says so.
  *
  * <pre>
  *   What if? Only this scope hears it.        [reset]
@@ -40,68 +42,83 @@ final class ToneExperimentBar extends JPanel {
 
     private final TextBundle texts;
     private final Consumer<ToneExperiment> chosen;
-    private final JLabel verdict = new JLabel();
+    private final JLabel verdict = Theme.label("", Theme::small, Ink.QUIET);
     private final Slider noise = new Slider(0, NOISE_STEPS, 0, this::changed);
     private final Slider shift = new Slider(-SHIFT_STEPS, SHIFT_STEPS, 0, this::changed);
-    private final JLabel noiseLabel;
-    private final JLabel shiftLabel;
-    private final JLabel noiseValue = new JLabel();
-    private final JLabel shiftValue = new JLabel();
-    private final JButton reset;
-    private final JPanel loudness;
-    private final JPanel pitch;
-    private JPanel faders;
-    private boolean isNarrow;
+    private final JLabel noiseValue = value();
+    private final JLabel shiftValue = value();
+    private final JButton reset = new JButton(new UserAction("scope.reset", "", this::reset));
+    private final GridLayout columns = new GridLayout(0, 2);
+    private final JPanel sliders = new JPanel(columns);
     private ToneExperiment experiment = ToneExperiment.NONE;
     private ToneScore score = ToneScore.NONE;
 
-    /** @param chosen told each experiment that is set, on the event thread */
+    /** @param chosen receives each experiment that is set, on the event thread */
     ToneExperimentBar(Locale language, Consumer<ToneExperiment> chosen) {
         super(new BorderLayout());
         this.texts = DesktopTexts.in(language);
         this.chosen = chosen;
         setOpaque(false);
-        noiseLabel = label("scope.noise", noise);
-        shiftLabel = label("scope.shift", shift);
-        reset = new JButton(new UserAction("scope.reset", "", this::reset));
+        sliders.setOpaque(false);
+        sliders.add(row("scope.noise", noise, noiseValue));
+        sliders.add(row("scope.shift", shift, shiftValue));
         reset.setToolTipText(texts.of("scope.reset.tip"));
         ComponentNames.name(reset, "scope.reset", texts.of("scope.reset.tip"));
+        Theme.styled(reset, button -> {
+            button.setIcon(Symbol.ERASE.icon(14));
+            button.setBorder(Theme.padding(0, 4, 0, 4));
+            button.setContentAreaFilled(false);
+        });
+        verdict.setToolTipText(texts.of("scope.experiment.tip"));
         ComponentNames.name(verdict, "scope.verdict", "");
-        loudness = Arrange.growing(Arrange.row(6, noiseLabel, Arrange.growing(noise), noiseValue));
-        pitch = Arrange.growing(Arrange.row(6, shiftLabel, Arrange.growing(shift), shiftValue));
+        Theme.styled(verdict, label -> {
+            label.setPreferredSize(new Dimension(Theme.px(100), Theme.px(22)));
+            label.setMinimumSize(new Dimension(0, Theme.px(22)));
+            label.setForeground(verdictColor());
+        });
         add(Arrange.row(4, Arrange.growing(verdict), reset), BorderLayout.NORTH);
-        arrange(false);
-        dress();
-        tell();
+        add(sliders, BorderLayout.CENTER);
+        showState();
     }
 
-    /** @param narrow whether the faders lie one below the other */
-    void arrange(boolean narrow) {
-        if (faders == null || narrow != isNarrow) {
-            isNarrow = narrow;
-            if (faders != null) {
-                remove(faders);
-            }
-            faders = narrow ? Arrange.column(0, loudness, pitch) : Arrange.row(16, loudness, pitch);
-            add(faders, BorderLayout.CENTER);
-            revalidate();
-        }
-    }
-
-    private JLabel label(String key, Slider slider) {
-        JLabel label = new JLabel(texts.of(key));
+    private JPanel row(String key, Slider slider, JLabel value) {
+        JLabel label = Theme.label(texts.of(key), Theme::small, Ink.QUIET);
+        Theme.styled(label, it -> it.setPreferredSize(new Dimension(longestLabel() + 2, Theme.px(20))));
         label.setLabelFor(slider);
         slider.setToolTipText(texts.of(key + ".tip"));
         ComponentNames.name(slider, key, texts.of(key + ".tip"));
-        return label;
+        return Arrange.row(6, label, Arrange.growing(slider), value);
     }
 
-    /** How the experiment goes. */
+    private int longestLabel() {
+        return Math.max(
+                Drawing.width(Theme.small(), texts.of("scope.noise")),
+                Drawing.width(Theme.small(), texts.of("scope.shift")));
+    }
+
+    private static JLabel value() {
+        JLabel value = Theme.label("", Theme::monoSmall, Ink.TEXT);
+        value.setHorizontalAlignment(SwingConstants.TRAILING);
+        return Theme.styled(
+                value,
+                it -> it.setPreferredSize(new Dimension(Drawing.width(Theme.monoSmall(), "+10.0 %"), Theme.px(20))));
+    }
+
+    /** @param narrow whether the sliders lie one below the other */
+    void arrange(boolean narrow) {
+        if (columns.getColumns() != (narrow ? 1 : 2)) {
+            columns.setColumns(narrow ? 1 : 2);
+            revalidate();
+        }
+        columns.setHgap(Theme.px(16));
+    }
+
+    /** Shows the score of the experiment that is set. */
     void show(ToneTrace trace) {
         ToneScore now = trace.experiment().equals(experiment) ? trace.score() : ToneScore.NONE;
         if (!now.equals(score)) {
             score = now;
-            tell();
+            showState();
         }
     }
 
@@ -111,7 +128,7 @@ final class ToneExperimentBar extends JPanel {
         if (!wanted.equals(experiment)) {
             experiment = wanted;
             score = ToneScore.NONE;
-            tell();
+            showState();
             chosen.accept(wanted);
         }
     }
@@ -121,7 +138,7 @@ final class ToneExperimentBar extends JPanel {
         shift.setValue(0);
     }
 
-    private void tell() {
+    private void showState() {
         boolean none = experiment.equals(ToneExperiment.NONE);
         noiseValue.setText(
                 experiment.hasNoise()
@@ -130,10 +147,13 @@ final class ToneExperimentBar extends JPanel {
         shiftValue.setText(String.format(Locale.ROOT, "%+.1f %%", experiment.shiftPercent())
                 .replace("-0.0", "+0.0"));
         verdict.setText(none ? texts.of("scope.experiment") : verdictText());
-        verdict.setForeground(none ? Theme.color(Ink.QUIET) : Theme.color(Ink.WARNING));
+        verdict.setForeground(verdictColor());
         verdict.getAccessibleContext().setAccessibleName(verdict.getText());
-        verdict.setToolTipText(texts.of("scope.experiment.tip"));
         reset.setVisible(!none);
+    }
+
+    private Color verdictColor() {
+        return Theme.color(experiment.equals(ToneExperiment.NONE) ? Ink.QUIET : Ink.WARNING);
     }
 
     private String verdictText() {
@@ -142,37 +162,5 @@ final class ToneExperimentBar extends JPanel {
         }
         String heard = texts.of("scope.heard", String.valueOf(score.heard()), String.valueOf(score.keys()));
         return score.invented() == 0 ? heard : texts.of("scope.invented", heard, String.valueOf(score.invented()));
-    }
-
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (reset != null) {
-            dress();
-            tell();
-        }
-    }
-
-    private void dress() {
-        for (JLabel label : new JLabel[] {verdict, noiseLabel, shiftLabel}) {
-            label.setFont(Theme.small());
-            label.setForeground(Theme.color(Ink.QUIET));
-        }
-        int longer = Math.max(
-                Drawing.width(Theme.small(), noiseLabel.getText()), Drawing.width(Theme.small(), shiftLabel.getText()));
-        noiseLabel.setPreferredSize(new Dimension(longer + 2, Theme.px(20)));
-        shiftLabel.setPreferredSize(new Dimension(longer + 2, Theme.px(20)));
-        for (JLabel value : new JLabel[] {noiseValue, shiftValue}) {
-            value.setFont(Theme.monoSmall());
-            value.setForeground(Theme.color(Ink.TEXT));
-            value.setHorizontalAlignment(SwingConstants.TRAILING);
-            int width = Drawing.width(Theme.monoSmall(), "+10.0 %");
-            value.setPreferredSize(new Dimension(width, Theme.px(20)));
-        }
-        verdict.setPreferredSize(new Dimension(Theme.px(100), Theme.px(22)));
-        verdict.setMinimumSize(new Dimension(0, Theme.px(22)));
-        reset.setIcon(Symbol.ERASE.icon(14));
-        reset.setBorder(Theme.padding(0, 4, 0, 4));
-        reset.setContentAreaFilled(false);
     }
 }

@@ -8,7 +8,7 @@ import simgsm.dtmf.ToneTrace;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** The tone scope of phone and modem: shows the newest {@link ToneTrace} that it was given. */
+/** The picture of a {@link ToneTrace}. */
 public final class ToneScope extends PaintedComponent {
     /** In units. */
     private static final int WIDTH = 288;

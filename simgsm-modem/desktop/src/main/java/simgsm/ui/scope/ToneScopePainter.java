@@ -15,8 +15,8 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
- * Paints a {@link ToneTrace}: the wave above, below it the eight levels with what they have to reach, the key matrix, and
- * one line of numbers. What an experiment makes of the sound is marked as such in the wave.
+ * Paints a {@link ToneTrace}: the wave above, below it the eight levels with their thresholds, the key matrix, and one line of
+ * numbers. A wave that an experiment has changed has another colour and the experiment's values.
  *
  * <pre>
  *   +---------------------------+
@@ -35,7 +35,7 @@ public final class ToneScopePainter {
     /** Tones of -10 dBm0 fill most of the height. */
     private static final double WAVE_GAIN = 1.6;
 
-    /** The bars' frequencies; where there is no room side by side every other one stands a line lower. */
+    /** The frequencies below the bars; where they are too wide, every other one stands a line lower. */
     private static final double LABEL_POINTS = 10;
 
     private final TextBundle texts;
@@ -67,12 +67,12 @@ public final class ToneScopePainter {
         for (int i = 0; i <= 4; i++) {
             Drawing.horizontal(g, 0, width, (height - Theme.exact(1)) * i / 4);
         }
-        boolean tries = !trace.experiment().equals(ToneExperiment.NONE);
-        g.setColor(Theme.color(tries ? Ink.WARNING : Ink.ACCENT));
+        boolean changed = !trace.experiment().equals(ToneExperiment.NONE);
+        g.setColor(Theme.color(changed ? Ink.WARNING : Ink.ACCENT));
         g.setStroke(Theme.stroke(1.4));
         g.draw(wave(trace, width, height));
-        if (tries) {
-            paintTrial(g, trace.experiment(), width);
+        if (changed) {
+            paintExperiment(g, trace.experiment(), width);
         }
     }
 
@@ -92,7 +92,7 @@ public final class ToneScopePainter {
         return wave;
     }
 
-    /** Starts the picture where the wave rises through zero, so that it stands still. */
+    /** The first sample at which the wave rises through zero, so that the picture stands still. */
     private static int trigger(ToneTrace trace) {
         for (int i = 1; i <= ToneTrace.SAMPLES - SHOWN_SAMPLES; i++) {
             if (trace.sample(i - 1) < 0 && trace.sample(i) >= 0) {
@@ -102,8 +102,8 @@ public final class ToneScopePainter {
         return 0;
     }
 
-    /** A flag in the corner: this is not the call, but an experiment with it. */
-    private void paintTrial(Graphics2D g, ToneExperiment experiment, double width) {
+    /** The experiment's values in the corner: the wave is not the call's. */
+    private void paintExperiment(Graphics2D g, ToneExperiment experiment, double width) {
         String text = trial(experiment);
         var font = Theme.monoSmall();
         double textWidth = Drawing.width(font, text);
@@ -127,9 +127,9 @@ public final class ToneScopePainter {
         double groupGap = Theme.exact(10);
         double step = (width - groupGap) / 8;
         double line = Theme.exact(LABEL_POINTS + 3);
-        boolean inTurn = Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
+        boolean staggered = Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
         double points = Math.min(LABEL_POINTS, step / Theme.zoom() * 0.75);
-        double tall = height - (inTurn ? 2 : 1) * line;
+        double tall = height - (staggered ? 2 : 1) * line;
         paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
@@ -140,7 +140,7 @@ public final class ToneScopePainter {
             g.setColor(Theme.color(counts ? Ink.ACCENT : Ink.QUIET));
             Drawing.fillCrisp(g, left + step * 0.16, y + tall * (1 - share), step * 0.68, tall * share);
             g.setColor(Theme.color(counts ? Ink.TEXT : Ink.QUIET));
-            double below = inTurn && i % 2 == 1 ? 1.55 : 0.58;
+            double below = staggered && i % 2 == 1 ? 1.55 : 0.58;
             Drawing.centred(g, hertz(i), Theme.mono(points, counts), left + step / 2, y + tall + line * below);
         }
         paintThreshold(g, trace.leastRowDbm0(), x, y, 4 * step, tall);
@@ -161,7 +161,7 @@ public final class ToneScopePainter {
         }
     }
 
-    /** What a tone of this group has to reach to count: dashed across its four bars. */
+    /** The level that a tone of the group must reach: a dashed line across its four bars. */
     private static void paintThreshold(Graphics2D g, double dbm0, double x, double y, double width, double tall) {
         double at = y + tall * (1 - share(dbm0));
         g.setColor(Theme.color(Ink.DANGER));

@@ -8,9 +8,9 @@ import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.ui.Theme;
 
-/** The tone scope of phone and modem with the experiment below it: what it shows, and what may be done to what it hears. */
+/** The tone scope of phone and modem with the experiment below it. */
 public final class ToneScopePanel extends JPanel {
-    /** In units: where two faders have no room side by side. */
+    /** In units: below it the two sliders lie one below the other. */
     private static final int NARROW = 440;
 
     private final ToneScope scope;
@@ -19,7 +19,7 @@ public final class ToneScopePanel extends JPanel {
     /**
      * A scope that shows nothing yet.
      *
-     * @param chosen told each experiment that is set, on the event thread: the scope's owner lets its tracer try it out
+     * @param chosen receives each experiment that is set, on the event thread; the scope's owner passes it to its tracer
      */
     public ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen) {
         super(new BorderLayout());
@@ -31,7 +31,7 @@ public final class ToneScopePanel extends JPanel {
         add(experiment, BorderLayout.SOUTH);
     }
 
-    /** A place with little room has a lower picture and no faders; what they are set to holds all the same. */
+    /** A compact scope is lower and has no sliders; their settings remain in effect. */
     public void setCompact(boolean compact) {
         scope.setCompact(compact);
         experiment.setVisible(!compact);

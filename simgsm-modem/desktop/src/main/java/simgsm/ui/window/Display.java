@@ -1,23 +1,27 @@
 package simgsm.ui.window;
 
 import java.awt.AWTError;
+import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.Insets;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
 
-/** The screen, if there is one. */
+/** The screen. */
 public final class Display {
     private Display() {}
 
     /**
-     * Whether a window could be shown. A display that is named but cannot be reached is none, and neither is any to a
-     * Java that came without its desktop's libraries.
+     * Whether a window can be shown: not when the named display cannot be reached, nor when the JRE has no desktop
+     * libraries.
      */
-    public static boolean isThere() {
+    public static boolean isAvailable() {
         try {
             return !GraphicsEnvironment.isHeadless()
                     && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError | NoClassDefFoundError | UnsatisfiedLinkError none) {
+        } catch (HeadlessException | AWTError | NoClassDefFoundError | UnsatisfiedLinkError e) {
             return false;
         }
     }
@@ -26,5 +30,26 @@ public final class Display {
     public static WindowPlace usableArea() {
         Rectangle area = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         return new WindowPlace(area.x, area.y, area.width, area.height);
+    }
+
+    /** Resizes a window, limited to its screen without task bars, and moves it as far as necessary. */
+    public static void resize(Window window, int width, int height) {
+        GraphicsConfiguration screen = window.getGraphicsConfiguration();
+        Rectangle area = screen.getBounds();
+        Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(screen);
+        area.x += bars.left;
+        area.y += bars.top;
+        area.width -= bars.left + bars.right;
+        area.height -= bars.top + bars.bottom;
+        window.setBounds(within(new Rectangle(window.getX(), window.getY(), width, height), area));
+    }
+
+    /** The wanted bounds cut to the area's size and moved left and up into it; they may begin outside it. */
+    static Rectangle within(Rectangle wanted, Rectangle area) {
+        int width = Math.min(wanted.width, area.width);
+        int height = Math.min(wanted.height, area.height);
+        int x = Math.min(wanted.x, area.x + area.width - width);
+        int y = Math.min(wanted.y, area.y + area.height - height);
+        return new Rectangle(x, y, width, height);
     }
 }

@@ -23,17 +23,14 @@ import simgsm.draw.Appearance;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 
-/**
- * A program's one window: reads the options that every window has, opens a frame around what the program shows, and waits
- * for its end. The frame stays thin; all that can be seen is the program's own panel.
- */
+/** A program's window: reads the options of windows, opens a frame around the program's panel, and waits for its end. */
 public final class ProgramWindow {
     /**
-     * What a program puts into its window, made on the event thread.
+     * The content of a window, made on the event thread.
      *
-     * @param size at first, unless {@code --window} says otherwise; empty for as large as the panel likes
-     * @param shown run once the window is on the screen
-     * @param closed run once it is gone
+     * @param size at first, unless {@code --window} gives another; empty for the panel's preferred size
+     * @param shown run when the window is on the screen
+     * @param closed run when the window has been closed
      */
     public record Content(
             String title,
@@ -63,10 +60,10 @@ public final class ProgramWindow {
     }
 
     /**
-     * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang} and {@code --end-with-input}; nothing is
-     * opened yet.
+     * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang} and {@code --end-with-input}; opens
+     * nothing.
      *
-     * @param otherwise where the window goes if the command line does not say; empty for wherever the desktop likes
+     * @param otherwise the place without {@code --window}; empty for the desktop's choice
      * @throws UnavailableException without a display
      */
     public static ProgramWindow of(Arguments arguments, Optional<WindowPlace> otherwise)
@@ -75,7 +72,7 @@ public final class ProgramWindow {
         Optional<WindowPlace> place = arguments.value("window", WindowPlace::parse);
         double zoom = percent(arguments) / (double) HUNDRED_PERCENT;
         Locale language = arguments.language();
-        if (!Display.isThere()) {
+        if (!Display.isAvailable()) {
             throw new UnavailableException(DesktopTexts.in(language).of("window.noDisplay"));
         }
         return new ProgramWindow(
@@ -93,7 +90,7 @@ public final class ProgramWindow {
     /** The desktop's appearance by its GTK theme's name; light where there is none. */
     private static Appearance systemAppearance() {
         Object name = System.getenv("GTK_THEME");
-        if (name == null && Display.isThere()) {
+        if (name == null && Display.isAvailable()) {
             name = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");
         }
         String lower = String.valueOf(name).toLowerCase(Locale.ROOT);
@@ -105,14 +102,14 @@ public final class ProgramWindow {
                 (Theme.ZOOM_MAX * HUNDRED_PERCENT));
     }
 
-    /** The same window at another size of everything, unless the command line has said which. */
+    /** The same window at another zoom, unless the command line has {@code --zoom}. */
     public ProgramWindow zoomed(Arguments arguments, int percent) {
         return arguments.has("zoom")
                 ? this
                 : new ProgramWindow(appearance, percent / (double) HUNDRED_PERCENT, place, language, endsWithInput);
     }
 
-    /** Opens the window and returns when it has been closed, by its user or by {@link #close}. */
+    /** Opens the window and returns when its user or {@link #close} has closed it. */
     public void show(Supplier<Content> content) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance);
@@ -125,7 +122,7 @@ public final class ProgramWindow {
         ended.await();
     }
 
-    /** Ends {@link #show}; any thread may ask. */
+    /** Ends {@link #show}; any thread. */
     public void close() {
         ended.countDown();
     }
@@ -155,21 +152,21 @@ public final class ProgramWindow {
             Rectangle screen = frame.getGraphicsConfiguration().getBounds();
             frame.setSize(Math.min(size.width, screen.width), Math.min(size.height, screen.height));
         });
-        place.ifPresentOrElse(where -> where.take(frame), () -> frame.setLocationByPlatform(true));
+        place.ifPresentOrElse(where -> where.applyTo(frame), () -> frame.setLocationByPlatform(true));
     }
 
     private Dimension zoomed(Dimension size) {
         return new Dimension((int) Math.round(size.width * zoom), (int) Math.round(size.height * zoom));
     }
 
-    /** Whoever started the program holds its input open; when that ends, the program ends. */
+    /** The parent process holds the standard input open; the program ends when the input ends. */
     private void endWithInput() {
         Thread reader = new Thread(
                 () -> {
                     try {
                         System.in.transferTo(OutputStream.nullOutputStream());
                     } catch (IOException e) {
-                        // An input that breaks has ended, too.
+                        // a broken input has ended, too
                     }
                     close();
                 },

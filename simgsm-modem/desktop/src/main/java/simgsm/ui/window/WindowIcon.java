@@ -11,7 +11,7 @@ import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
 
-/** The icon of a window in the sizes that desktops ask for: a symbol on a square of the accent. */
+/** The icon of a window in the sizes that desktops use: a symbol on a square in the accent colour. */
 public final class WindowIcon {
     private static final int[] SIZES = {16, 24, 32, 48, 64, 128};
 

@@ -1,5 +1,6 @@
 package simgsm.ui.window;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.event.InputEvent;
@@ -14,15 +15,15 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** What every window can do by keys: zoom with Ctrl +, - and 0, light and dark with Ctrl L. */
+/** The keys of every window: zoom with Ctrl +, - and 0, light or dark with Ctrl L. */
 public final class WindowKeys {
     private WindowKeys() {}
 
     /**
-     * Binds the keys. The window, if the anchor stands in one by then, grows and shrinks with the zoom.
+     * Binds the keys. The anchor's window is resized with the zoom.
      *
      * @param anchor a component that stays in the window, such as its root pane
-     * @return the acts, for menus: larger, smaller, normal size, light or dark
+     * @return the actions, for menus: larger, smaller, normal size, light or dark
      */
     public static List<UserAction> install(JComponent anchor, Locale language) {
         TextBundle texts = DesktopTexts.in(language);
@@ -38,7 +39,7 @@ public final class WindowKeys {
         return List.of(in, out, reset, appearance);
     }
 
-    /** Light becomes dark and the other way round, in the whole window. */
+    /** Switches the whole window between light and dark. */
     public static void switchAppearance(JComponent anchor) {
         Theme.install(Theme.appearance().other());
         Theme.refresh(rootOf(anchor));
@@ -57,12 +58,12 @@ public final class WindowKeys {
             double factor = Theme.zoom() / before;
             Dimension size = window.getSize();
             window.setMinimumSize(null);
-            ScreenArea.resize(window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
+            Display.resize(window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
             window.validate();
         }
     }
 
-    private static java.awt.Component rootOf(JComponent anchor) {
+    private static Component rootOf(JComponent anchor) {
         Window window = SwingUtilities.getWindowAncestor(anchor);
         return window == null ? anchor : window;
     }

@@ -4,15 +4,15 @@ import java.awt.Dimension;
 import javax.swing.JFrame;
 
 /**
- * Where a window goes on the screen: {@code X,Y} or {@code X,Y,WIDTH,HEIGHT}, in pixels.
+ * A place on the screen: {@code X,Y} or {@code X,Y,WIDTH,HEIGHT}, in pixels.
  *
- * @param width 0, like {@code height}, for a window that knows its own size
+ * @param width 0, like {@code height}, for the window's own size
  */
 public record WindowPlace(int x, int y, int width, int height) {
     private static final String COORDINATE = "-?[0-9]{1,5}";
     private static final String LENGTH = "[1-9][0-9]{0,4}";
 
-    /** Reads what {@code --window} was given; IllegalArgumentException says what was expected. */
+    /** Reads the value of {@code --window}; IllegalArgumentException says what was expected. */
     public static WindowPlace parse(String text) {
         if (!text.matches(COORDINATE + "," + COORDINATE + "(," + LENGTH + "," + LENGTH + ")?")) {
             throw new IllegalArgumentException("expected X,Y or X,Y,WIDTH,HEIGHT, found " + text);
@@ -26,8 +26,8 @@ public record WindowPlace(int x, int y, int width, int height) {
                 isSized ? Integer.parseInt(parts[3]) : 0);
     }
 
-    /** Puts a window there; no window is made smaller than it can be. */
-    public void take(JFrame frame) {
+    /** Moves and resizes a window, not below its minimum size. */
+    public void applyTo(JFrame frame) {
         if (width > 0) {
             Dimension least = frame.getMinimumSize();
             frame.setSize(Math.max(width, least.width), Math.max(height, least.height));

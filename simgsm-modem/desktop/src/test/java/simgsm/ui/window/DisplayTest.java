@@ -6,7 +6,7 @@ import java.awt.Rectangle;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class ScreenAreaTest {
+class DisplayTest {
     /** On a screen of 1000 by 700 with a bar of 30 at its top. */
     @ParameterizedTest
     @CsvSource({
@@ -22,6 +22,6 @@ class ScreenAreaTest {
     void aWindowStaysWithinItsScreen(int x, int y, int w, int h, int atX, int atY, int width, int height) {
         assertEquals(
                 new Rectangle(atX, atY, width, height),
-                ScreenArea.within(new Rectangle(x, y, w, h), new Rectangle(0, 30, 1000, 670)));
+                Display.within(new Rectangle(x, y, w, h), new Rectangle(0, 30, 1000, 670)));
     }
 }
