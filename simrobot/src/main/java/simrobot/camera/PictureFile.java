@@ -19,7 +19,7 @@ public final class PictureFile {
     private PictureFile() {}
 
     /** Whether the file's name says which of the two it is. */
-    public static boolean isNamedWell(Path file) {
+    public static boolean hasKnownEnding(Path file) {
         return isPng(file) || endsWith(file, ".jpg") || endsWith(file, ".jpeg");
     }
 

@@ -2,51 +2,121 @@ package simrobot.control;
 
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import simgsm.console.CommandException;
+import simgsm.console.CommandTable;
 import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
-import simrobot.behaviour.BehaviourKind;
-import simrobot.camera.Camera;
-import simrobot.camera.PictureFile;
-import simrobot.robot.Pioneer;
-import simrobot.robot.Placement;
-import simrobot.robot.SimulatedRobot;
-import simrobot.simulation.RobotSnapshot;
-import simrobot.simulation.SimulationSnapshot;
+import simgsm.console.Program;
+import simrobot.world.World;
 import vericommand.Pose;
-import vericommand.RobotStatus;
 
-/** SimRobot's console commands; {@code @NAME} in front says which robot is meant, without it the first. */
+/** SimRobot's console: commands about the run, and, with or without {@code @NAME} in front, about one robot. */
 public final class RobotConsole implements Console.Commands {
-    private static final double MAX_METERS = 1e6;
-    private static final double MAX_DEGREES = 1e6;
+    /** All commands, for the console and for the reference. */
+    public static final CommandTable<Request> COMMANDS = new CommandTable<Request>()
+            .add(
+                    "status",
+                    "",
+                    "prints the robot's status",
+                    (to, command) -> to.robot().status())
+            .add(
+                    "pose",
+                    "",
+                    "prints the true pose: metres, and degrees anticlockwise from +X",
+                    (to, command) -> to.robot().pose())
+            .add(
+                    "sonar",
+                    "",
+                    "prints the ranges of the 16 sonars in mm, sonar 0 first",
+                    (to, command) -> to.robot().sonar())
+            .add(
+                    "camera",
+                    "FILE",
+                    "writes the camera's picture; the ending says .png, .jpg or .jpeg",
+                    (to, command) -> to.robot().camera(command))
+            .add(
+                    "power",
+                    "on|off",
+                    "switches the robot; the status answers",
+                    (to, command) -> to.robot().power(command))
+            .add(
+                    "motors",
+                    "on|off",
+                    "switches the motors; the status answers",
+                    (to, command) -> to.robot().motors(command))
+            .add(
+                    "place",
+                    "X Y HEADING",
+                    "puts the robot there: metres, degrees; the pose answers",
+                    (to, command) -> to.robot().place(command))
+            .add(
+                    "behaviour",
+                    "[NAME]",
+                    "prints the autonomous process, or begins one; none ends it",
+                    (to, command) -> to.robot().behaviour(command))
+            .add(
+                    "export",
+                    "FILE",
+                    "writes the world (.png, .svg) or the robot's track (.csv)",
+                    (to, command) -> to.robot().export(command))
+            .add(
+                    "add",
+                    "NAME=NUMBER [X Y HEADING]",
+                    "adds a robot with its modem",
+                    (to, command) -> to.console.add(command))
+            .add("remove", "", "removes the robot with its modem", (to, command) -> to.console.remove(to))
+            .add("robots", "", "lists the robots and their numbers", (to, command) -> to.console.list())
+            .add(
+                    "world",
+                    "[FILE]",
+                    "prints which world is loaded, or loads one; the robots go to its homes",
+                    (to, command) -> to.console.world(command));
+
+    /** A command on its way to a robot. */
+    public static final class Request {
+        private final RobotConsole console;
+        private final Optional<TelephoneRobot> addressed;
+
+        private Request(RobotConsole console, Optional<TelephoneRobot> addressed) {
+            this.console = console;
+            this.addressed = addressed;
+        }
+
+        private TelephoneRobot telephone() throws CommandException {
+            return addressed
+                    .or(() -> console.simRobot.robots().stream().findFirst())
+                    .orElseThrow(() -> new CommandException("there is no robot, expected add NAME=NUMBER first"));
+        }
+
+        private RobotCommands robot() throws CommandException {
+            return new RobotCommands(console, telephone());
+        }
+    }
+
+    /** Reads world files. */
+    public interface WorldSource {
+        /** @throws IOException when the file cannot be read or holds no world */
+        World read(Path file) throws IOException;
+    }
 
     private final SimRobot simRobot;
-    private final FleetConsole fleet;
+    private final Fleet fleet;
     private final FileExports exports;
-    private final WorldConsole world;
+    private final WorldSource worlds;
     private final Consumer<Event> out;
-    private final Camera camera = new Camera();
 
-    /**
-     * @param fleet makes the robots that {@code add} asks for
-     * @param exports writes the files that {@code export} asks for
-     * @param worlds reads the files that {@code world} names
-     * @param out any thread may call it
-     */
-    public RobotConsole(SimRobot simRobot, Fleet fleet, FileExports exports, Worlds worlds, Consumer<Event> out) {
+    /** @param out any thread may call it */
+    public RobotConsole(SimRobot simRobot, Fleet fleet, FileExports exports, WorldSource worlds, Consumer<Event> out) {
         this.simRobot = simRobot;
+        this.fleet = fleet;
         this.exports = exports;
-        this.fleet = new FleetConsole(simRobot, fleet, out);
-        world = new WorldConsole(simRobot, worlds, out);
+        this.worlds = worlds;
         this.out = out;
     }
 
@@ -57,19 +127,15 @@ public final class RobotConsole implements Console.Commands {
 
     @Override
     public void perform(ConsoleCommand command) throws CommandException {
-        if (command.isAddressed()) {
-            perform(robot(command.name().substring(1)), command.tail());
-        } else if (command.name().equals("world")) {
-            world.perform(command);
-        } else if (!fleet.performs(command)) {
-            perform(first(), command);
+        if (!command.isAddressed()) {
+            COMMANDS.perform(new Request(this, Optional.empty()), command);
+            return;
         }
-    }
-
-    private TelephoneRobot first() throws CommandException {
-        return simRobot.robots().stream()
-                .findFirst()
-                .orElseThrow(() -> new CommandException("there is no robot, expected add NAME=NUMBER first"));
+        TelephoneRobot robot = robot(command.name().substring(1));
+        if (command.rest().isEmpty()) {
+            throw new CommandException("unknown command behind @" + robot.name() + ", expected one such as status");
+        }
+        COMMANDS.perform(new Request(this, Optional.of(robot)), command.tail());
     }
 
     private TelephoneRobot robot(String name) throws CommandException {
@@ -82,226 +148,108 @@ public final class RobotConsole implements Console.Commands {
                                 ", ", robots.stream().map(TelephoneRobot::name).toList())));
     }
 
-    private void perform(TelephoneRobot meant, ConsoleCommand command) throws CommandException {
-        Pioneer robot = meant.robot();
-        switch (command.name()) {
-            case "status" -> {
-                command.words(0, "nothing after it");
-                onSimulation(() -> tell(robot, new RobotEvent.StatusChanged(robot.status())));
-            }
-            case "pose" -> {
-                command.words(0, "nothing after it");
-                onSimulation(() -> tell(robot, new RobotEvent.PoseReported(robot.pose())));
-            }
-            case "sonar" -> {
-                command.words(0, "nothing after it");
-                onSimulation(() -> sonar(robot));
-            }
-            case "power" -> power(robot, isOn(command));
-            case "motors" -> motors(robot, isOn(command));
-            case "place" -> place(robot, command);
-            case "camera" -> camera(meant, command);
-            case "behaviour" -> behaviour(meant, command);
-            case "export" -> export(meant, command);
-            case "remove" -> fleet.remove(meant, command);
-            default ->
-                throw new CommandException("unknown command "
-                        + (command.name().isEmpty() ? "behind @" + meant.name() : command.name())
-                        + ", expected status, pose, sonar, camera, power, motors, place, behaviour, export, add, remove, robots,"
-                        + " world, wait or quit");
-        }
+    // ---- for the commands ----------------------------------------------------------------------------------------
+
+    SimRobot simRobot() {
+        return simRobot;
     }
 
-    private static boolean isOn(ConsoleCommand command) throws CommandException {
-        String word = command.words(1, "on or off").get(0);
-        if (!word.equals("on") && !word.equals("off")) {
-            throw new CommandException(command.name() + ": expected on or off, found " + word);
-        }
-        return word.equals("on");
+    FileExports exports() {
+        return exports;
     }
 
-    /** An event about a robot, as the answer to a command. */
-    private void tell(Pioneer robot, RobotEvent event) {
-        out.accept(event.line(robot.name()));
+    void answer(Event event) {
+        out.accept(event);
     }
 
-    private void sonar(Pioneer robot) {
-        String ranges = Arrays.stream(robot.sonarRangesMillimeters())
-                .mapToObj(Integer::toString)
-                .collect(Collectors.joining(","));
-        out.accept(Event.of("sonar").with("robot", robot.name()).with("ranges", ranges));
-    }
-
-    private void power(Pioneer robot, boolean on) throws CommandException {
-        onSimulation(() -> setAndAnswer(robot, () -> robot.setPower(on)));
-    }
-
-    private void motors(Pioneer robot, boolean on) throws CommandException {
-        onSimulation(() -> {
-            if (on && !robot.isPowered()) {
-                throw new CommandException("motors on: the robot is off, expected power on first");
-            }
-            setAndAnswer(robot, () -> robot.setMotors(on));
-        });
-    }
-
-    /** A status that changes is printed by the robot's own event; one that stays is printed here. */
-    private void setAndAnswer(Pioneer robot, Runnable act) {
-        RobotStatus before = robot.status();
-        act.run();
-        if (robot.status() == before) {
-            tell(robot, new RobotEvent.StatusChanged(before));
-        }
-    }
-
-    /** A process that changes is printed by the robot's own event; one that stays, or is asked for, is printed here. */
-    private void behaviour(TelephoneRobot meant, ConsoleCommand command) throws CommandException {
-        SimulatedRobot robot = meant.simulated()
-                .orElseThrow(
-                        () -> new CommandException("behaviour: " + meant.name() + " is a real robot and runs none"));
-        if (command.rest().isEmpty()) {
-            onSimulation(() ->
-                    tell(robot, new RobotEvent.BehaviourChanged(robot.autonomy().kind())));
-            return;
-        }
-        BehaviourKind kind = kind(command.words(1, "a behaviour's name").get(0));
-        onSimulation(() -> {
-            BehaviourKind before = robot.autonomy().kind();
-            if (!robot.autonomy().begin(kind)) {
-                throw new CommandException("behaviour " + kind.text() + ": not possible in "
-                        + robot.status().text());
-            }
-            if (before == kind) {
-                tell(robot, new RobotEvent.BehaviourChanged(kind));
-            }
-        });
-    }
-
-    private static BehaviourKind kind(String word) throws CommandException {
+    /** Performs an act on the simulation's thread and waits for it, at most 5 s. */
+    <T> T onSimulation(Callable<T> act) throws CommandException {
         try {
-            return BehaviourKind.ofText(word);
-        } catch (IllegalArgumentException e) {
-            throw new CommandException("behaviour: " + e.getMessage());
-        }
-    }
-
-    private void place(Pioneer robot, ConsoleCommand command) throws CommandException {
-        List<String> words = command.words(3, "X Y HEADING");
-        Pose pose = pose(command.name(), words);
-        onSimulation(() -> {
-            Placement placement = robot.place(pose.xMeters(), pose.yMeters(), Math.toRadians(pose.headingDegrees()));
-            if (placement != Placement.DONE) {
-                throw new CommandException("place " + command.rest() + ": " + placement.text());
-            }
-            tell(robot, new RobotEvent.PoseReported(robot.pose()));
-        });
-    }
-
-    /** The picture is drawn and written here, not on the simulation's thread. */
-    private void camera(TelephoneRobot robot, ConsoleCommand command) throws CommandException {
-        Path file = pictureFile(command);
-        AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
-        onSimulation(() -> scene.set(simRobot.scene()));
-        RobotSnapshot seer = scene.get()
-                .robot(robot.name())
-                .filter(RobotSnapshot::simulated)
-                .orElseThrow(() -> new CommandException("camera: " + robot.name() + " has none that is simulated"));
-        try {
-            PictureFile.write(camera.picture(scene.get(), seer), file);
-        } catch (NoSuchFileException e) {
-            throw new CommandException("camera: " + file + " cannot be written, expected a folder that is there");
-        } catch (IOException e) {
-            throw new CommandException("camera: " + file + " cannot be written: " + e.getMessage());
-        }
-        out.accept(Event.of("camera")
-                .with("robot", robot.name())
-                .with("file", file.toString())
-                .with("width", Camera.WIDTH)
-                .with("height", Camera.HEIGHT));
-    }
-
-    private static Path pictureFile(ConsoleCommand command) throws CommandException {
-        String text = command.text();
-        try {
-            Path file = Path.of(text);
-            if (PictureFile.isNamedWell(file)) {
-                return file;
-            }
-        } catch (InvalidPathException e) {
-            // said below, as for any other name
-        }
-        throw new CommandException("camera: expected a file that ends in .png, .jpg or .jpeg, found "
-                + (text.isEmpty() ? "nothing after it" : text));
-    }
-
-    /** What the file is to hold is made and written here, not on the simulation's thread. */
-    private void export(TelephoneRobot robot, ConsoleCommand command) throws CommandException {
-        String text = command.text();
-        Path file = exportFile(text);
-        AtomicReference<SimulationSnapshot> scene = new AtomicReference<>();
-        onSimulation(() -> scene.set(simRobot.scene()));
-        try {
-            exports.export(scene.get(), robot.name(), file);
-        } catch (IOException e) {
-            throw new CommandException("export: " + e.getMessage());
-        }
-        out.accept(Event.of("exported").with("robot", robot.name()).with("file", file.toString()));
-    }
-
-    private static Path exportFile(String text) throws CommandException {
-        try {
-            Path file = Path.of(text);
-            if (FileExports.hasKnownEnding(file)) {
-                return file;
-            }
-        } catch (InvalidPathException e) {
-            // said below, as for any other name
-        }
-        throw new CommandException("export: expected a file that ends in .png, .svg or .csv, found "
-                + (text.isEmpty() ? "nothing after it" : text));
-    }
-
-    /** Three words: metres, metres, degrees. */
-    static Pose pose(String command, List<String> words) throws CommandException {
-        return new Pose(
-                number(command, "X", words.get(0), MAX_METERS),
-                number(command, "Y", words.get(1), MAX_METERS),
-                number(command, "HEADING", words.get(2), MAX_DEGREES));
-    }
-
-    private static double number(String command, String what, String word, double most) throws CommandException {
-        if (word.matches("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]{1,3})?")) {
-            double number = Double.parseDouble(word);
-            if (Math.abs(number) <= most) {
-                return number;
-            }
-        }
-        throw new CommandException(command + ": expected a number for " + what + ", found " + word);
-    }
-
-    /** What a command does on the simulation's thread. */
-    private interface Act {
-        void run() throws CommandException;
-    }
-
-    private void onSimulation(Act act) throws CommandException {
-        try {
-            CommandException refusal = simRobot.onSimulation(() -> {
-                try {
-                    act.run();
-                    return null;
-                } catch (CommandException e) {
-                    return e;
-                }
-            });
-            if (refusal != null) {
+            return simRobot.onSimulation(act);
+        } catch (IllegalStateException e) {
+            if (e.getCause() instanceof CommandException refusal) {
                 throw refusal;
             }
-        } catch (IllegalStateException e) {
             throw new CommandException(e.getMessage());
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new CommandException("interrupted");
+            throw interrupted();
+        }
+    }
+
+    private static CommandException interrupted() {
+        Thread.currentThread().interrupt();
+        return new CommandException("interrupted");
+    }
+
+    // ---- the run -------------------------------------------------------------------------------------------------
+
+    private void list() {
+        List<TelephoneRobot> robots = simRobot.robots();
+        robots.forEach(robot -> answer(Event.of("robot")
+                .with("robot", robot.name())
+                .with("number", robot.number().digits())));
+        answer(Event.of("end").with("of", "robots").with("count", robots.size()));
+    }
+
+    private void add(ConsoleCommand command) throws CommandException {
+        List<String> words = command.words();
+        if (words.size() != 1 && words.size() != 4) {
+            throw new CommandException("add: expected NAME=NUMBER [X Y HEADING], found "
+                    + (command.rest().isEmpty() ? "nothing after it" : command.rest()));
+        }
+        Optional<Pose> place = words.size() == 1
+                ? Optional.empty()
+                : Optional.of(RobotCommands.pose(command.name(), words.subList(1, 4)));
+        try {
+            TelephoneRobot added = fleet.add(RobotName.parse(words.get(0)), place);
+            answer(new RobotEvent.Added(added.number().digits()).line(added.name()));
+            Pose stands = simRobot.onSimulation(() -> added.robot().pose());
+            answer(new RobotEvent.PoseReported(stands).line(added.name()));
+        } catch (IllegalArgumentException | IllegalStateException | Fleet.Refusal | IOException refusal) {
+            throw new CommandException("add: " + refusal.getMessage());
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+    }
+
+    private void remove(Request request) throws CommandException {
+        TelephoneRobot robot = request.telephone();
+        try {
+            if (fleet.remove(robot.name())) {
+                answer(new RobotEvent.Removed(robot.number().digits()).line(robot.name()));
+            }
+        } catch (IllegalStateException refusal) {
+            throw new CommandException("remove: " + refusal.getMessage());
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+    }
+
+    private void world(ConsoleCommand command) throws CommandException {
+        String file = command.text();
+        Optional<World> next = file.isEmpty() ? Optional.empty() : Optional.of(read(file));
+        World world = onSimulation(() -> {
+            try {
+                next.ifPresent(simRobot.simulation().owned()::load);
+                return simRobot.simulation().owned().world();
+            } catch (IllegalArgumentException refusal) {
+                throw new CommandException("world: " + refusal.getMessage());
+            }
+        });
+        answer(Event.of("world")
+                .with("name", world.name())
+                .with("lines", world.segments().size())
+                .with("points", world.points().size())
+                .with("homes", world.homes().size()));
+    }
+
+    private World read(String file) throws CommandException {
+        try {
+            return worlds.read(Path.of(file));
+        } catch (IOException e) {
+            throw new CommandException("world: " + Program.describe(e));
+        } catch (InvalidPathException e) {
+            throw new CommandException("world: expected a world file, found " + file);
         }
     }
 }

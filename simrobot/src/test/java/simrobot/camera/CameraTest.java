@@ -178,10 +178,10 @@ class CameraTest {
 
     @Test
     void theFilesNameSaysItsKind() {
-        assertTrue(PictureFile.isNamedWell(Path.of("a.PNG")));
-        assertTrue(PictureFile.isNamedWell(Path.of("a.jpg")));
-        assertTrue(PictureFile.isNamedWell(Path.of("a.jpeg")));
-        assertFalse(PictureFile.isNamedWell(Path.of("a.gif")));
-        assertFalse(PictureFile.isNamedWell(Path.of("png")));
+        assertTrue(PictureFile.hasKnownEnding(Path.of("a.PNG")));
+        assertTrue(PictureFile.hasKnownEnding(Path.of("a.jpg")));
+        assertTrue(PictureFile.hasKnownEnding(Path.of("a.jpeg")));
+        assertFalse(PictureFile.hasKnownEnding(Path.of("a.gif")));
+        assertFalse(PictureFile.hasKnownEnding(Path.of("png")));
     }
 }

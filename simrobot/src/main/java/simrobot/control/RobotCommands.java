@@ -1,0 +1,214 @@
+package simrobot.control;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import simgsm.console.CommandException;
+import simgsm.console.ConsoleCommand;
+import simgsm.console.Event;
+import simrobot.behaviour.BehaviourKind;
+import simrobot.camera.Camera;
+import simrobot.camera.PictureFile;
+import simrobot.robot.Pioneer;
+import simrobot.robot.Placement;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import vericommand.Pose;
+import vericommand.RobotStatus;
+
+/** The console commands about one robot. What they answer is printed on the simulation's thread; files are written here. */
+final class RobotCommands {
+    private static final double MAX_METERS = 1e6;
+    private static final double MAX_DEGREES = 1e6;
+
+    private final RobotConsole console;
+    private final TelephoneRobot telephone;
+    private final Pioneer robot;
+
+    RobotCommands(RobotConsole console, TelephoneRobot telephone) {
+        this.console = console;
+        this.telephone = telephone;
+        robot = telephone.robot();
+    }
+
+    private void answer(RobotEvent event) {
+        console.answer(event.line(robot.name()));
+    }
+
+    private Event about(String event) {
+        return Event.of(event).with("robot", robot.name());
+    }
+
+    /** An act on the simulation's thread. */
+    private interface Act {
+        void run() throws CommandException;
+    }
+
+    private void onSimulation(Act act) throws CommandException {
+        console.onSimulation((Callable<Void>) () -> {
+            act.run();
+            return null;
+        });
+    }
+
+    void status() throws CommandException {
+        onSimulation(() -> answer(new RobotEvent.StatusChanged(robot.status())));
+    }
+
+    void pose() throws CommandException {
+        onSimulation(() -> answer(new RobotEvent.PoseReported(robot.pose())));
+    }
+
+    void sonar() throws CommandException {
+        onSimulation(() -> console.answer(about("sonar")
+                .with(
+                        "ranges",
+                        Arrays.stream(robot.sonarRangesMillimeters())
+                                .mapToObj(Integer::toString)
+                                .collect(Collectors.joining(",")))));
+    }
+
+    private static boolean isOn(ConsoleCommand command) throws CommandException {
+        String word = command.words(1, "on or off").get(0);
+        if (!word.equals("on") && !word.equals("off")) {
+            throw new CommandException(command.name() + ": expected on or off, found " + word);
+        }
+        return word.equals("on");
+    }
+
+    void power(ConsoleCommand command) throws CommandException {
+        boolean on = isOn(command);
+        onSimulation(() -> setAndAnswer(() -> robot.setPower(on)));
+    }
+
+    void motors(ConsoleCommand command) throws CommandException {
+        boolean on = isOn(command);
+        onSimulation(() -> {
+            if (on && !robot.isPowered()) {
+                throw new CommandException("motors on: the robot is off, expected power on first");
+            }
+            setAndAnswer(() -> robot.setMotors(on));
+        });
+    }
+
+    /** A status that changes is printed by the robot's own event; one that stays is printed here. */
+    private void setAndAnswer(Runnable act) {
+        RobotStatus before = robot.status();
+        act.run();
+        if (robot.status() == before) {
+            answer(new RobotEvent.StatusChanged(before));
+        }
+    }
+
+    /** A process that changes is printed by the robot's own event; one that stays, or is asked for, is printed here. */
+    void behaviour(ConsoleCommand command) throws CommandException {
+        SimulatedRobot simulated = telephone
+                .simulated()
+                .orElseThrow(
+                        () -> new CommandException("behaviour: " + robot.name() + " is a real robot and runs none"));
+        if (command.rest().isEmpty()) {
+            onSimulation(() ->
+                    answer(new RobotEvent.BehaviourChanged(simulated.autonomy().kind())));
+            return;
+        }
+        BehaviourKind kind = kind(command.words(1, "a behaviour's name").get(0));
+        onSimulation(() -> {
+            BehaviourKind before = simulated.autonomy().kind();
+            if (!simulated.autonomy().begin(kind)) {
+                throw new CommandException("behaviour " + kind.text() + ": not possible in "
+                        + robot.status().text());
+            }
+            if (before == kind) {
+                answer(new RobotEvent.BehaviourChanged(kind));
+            }
+        });
+    }
+
+    private static BehaviourKind kind(String word) throws CommandException {
+        try {
+            return BehaviourKind.ofText(word);
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("behaviour: " + e.getMessage());
+        }
+    }
+
+    void place(ConsoleCommand command) throws CommandException {
+        Pose pose = pose(command.name(), command.words(3, "X Y HEADING"));
+        onSimulation(() -> {
+            Placement placement = robot.place(pose.xMeters(), pose.yMeters(), Math.toRadians(pose.headingDegrees()));
+            if (placement != Placement.DONE) {
+                throw new CommandException("place " + command.rest() + ": " + placement.text());
+            }
+            answer(new RobotEvent.PoseReported(robot.pose()));
+        });
+    }
+
+    void camera(ConsoleCommand command) throws CommandException {
+        Path file = file(command, PictureFile::hasKnownEnding, ".png, .jpg or .jpeg");
+        SimulationSnapshot scene = console.onSimulation(console.simRobot()::scene);
+        RobotSnapshot carrier = scene.robot(robot.name())
+                .filter(RobotSnapshot::simulated)
+                .orElseThrow(() -> new CommandException("camera: " + robot.name() + " has none that is simulated"));
+        try {
+            PictureFile.write(new Camera().picture(scene, carrier), file);
+        } catch (NoSuchFileException e) {
+            throw new CommandException("camera: " + file + " cannot be written, expected a folder that is there");
+        } catch (IOException e) {
+            throw new CommandException("camera: " + file + " cannot be written: " + e.getMessage());
+        }
+        console.answer(about("camera")
+                .with("file", file.toString())
+                .with("width", Camera.WIDTH)
+                .with("height", Camera.HEIGHT));
+    }
+
+    void export(ConsoleCommand command) throws CommandException {
+        Path file = file(command, FileExports::hasKnownEnding, ".png, .svg or .csv");
+        SimulationSnapshot scene = console.onSimulation(console.simRobot()::scene);
+        try {
+            console.exports().export(scene, robot.name(), file);
+        } catch (IOException e) {
+            throw new CommandException("export: " + e.getMessage());
+        }
+        console.answer(about("exported").with("file", file.toString()));
+    }
+
+    private static Path file(ConsoleCommand command, Predicate<Path> isKnown, String endings) throws CommandException {
+        String text = command.text();
+        try {
+            Path file = Path.of(text);
+            if (isKnown.test(file)) {
+                return file;
+            }
+        } catch (InvalidPathException e) {
+            // reported below, as for any other name
+        }
+        throw new CommandException(command.name() + ": expected a file that ends in " + endings + ", found "
+                + (text.isEmpty() ? "nothing after it" : text));
+    }
+
+    /** Reads three words: metres, metres, degrees. */
+    static Pose pose(String command, List<String> words) throws CommandException {
+        return new Pose(
+                number(command, "X", words.get(0), MAX_METERS),
+                number(command, "Y", words.get(1), MAX_METERS),
+                number(command, "HEADING", words.get(2), MAX_DEGREES));
+    }
+
+    private static double number(String command, String what, String word, double max) throws CommandException {
+        if (word.matches("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]{1,3})?")) {
+            double number = Double.parseDouble(word);
+            if (Math.abs(number) <= max) {
+                return number;
+            }
+        }
+        throw new CommandException(command + ": expected a number for " + what + ", found " + word);
+    }
+}
