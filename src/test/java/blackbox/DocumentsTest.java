@@ -20,6 +20,9 @@ import org.junit.jupiter.api.Test;
 class DocumentsTest {
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)\\)");
 
+    /** Names in documents that look like classes of ours. */
+    private static final Set<String> OF_OTHERS = Set.of("SecureRandom", "RobotHome", "GoalWithHeading");
+
     private static List<Path> documents() throws IOException {
         List<Path> documents = new ArrayList<>(
                 List.of(Dist.root().resolve("README.md"), Dist.root().resolve("CONTRIBUTING.md")));
@@ -60,6 +63,22 @@ class DocumentsTest {
     }
 
     @Test
+    void classesThatTheDocumentsNameAreThere() throws IOException {
+        Set<String> classes = javaFiles("");
+        Set<String> missing = new TreeSet<>();
+        for (Path document : documents()) {
+            Matcher names =
+                    Pattern.compile("`([A-Z][a-z]+(?:[A-Z][a-z0-9]+)+)`").matcher(Files.readString(document));
+            while (names.find()) {
+                if (!classes.contains(names.group(1)) && !OF_OTHERS.contains(names.group(1))) {
+                    missing.add(document.getFileName() + " -> " + names.group(1));
+                }
+            }
+        }
+        assertEquals(Set.of(), missing);
+    }
+
+    @Test
     void theCatalogueOfTestsNamesOnlyClassesThatAreThere() throws IOException {
         Set<String> named = new TreeSet<>();
         Matcher names = Pattern.compile("`([A-Z]\\w*Test)`")
@@ -89,12 +108,16 @@ class DocumentsTest {
         assertEquals(Set.of(), named);
     }
 
-    /** The names of all test classes of the repository. */
-    static Set<String> testClasses() throws IOException {
+    private static Set<String> testClasses() throws IOException {
+        return javaFiles("Test");
+    }
+
+    /** The names of all top-level classes of the repository that end so. */
+    private static Set<String> javaFiles(String ending) throws IOException {
         try (Stream<Path> files = Files.walk(Dist.root())) {
             return files.filter(file -> !file.startsWith(Dist.root().resolve("target")))
                     .map(file -> file.getFileName().toString())
-                    .filter(name -> name.endsWith("Test.java"))
+                    .filter(name -> name.endsWith(ending + ".java"))
                     .map(name -> name.substring(0, name.length() - ".java".length()))
                     .collect(Collectors.toCollection(TreeSet::new));
         }

@@ -3,6 +3,7 @@ package blackbox.uml;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import blackbox.Dist;
+import blackbox.PrintedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,8 +17,6 @@ import java.util.stream.Stream;
 final class Diagram {
     static final Path FOLDER = Dist.root().resolve("docs").resolve("uml");
 
-    private static final boolean WRITES = Boolean.getBoolean("uml.write");
-
     private Diagram() {}
 
     /** The head of a diagram that lies in a folder of {@code docs/uml}. */
@@ -25,22 +24,14 @@ final class Diagram {
         return "@startuml\n!include ../look.iuml\ntitle " + title + "\n";
     }
 
-    /** Compares a diagram with its file; with {@code -Duml.write=true} writes the file. */
+    /** Compares a diagram with its file, or writes the file. */
     static void hold(String file, String text) throws IOException {
-        Path path = FOLDER.resolve(file);
-        if (WRITES) {
-            Files.createDirectories(path.getParent());
-            Files.writeString(path, text);
-        }
-        assertEquals(
-                text,
-                Files.exists(path) ? Files.readString(path).replace("\r", "") : "no such file",
-                file + " has drifted from the code; package-info of blackbox.uml says how to write it anew");
+        PrintedFile.hold(FOLDER.resolve(file), text);
     }
 
     /** Requires that a folder holds these printed diagrams and no others with the prefix; when writing, deletes others. */
     static void holdOnly(String folder, String prefix, Set<String> expected) throws IOException {
-        if (WRITES) {
+        if (PrintedFile.IS_WRITING) {
             for (String name : printed(folder, prefix)) {
                 if (!expected.contains(name)) {
                     Files.delete(FOLDER.resolve(folder).resolve(name));
