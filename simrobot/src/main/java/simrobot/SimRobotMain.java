@@ -15,10 +15,10 @@ import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
-import simgsm.console.Collapse;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
+import simgsm.console.FatalError;
 import simgsm.console.HostPort;
 import simgsm.console.Options;
 import simgsm.console.Program;
@@ -179,7 +179,7 @@ public final class SimRobotMain {
             throws IOException, InterruptedException {
         try (ReplayThread replay = opened(file)) {
             ReplayModel model = new ReplayModel(replay, new RefusalTexts(language));
-            replay.onFailure(fault -> Collapse.end(NAME, fault));
+            replay.onFailure(fault -> FatalError.end(NAME, fault));
             replay.setSpeed(speed);
             replay.setPaused(false);
             replay.start();
@@ -221,7 +221,7 @@ public final class SimRobotMain {
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);
-        simRobot.simulation().onFailure(fault -> Collapse.end(NAME, fault));
+        simRobot.simulation().onFailure(fault -> FatalError.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<PioneerAddress> real = RequestedRobots.real(arguments, names);
         if (real.isPresent()) {

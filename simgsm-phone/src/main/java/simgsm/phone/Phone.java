@@ -8,7 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
-import simgsm.console.Collapse;
+import simgsm.console.FatalError;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.handset.StationSide;
@@ -24,7 +24,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     /** An act takes microseconds; if it takes this long the thread has ended. */
     private static final long ACT_SECONDS = 5;
 
-    private final StationThread thread = new StationThread("station", cause -> Collapse.end(PhoneMain.NAME, cause));
+    private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
     private final AudioOutput output;
     private final CallAudioListener recorder;
     private final Handset handset;

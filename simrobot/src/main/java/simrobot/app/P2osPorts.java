@@ -1,8 +1,8 @@
 package simrobot.app;
 
 import java.io.IOException;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.System.Logger;
 import java.net.InetAddress;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import simgsm.console.Arguments;
-import simgsm.console.Collapse;
 import simgsm.console.Event;
+import simgsm.console.FatalError;
 import simgsm.console.UsageException;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
@@ -71,7 +71,7 @@ final class P2osPorts implements AutoCloseable {
     }
 
     void start() {
-        server.ifPresent(started -> started.start(cause -> Collapse.end("simrobot", cause)));
+        server.ifPresent(started -> started.start(cause -> FatalError.end("simrobot", cause)));
     }
 
     /** A robot that comes later gets a port, too, if robots have any. */

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.console.Collapse;
+import simgsm.console.FatalError;
 import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -41,7 +41,7 @@ public final class SimRobot implements AutoCloseable {
 
     private final Simulation simulation;
     private final SimulationThread simulationThread;
-    private final StationThread stationThread = new StationThread("modems", cause -> Collapse.end("simrobot", cause));
+    private final StationThread stationThread = new StationThread("modems", cause -> FatalError.end("simrobot", cause));
     private final InetSocketAddress center;
     private final VeriCommandSettings settings;
     private final ControlThreads drivers;

@@ -23,7 +23,7 @@ import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.smpp.SmppUsers;
-import simgsm.console.Collapse;
+import simgsm.console.FatalError;
 import simgsm.console.HostPort;
 
 /** A running centre: its data directory, its port, its thread. */
@@ -151,9 +151,9 @@ public final class Center implements AutoCloseable {
                 store,
                 listener);
         exchange.restore(journal.stored());
-        store.start(cause -> Collapse.end(CenterMain.NAME, cause));
+        store.start(cause -> FatalError.end(CenterMain.NAME, cause));
         exchange.smpp().admit(smppUsers);
-        loop.start(exchange, cause -> Collapse.end(CenterMain.NAME, cause));
+        loop.start(exchange, cause -> FatalError.end(CenterMain.NAME, cause));
     }
 
     /**

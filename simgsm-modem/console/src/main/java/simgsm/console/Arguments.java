@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 
-/** A command line that has been read: typed access to what was given, errors that name the option. */
+/** The options and arguments of a command line, converted to types; errors name the option. */
 public final class Arguments {
     private final Map<String, List<String>> given;
     private final List<String> rest;
@@ -23,11 +23,12 @@ public final class Arguments {
         return given.containsKey(name);
     }
 
-    /** The arguments that are no options. */
+    /** The arguments other than options. */
     public List<String> rest() {
         return rest;
     }
 
+    /** The last value of an option. */
     public Optional<String> text(String name) {
         return Optional.ofNullable(given.get(name)).map(values -> values.get(values.size() - 1));
     }
@@ -37,16 +38,18 @@ public final class Arguments {
         return List.copyOf(given.getOrDefault(name, List.of()));
     }
 
+    /** The value as a path. */
     public Optional<Path> path(String name) throws UsageException {
         return value(name, Path::of);
     }
 
+    /** The value as {@code HOST:PORT}. */
     public Optional<HostPort> hostPort(String name) throws UsageException {
         return value(name, HostPort::parse);
     }
 
     /**
-     * A value of the caller's own kind.
+     * A value converted by {@code reader}.
      *
      * @param reader throws IllegalArgumentException saying what it expected
      */
@@ -59,7 +62,7 @@ public final class Arguments {
         }
     }
 
-    /** The result of {@code source}; its IllegalArgumentException becomes a usage error with the same text. */
+    /** The result of {@code source}; its IllegalArgumentException is thrown as a usage error with the same text. */
     public static <T> T checked(Supplier<T> source) throws UsageException {
         try {
             return source.get();
@@ -98,7 +101,7 @@ public final class Arguments {
                 .orElse(otherwise);
     }
 
-    /** One of a few words; the first is meant when the option is not given. */
+    /** One of these words; the first without the option. */
     public String choice(String name, String... words) throws UsageException {
         return value(name, text -> {
                     if (List.of(words).contains(text)) {
@@ -109,7 +112,7 @@ public final class Arguments {
                 .orElse(words[0]);
     }
 
-    /** The language of {@code --lang en|es}, else the system's if we speak it, else English. */
+    /** The language of {@code --lang en|es}; without it Spanish on a Spanish system, else English. */
     public Locale language() throws UsageException {
         String system = Locale.getDefault().getLanguage().equals("es") ? "es" : "en";
         return Locale.forLanguageTag(has("lang") ? choice("lang", "en", "es") : system);

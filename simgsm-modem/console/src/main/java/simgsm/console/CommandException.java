@@ -1,6 +1,6 @@
 package simgsm.console;
 
-/** A console command that cannot be done; the text, shown as {@code error text=}, says why and what was expected. */
+/** A console command that failed; the text, printed as {@code error text=}, has the cause and what was expected. */
 public final class CommandException extends Exception {
     public CommandException(String text) {
         super(text);

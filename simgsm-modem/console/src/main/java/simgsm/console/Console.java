@@ -12,15 +12,15 @@ import java.util.function.Consumer;
 /**
  * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
  *
- * <p>{@code wait EVENT [key=value...] [SECONDS]} and {@code quit} are the console's own; everything else goes to the
- * program's {@link Commands}.
+ * <p>The console performs {@code wait EVENT [key=value...] [SECONDS]} and {@code quit}; all other commands are performed
+ * by the program's {@link Commands}, most of them by a {@link CommandTable}.
  */
 public final class Console implements AutoCloseable {
-    /** What a program does with a command. Errors it throws are printed and the program goes on. */
+    /** Performs the commands of a program. An exception is printed as an error, and the program goes on. */
     public interface Commands {
         void perform(ConsoleCommand command) throws CommandException;
 
-        /** Whether a command may begin with {@code @NAME}; wait and quit take it then and mean the same. */
+        /** Whether a command may begin with {@code @NAME}, which wait and quit then ignore. */
         default boolean areAddressed() {
             return false;
         }
@@ -31,11 +31,11 @@ public final class Console implements AutoCloseable {
 
     private final Consumer<Event> printer;
     private final Runnable ending;
-    private final EventLog log = new EventLog();
+    private final EventBuffer log = new EventBuffer();
     private List<Event> beforeReady = new ArrayList<>();
     private volatile boolean failed;
 
-    /** A console that prints within {@link #emit}, on whichever thread calls it. */
+    /** A console that prints on the thread that calls {@link #emit}. */
     public Console(PrintStream out) {
         this(
                 event -> {
@@ -50,19 +50,19 @@ public final class Console implements AutoCloseable {
         this.ending = ending;
     }
 
-    /** A console on standard output that prints on a thread of its own: whoever emits is never held up. */
+    /** A console on standard output that prints on its own thread, so that {@link #emit} never blocks. */
     public static Console onStandardOutput() {
-        PrintQueue queue = new PrintQueue(Program.standardOutput());
+        EventOutputQueue queue = new EventOutputQueue(Program.standardOutput());
         return new Console(queue::print, queue::close);
     }
 
-    /** Prints what is left. */
+    /** Prints the events that still wait. */
     @Override
     public void close() {
         ending.run();
     }
 
-    /** Prints {@code ready}, the first line of all, and then what was emitted before it. */
+    /** Prints {@code ready}, the first line, and then the events emitted before it. */
     public synchronized void ready(Event ready) {
         List<Event> waiting = beforeReady;
         beforeReady = null;
@@ -70,7 +70,7 @@ public final class Console implements AutoCloseable {
         waiting.forEach(this::emit);
     }
 
-    /** Prints an event; before {@link #ready} it is kept back. */
+    /** Prints an event; before {@link #ready} it is kept. */
     public synchronized void emit(Event event) {
         if (beforeReady != null) {
             beforeReady.add(event);
@@ -144,7 +144,7 @@ public final class Console implements AutoCloseable {
                 return seconds;
             }
         } catch (NumberFormatException e) {
-            // said below, as for a number out of range
+            // The exception below is also that of a number out of range.
         }
         throw new CommandException("wait: expected key=value or a number of seconds, found " + word);
     }
@@ -165,7 +165,7 @@ public final class Console implements AutoCloseable {
         return seconds == Math.rint(seconds) ? Long.toString((long) seconds) : Double.toString(seconds);
     }
 
-    /** Marks the run as failed for a reason of the program's own. */
+    /** Sets the exit status to {@link ExitStatus#FAILED}. */
     public void fail() {
         failed = true;
     }

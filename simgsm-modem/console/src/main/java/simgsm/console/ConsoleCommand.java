@@ -6,7 +6,7 @@ import java.util.List;
  * One command line of a console.
  *
  * @param name its first word
- * @param rest what follows the first word, without the blanks around it
+ * @param rest the text after the first word, stripped
  */
 public record ConsoleCommand(String name, String rest) {
     /** A line as typed. */
@@ -25,7 +25,7 @@ public record ConsoleCommand(String name, String rest) {
      * @throws CommandException for a broken quote
      */
     public List<String> words() throws CommandException {
-        return Quoted.words(rest);
+        return ConsoleQuoting.words(rest);
     }
 
     /**
@@ -43,12 +43,12 @@ public record ConsoleCommand(String name, String rest) {
         return words;
     }
 
-    /** Whether it begins with {@code @NAME}, which says for whom the rest is meant. */
+    /** Whether it begins with {@code @NAME}, the robot that the rest is for. */
     public boolean isAddressed() {
         return name.startsWith("@");
     }
 
-    /** The rest without its first word, as a command of its own; for prefixes such as {@code @NAME}. */
+    /** The rest as a command; for prefixes such as {@code @NAME}. */
     public ConsoleCommand tail() {
         return parse(rest);
     }
@@ -56,14 +56,14 @@ public record ConsoleCommand(String name, String rest) {
     /**
      * A text argument: the rest as it stands, or one double-quoted string with JSON escapes.
      *
-     * @throws CommandException for a broken quote or something behind the closing one
+     * @throws CommandException for a broken quote or text after the closing one
      */
     public String text() throws CommandException {
         if (!rest.startsWith("\"")) {
             return rest;
         }
         StringBuilder text = new StringBuilder();
-        int end = Quoted.readQuoted(rest, 0, text);
+        int end = ConsoleQuoting.readQuoted(rest, 0, text);
         if (end != rest.length()) {
             throw new CommandException("nothing may follow the closing \", found " + rest.substring(end));
         }

@@ -19,15 +19,15 @@ public record Event(String name, Map<String, String> fields) {
         return new Event(name, Map.of());
     }
 
-    /** The same event with one field more; the value is printed by {@code toString}. */
+    /** The same event with a further field; the value is converted by {@code toString}. */
     public Event with(String key, Object value) {
         Map<String, String> more = new LinkedHashMap<>(fields);
         more.put(key, String.valueOf(value));
         return new Event(name, more);
     }
 
-    /** Whether it has the wanted event's name and all of its fields with the same text. */
-    boolean answers(Event wanted) {
+    /** Whether name and all fields of {@code wanted} are equal to those here. */
+    boolean matches(Event wanted) {
         return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());
     }
 
@@ -35,7 +35,7 @@ public record Event(String name, Map<String, String> fields) {
     @Override
     public String toString() {
         StringBuilder line = new StringBuilder(name);
-        fields.forEach((key, value) -> line.append(' ').append(key).append('=').append(Quoted.write(value)));
+        fields.forEach((key, value) -> line.append(' ').append(key).append('=').append(ConsoleQuoting.write(value)));
         return line.toString();
     }
 }

@@ -1,7 +1,7 @@
 package simgsm.console;
 
 /**
- * A host and a TCP port as written on command lines.
+ * A host and a TCP port as on command lines.
  *
  * @param host a name or an address, an IPv6 one without its brackets
  * @param port 1 to 65535

@@ -11,7 +11,7 @@ import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 
-/** Sends the log to standard error, a line a record, from a chosen level on. */
+/** Writes log records from a level on to standard error, a line each. */
 final class LogSettings {
     private static final Map<String, Level> LEVELS = Map.of(
             "off", Level.OFF,
@@ -20,11 +20,11 @@ final class LogSettings {
             "info", Level.INFO,
             "debug", Level.FINE,
             "trace", Level.FINER);
-    /** In force unless {@code --log-level} says otherwise. */
+    /** The level without {@code --log-level}. */
     static final String DEFAULT = "info";
-    /** The root logger, held so that its settings are not collected with it. */
+    /** The root logger; the reference keeps its settings from garbage collection. */
     private static final Logger ROOT = Logger.getLogger("");
-    /** Our own packages; the JDK's own chatter stays at warnings. */
+    /** The suite's packages; other packages log from warnings on. */
     private static final Logger[] OURS = {
         Logger.getLogger("simgsm"), Logger.getLogger("simrobot"), Logger.getLogger("vericommand")
     };

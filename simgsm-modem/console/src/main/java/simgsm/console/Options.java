@@ -5,9 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The options that a program takes; reads a command line against them and prints the help. */
+/** The options of a program: reads command lines and prints the help. */
 public final class Options {
-    /** @param value what stands for the value in the help, or null for a switch */
+    /** @param value name of the value in the help; null for a flag */
     private record Option(String name, String value, String help, boolean collects) {}
 
     private final String usage;
@@ -17,7 +17,7 @@ public final class Options {
     private String commands = "";
 
     /**
-     * @param usage how the program is started, as {@code java -jar simgsm-phone.jar --number N [options]}
+     * @param usage a command line, as {@code java -jar simgsm-phone.jar --number N [options]}
      * @param summary what it does, one or a few lines
      */
     public Options(String usage, String summary) {
@@ -25,12 +25,12 @@ public final class Options {
         this.summary = summary;
     }
 
-    /** An option with a value; given twice, the last one holds. */
+    /** An option with a value; the last one counts. */
     public Options value(String name, String value, String help) {
         return add(new Option(name, value, help, false));
     }
 
-    /** An option with a value that may be given several times and collects. */
+    /** An option with a value of which all count. */
     public Options collecting(String name, String value, String help) {
         return add(new Option(name, value, help, true));
     }
@@ -40,7 +40,7 @@ public final class Options {
         return add(new Option(name, null, help, false));
     }
 
-    /** How many arguments that are no options may follow; none unless told. */
+    /** Most arguments other than options; without this call none. */
     public Options arguments(int most) {
         maxArguments = most;
         return this;

@@ -14,13 +14,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What every main does around its own work: reads the options, answers {@code --help} and {@code --version}, turns
- * failures into a line on standard error and an exit status.
+ * The frame of every main: reads the options, answers {@code --help} and {@code --version}, and turns exceptions into a
+ * line on standard error and an exit status.
  */
 public final class Program {
     private static final System.Logger LOG = System.getLogger(Program.class.getName());
 
-    /** A program's own work. Returns its exit status. */
+    /** The work of a program. Returns the exit status. */
     public interface Body {
         int run(Arguments arguments) throws Exception;
     }
@@ -29,13 +29,13 @@ public final class Program {
     private final Options options;
     private String logLevel = LogSettings.DEFAULT;
 
-    /** @param name as users know it, such as {@code simgsm-phone} */
+    /** @param name as in messages, such as {@code simgsm-phone} */
     public Program(String name, Options options) {
         this.name = name;
         this.options = options;
     }
 
-    /** What is logged unless the user says otherwise: one of the words of {@code --log-level}. */
+    /** Sets the level without {@code --log-level}, one of its words. */
     public Program logging(String level) {
         logLevel = level;
         return this;
@@ -46,7 +46,7 @@ public final class Program {
         System.exit(run(List.of(args), standardOutput(), System.err, body));
     }
 
-    /** Runs and returns the exit status; nothing but {@code body} touches the process. */
+    /** Runs and returns the exit status; does not end the process. */
     public int run(List<String> args, PrintStream out, PrintStream err, Body body) {
         try {
             Arguments arguments = options.parse(args);
@@ -82,7 +82,7 @@ public final class Program {
         }
     }
 
-    /** A script that cannot be read is said before anything begins. */
+    /** Fails before the program starts if the script cannot be read. */
     private static void requireScript(Arguments arguments) throws UsageException, IOException {
         Optional<Path> script = arguments.path("script");
         if (script.isPresent()) {
@@ -94,7 +94,7 @@ public final class Program {
         return Optional.ofNullable(main.getPackage().getImplementationVersion()).orElse("(not packaged)");
     }
 
-    /** What went wrong with a file or a line, in words for a user. */
+    /** The text of an exception for a user. */
     public static String describe(Exception e) {
         Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
         String text = cause.getMessage();
@@ -119,7 +119,7 @@ public final class Program {
 
     /**
      * Performs the commands of {@code --script FILE}, if given, then those of standard input, until {@code quit} or the
-     * end; with {@code --serve} the end of input is not the end of the program.
+     * end; with {@code --serve}, blocks after the end of input.
      *
      * @throws IOException if the script cannot be read
      */
@@ -139,17 +139,19 @@ public final class Program {
         }
     }
 
-    /** The options that every program with a headless console takes. */
+    /** The options of every program with a headless console. */
     public static Options commonOptions(String usage, String summary) {
         return new Options(usage, summary)
                 .flag("headless", "no window: commands on standard input, events on standard output")
                 .value("script", "FILE", "headless: console commands from a file, then from standard input")
                 .flag("serve", "headless: stay when standard input ends, until a signal")
-                .flag("end-with-input", "with a window: end when standard input ends (for a starting program)")
+                .flag(
+                        "end-with-input",
+                        "with a window: end when standard input ends (for programs that start this one)")
                 .value("lang", "en|es", "language of the window and of texts; else the system's")
                 .value("theme", "light|dark|system", "colours of the window")
                 .value("zoom", "PERCENT", "size of everything in the window, 50 to 300; Ctrl + and - change it (100)")
-                .value("window", "X,Y[,W,H]", "where the window's top left corner goes on the screen, and its size")
+                .value("window", "X,Y[,W,H]", "position of the window's top left corner on the screen, and its size")
                 .flag("no-sound", "use no sound device")
                 .value("seed", "N", "seed of everything random, for runs that repeat")
                 .value(

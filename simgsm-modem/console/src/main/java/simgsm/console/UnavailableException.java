@@ -1,6 +1,6 @@
 package simgsm.console;
 
-/** What the run needs is not there, such as a display; the text says what would do instead. */
+/** Something that the run needs is missing, such as a display; the text names the alternative. */
 public final class UnavailableException extends Exception {
     public UnavailableException(String text) {
         super(text);

@@ -1,6 +1,6 @@
 package simgsm.console;
 
-/** The command line is wrong; the text names the option, what it was given and what it expects. */
+/** An invalid command line; the text names the option, its value and what was expected. */
 public final class UsageException extends Exception {
     public UsageException(String text) {
         super(text);

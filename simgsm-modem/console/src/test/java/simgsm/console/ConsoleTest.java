@@ -158,7 +158,7 @@ class ConsoleTest {
 
     @Test
     void aQueuePrintsInOrderAndAllThatIsLeftAtItsEnd() {
-        PrintQueue queue = new PrintQueue(new PrintStream(printed, false, StandardCharsets.UTF_8));
+        EventOutputQueue queue = new EventOutputQueue(new PrintStream(printed, false, StandardCharsets.UTF_8));
         for (int i = 0; i < 1000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
@@ -170,7 +170,7 @@ class ConsoleTest {
     @Test
     void whoPrintsIntoAQueueIsNeverHeldUpByAReaderWhoHasStopped() throws Exception {
         PipedOutputStream stuck = new PipedOutputStream(new PipedInputStream(16));
-        PrintQueue queue = new PrintQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8));
+        EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8));
         for (int i = 0; i < 100_000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
@@ -198,7 +198,7 @@ class ConsoleTest {
     void theLogForgetsItsOldestEventsBeyondItsLimit() throws Exception {
         console.ready(Event.of("ready"));
         console.emit(Event.of("first"));
-        for (int i = 0; i < EventLog.MAX_UNREAD; i++) {
+        for (int i = 0; i < EventBuffer.MAX_UNREAD; i++) {
             console.emit(Event.of("filler"));
         }
         run("wait first 0");

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Values on console lines: bare where every character is plain, else in double quotes with JSON escapes. */
-final class Quoted {
+final class ConsoleQuoting {
     private static final String BARE_PUNCTUATION = "+.,:/*#_-";
 
-    private Quoted() {}
+    private ConsoleQuoting() {}
 
-    /** The value as it stands on an event line. */
+    /** The value as printed on an event line. */
     static String write(String value) {
-        if (!value.isEmpty() && value.chars().allMatch(Quoted::isBare)) {
+        if (!value.isEmpty() && value.chars().allMatch(ConsoleQuoting::isBare)) {
             return value;
         }
         StringBuilder text = new StringBuilder("\"");
@@ -43,7 +43,7 @@ final class Quoted {
     }
 
     /**
-     * Cuts a line at blanks that stand outside quotes; quoted parts are unescaped, also after {@code key=}.
+     * Splits a line at blanks outside quotes; quoted parts are unescaped, also after {@code key=}.
      *
      * @throws CommandException for an unfinished quote or an unknown escape
      */
@@ -74,7 +74,7 @@ final class Quoted {
         return at;
     }
 
-    /** Appends the string whose opening quote stands at {@code open}; returns the index behind its closing quote. */
+    /** Appends the string whose opening quote stands at {@code open}; returns the index after its closing quote. */
     static int readQuoted(String line, int open, StringBuilder text) throws CommandException {
         int at = open + 1;
         while (at < line.length() && line.charAt(at) != '"') {

@@ -11,14 +11,14 @@ import org.junit.jupiter.api.Timeout;
 
 /** Ends processes, so each is one of its own. */
 @Timeout(60)
-class CollapseTest {
+class FatalErrorTest {
     /** A program that would live for ever, and whose parting hangs if it is told to. */
     public static final class Doomed {
         public static void main(String[] args) throws InterruptedException {
             if (args.length > 0) {
                 Runtime.getRuntime().addShutdownHook(new Thread(Doomed::hang));
             }
-            Collapse.end("doomed", new LinkageError("on purpose"));
+            FatalError.end("doomed", new LinkageError("on purpose"));
             hang();
         }
 
@@ -35,7 +35,7 @@ class CollapseTest {
         ProcessBuilder builder = new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                place(Collapse.class) + System.getProperty("path.separator") + place(Doomed.class),
+                place(FatalError.class) + System.getProperty("path.separator") + place(Doomed.class),
                 Doomed.class.getName());
         builder.command().addAll(java.util.List.of(arguments));
         return builder.start();

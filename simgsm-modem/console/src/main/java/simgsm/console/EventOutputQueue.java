@@ -8,27 +8,27 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 
 /**
- * Prints events on a thread of its own, in order, so that a reader who is slow, or has stopped reading, never holds up the
- * thread of a protocol or of a simulation.
+ * Prints events in order on its own thread, so that a slow or stopped reader of standard output never blocks the thread
+ * of a protocol or a simulation.
  */
-final class PrintQueue implements AutoCloseable {
-    /** Beyond this a reader who has stopped reading loses events. The longest list of any program is shorter. */
+final class EventOutputQueue implements AutoCloseable {
+    /** Most events that may wait; further ones are dropped. The longest list of any program is shorter. */
     static final int MAX_UNPRINTED = 1_000_000;
 
-    /** So many lines go out with one write at most. */
+    /** Most lines per write. */
     private static final int MAX_TOGETHER = 1_000;
 
-    /** How long the last lines may take at the program's end. */
+    /** Time-out for the last lines at the program's end. */
     private static final long DRAIN_MILLIS = 2_000;
 
     private static final Event END = Event.of("end");
-    private static final System.Logger LOG = System.getLogger(PrintQueue.class.getName());
+    private static final System.Logger LOG = System.getLogger(EventOutputQueue.class.getName());
 
     private final PrintStream out;
     private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
     private final Thread thread = new Thread(this::run, "console output");
 
-    PrintQueue(PrintStream out) {
+    EventOutputQueue(PrintStream out) {
         this.out = out;
         thread.setDaemon(true);
         thread.start();
@@ -36,7 +36,7 @@ final class PrintQueue implements AutoCloseable {
 
     void print(Event event) {
         if (!queue.offer(event)) {
-            LOG.log(Level.DEBUG, "nobody reads our output; lost: {0}", event);
+            LOG.log(Level.DEBUG, "standard output is not read; dropped: {0}", event);
         }
     }
 
@@ -62,14 +62,14 @@ final class PrintQueue implements AutoCloseable {
         }
     }
 
-    /** With one write, because thousands of events may come in a second. */
+    /** One write for all lines, because there may be thousands of events a second. */
     private void print(StringBuilder lines) {
         out.print(lines);
         out.flush();
         lines.setLength(0);
     }
 
-    /** Prints what is left, for a while. */
+    /** Prints the events that wait, for at most 2 s. */
     @Override
     public void close() {
         queue.offer(END);

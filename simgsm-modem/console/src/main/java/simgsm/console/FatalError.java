@@ -2,28 +2,28 @@ package simgsm.console;
 
 import java.util.concurrent.TimeUnit;
 
-/** The end of a program whose essential thread has died: it must neither look alive nor hang. */
-public final class Collapse {
-    /** So long may the program's parting take, such as detaching from the network. */
-    private static final long PARTING_SECONDS = 5;
+/** Ends a program in which a necessary thread has failed, so that it neither seems to work nor hangs. */
+public final class FatalError {
+    /** Time-out for the shutdown hooks, such as detaching from the network. */
+    private static final long SHUTDOWN_SECONDS = 5;
 
-    private Collapse() {}
+    private FatalError() {}
 
     /**
-     * Says on standard error why and ends the process with {@link ExitStatus#FAILED}. Returns at once, for the exit may wait
-     * for the calling thread.
+     * Prints the cause on standard error and ends the process with {@link ExitStatus#FAILED}. Returns at once, because the
+     * exit may wait for the calling thread.
      *
-     * @param program as users know it, such as {@code simgsm-phone}
+     * @param program as in its messages, such as {@code simgsm-phone}
      */
     public static void end(String program, Throwable cause) {
         try {
             System.err.println(sentence(program, cause));
-            Thread halt = new Thread(Collapse::haltSoon, "halt");
+            Thread halt = new Thread(FatalError::haltSoon, "halt");
             halt.setDaemon(true);
             halt.start();
             new Thread(() -> System.exit(ExitStatus.FAILED), "exit").start();
         } catch (Throwable hopeless) {
-            // Out of memory or threads, as a rule.
+            // Usually no memory for a thread.
             Runtime.getRuntime().halt(ExitStatus.FAILED);
         }
     }
@@ -34,7 +34,7 @@ public final class Collapse {
 
     private static void haltSoon() {
         try {
-            TimeUnit.SECONDS.sleep(PARTING_SECONDS);
+            TimeUnit.SECONDS.sleep(SHUTDOWN_SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

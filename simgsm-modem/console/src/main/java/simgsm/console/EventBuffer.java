@@ -3,9 +3,9 @@ package simgsm.console;
 import java.util.ArrayDeque;
 import java.util.concurrent.TimeUnit;
 
-/** The events behind a console's cursor. Any thread may add; one thread waits. */
-final class EventLog {
-    /** Beyond this many unread events the oldest are forgotten, so that a console nobody waits on stays small. */
+/** The events after a console's cursor. Any thread may add; one thread waits. */
+final class EventBuffer {
+    /** Most unread events; beyond it the oldest are dropped, for consoles without {@code wait}. */
     static final int MAX_UNREAD = 100_000;
 
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
@@ -24,7 +24,8 @@ final class EventLog {
     }
 
     /**
-     * Looks from the cursor on for an event of this name with at least these fields and sets the cursor behind it; when the time is over, to the end.
+     * Waits for an event after the cursor with this name and at least these fields, and sets the cursor after it; at the
+     * time-out, to the end.
      *
      * @return whether the event came
      */
@@ -32,7 +33,7 @@ final class EventLog {
         long end = System.nanoTime() + timeoutNanos;
         while (true) {
             while (!unread.isEmpty()) {
-                if (unread.removeFirst().answers(wanted)) {
+                if (unread.removeFirst().matches(wanted)) {
                     return true;
                 }
             }
