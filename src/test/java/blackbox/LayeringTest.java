@@ -57,11 +57,15 @@ class LayeringTest {
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
             simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc
-            simgsm.center.msc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.smsc simgsm.center.smpp
+            simgsm.center.msc.link   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.trace simgsm.center.subscriber
+            simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
+            simgsm.center.msc.call   : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
+            simgsm.center.msc.sms    : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link
+            simgsm.center.msc        : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms
             simgsm.center.capture    : simgsm.abis
-            simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc
-            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
+            simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
+            simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
+            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
@@ -228,7 +232,7 @@ class LayeringTest {
         "simgsm.dtmf",
         "simgsm.station",
         "simgsm.modem",
-        "simgsm.center.msc",
+        "simgsm.center.msc..",
         "simgsm.center.smpp",
         "simgsm.center.smsc",
         "simgsm.center.subscriber",

@@ -7,8 +7,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import simgsm.abis.IpaFrame;
 import simgsm.center.msc.Exchange;
-import simgsm.center.msc.Link;
-import simgsm.center.msc.LinkPort;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.station.MobileStation;
 import simgsm.station.Uplink;
 

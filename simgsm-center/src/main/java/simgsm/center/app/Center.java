@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import simgsm.center.CenterMain;
 import simgsm.center.capture.Capture;
@@ -18,11 +19,11 @@ import simgsm.center.journal.JournalThread;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.Exchange;
-import simgsm.center.msc.ExchangeListener;
+import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
-import simgsm.center.smpp.SmppUsers;
+import simgsm.center.smpp.SmppServer;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
 
@@ -42,7 +43,7 @@ public final class Center implements AutoCloseable {
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
 
     private final OptionalInt smppPort;
-    private final SmppUsers smppUsers;
+    private final SmppServer smpp = new SmppServer();
     private final Optional<Capture> capture;
 
     private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
@@ -52,9 +53,9 @@ public final class Center implements AutoCloseable {
         this.store = new JournalThread(journal, this::committed);
         this.settings = settings;
         address = settings.address();
-        smppUsers = SmppUserFile.read(data.path());
+        smpp.admit(SmppUserFile.read(data.path()));
         smppPort = settings.smppPort().isPresent()
-                ? OptionalInt.of(loop.openSmpp(address, settings.smppPort().getAsInt()))
+                ? OptionalInt.of(loop.openSmpp(address, settings.smppPort().getAsInt(), smpp))
                 : OptionalInt.empty();
         capture = settings.capture().isPresent()
                 ? Optional.of(Capture.start(settings.capture().get()))
@@ -139,7 +140,7 @@ public final class Center implements AutoCloseable {
         return settings.home();
     }
 
-    public void start(ExchangeListener listener) {
+    public void start(Consumer<ExchangeEvent> listener) {
         Exchange exchange = new Exchange(
                 new ExchangeSettings(
                         ExchangeSettings.DEFAULT_NETWORK_NAME,
@@ -149,10 +150,11 @@ public final class Center implements AutoCloseable {
                         settings.tones(),
                         settings.callWaiting()),
                 store,
+                smpp.routes(),
                 listener);
+        smpp.serve(exchange.shortMessages(), exchange.timers());
         exchange.restore(journal.stored());
         store.start(cause -> FatalError.end(CenterMain.NAME, cause));
-        exchange.smpp().admit(smppUsers);
         loop.start(exchange, cause -> FatalError.end(CenterMain.NAME, cause));
     }
 

@@ -5,13 +5,13 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What is to be broadcast, and how often.
+ * An order for a cell broadcast.
  *
  * @param channel message identifier, 0 to 65535
- * @param language two letters of ISO 639, if it is to be named
- * @param period from one time to the next, 1 s to 24 h; of no matter for a single time
- * @param times how often, 1 to 65535; empty for until it is stopped
- * @param updated the broadcast under way that this one takes the place of, with its next update number
+ * @param language two letters of ISO 639, if given
+ * @param period between two repetitions, 1 s to 24 h; unused for a single broadcast
+ * @param times 1 to 65535; empty: until it is stopped
+ * @param updated id of the repeated broadcast that this one replaces
  */
 public record BroadcastOrder(
         int channel, String text, Optional<String> language, Duration period, OptionalInt times, OptionalInt updated) {
@@ -33,7 +33,7 @@ public record BroadcastOrder(
         }
     }
 
-    /** Once, in no language in particular. */
+    /** A single broadcast without language. */
     public static BroadcastOrder once(int channel, String text) {
         return new BroadcastOrder(
                 channel, text, Optional.empty(), DEFAULT_PERIOD, OptionalInt.of(1), OptionalInt.empty());

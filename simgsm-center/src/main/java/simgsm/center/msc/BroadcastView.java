@@ -5,12 +5,12 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * A broadcast that is repeated.
+ * A repeated cell broadcast.
  *
- * @param id to stop or update it by
- * @param update number of the text's latest change, 0 to 15
- * @param sent how often so far
- * @param left how often still; empty for until it is stopped
+ * @param id by which it is stopped or updated
+ * @param update update number of the text, 0 to 15
+ * @param sent number of broadcasts so far
+ * @param left number of further broadcasts; empty: until it is stopped
  */
 public record BroadcastView(
         int id,

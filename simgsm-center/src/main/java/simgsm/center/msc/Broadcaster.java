@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.random.RandomGenerator;
 import simgsm.abis.RslMessage;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
@@ -13,17 +15,17 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Cell broadcast (TS 23.041): the same pages to everybody who is attached, once or again and again, so that who comes
- * later sees them, too; phones show a serial number once.
+ * Cell broadcast (TS 23.041): sends the same pages to all attached terminals, once or repeatedly for those that attach later;
+ * a phone shows a serial number once.
  */
 final class Broadcaster {
-    /** So many may be repeated at a time. */
+    /** Repeated broadcasts at a time. */
     static final int MOST_RUNNING = 100;
 
     private static final int CODES = 1024;
     private static final int UPDATES = 16;
 
-    private final Mobility mobility;
+    private final MobilityProcedures mobility;
     private final Timers timers;
     private final Map<Integer, Running> running = new LinkedHashMap<>();
     private int nextCode;
@@ -62,14 +64,14 @@ final class Broadcaster {
         }
     }
 
-    /** @param random for the first message code, so that phones do not take a new centre's broadcasts for old ones */
-    Broadcaster(Mobility mobility, Timers timers, RandomGenerator random) {
+    /** @param random gives the first message code, because phones remember the codes of an earlier run */
+    Broadcaster(MobilityProcedures mobility, Timers timers, RandomGenerator random) {
         this.mobility = mobility;
         this.timers = timers;
         this.nextCode = random.nextInt(CODES);
     }
 
-    /** @throws IllegalArgumentException saying what is wrong with the order */
+    /** @throws IllegalArgumentException naming the invalid part of the order */
     BroadcastView broadcast(BroadcastOrder order) {
         Running begun = begin(order);
         send(begun);
@@ -90,7 +92,7 @@ final class Broadcaster {
         return begun;
     }
 
-    /** The same message code, so that phones see that it takes the place of what they have shown. */
+    /** Keeps the message code and raises the update number, so that phones replace the old text. */
     private Running update(BroadcastOrder order, int id) {
         Running old = running.get(id);
         if (old == null) {
@@ -130,7 +132,7 @@ final class Broadcaster {
         return stopped != null;
     }
 
-    /** Those that are repeated, oldest first. */
+    /** Repeated broadcasts, oldest first. */
     List<BroadcastView> running() {
         return running.values().stream().map(Running::view).toList();
     }

@@ -8,13 +8,22 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslCodec;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
-import simgsm.center.smpp.SmppServer;
+import simgsm.center.msc.call.CallProgress;
+import simgsm.center.msc.call.CallSwitch;
+import simgsm.center.msc.call.CallView;
+import simgsm.center.msc.call.NetworkCall;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.mobility.MobilityProcedures;
+import simgsm.center.msc.sms.MobileMessages;
+import simgsm.center.smsc.ApplicationPort;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessage;
@@ -26,94 +35,98 @@ import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.timer.Timers;
 
 /**
- * The centre without its sockets and its clock: base station controller, MSC, registers and SMSC in one deterministic
- * machine. Links, frames, commits and time go in; frames, closings and events come out, through {@link LinkPort},
- * {@link MessageStore} and {@link ExchangeListener}. One thread drives it. Every {@code nowNanos} counts from the
- * exchange's start.
+ * The centre without sockets and clock: base station controller, MSC, registers and SMSC in one deterministic machine.
+ * Links, frames, commits and time go in; frames, closings and events come out, through {@link LinkPort}, {@link
+ * MessageStore} and the listener. One thread drives it. Every {@code nowNanos} counts from the exchange's start.
  */
 public final class Exchange {
     private static final System.Logger LOG = System.getLogger(Exchange.class.getName());
 
     private final Timers timers = new Timers();
-    private final Ladder ladder;
-    private final Set<Link> links = new LinkedHashSet<>();
-    private final Set<Link> settlement = new LinkedHashSet<>();
+    private final Instant startedAt;
+    private final Consumer<ExchangeEvent> listener;
     private final SubscriberRegister register;
-    private final Mobility mobility;
+    private final MobilityProcedures mobility;
     private final CallSwitch calls;
     private final ShortMessageCenter shortMessages;
-    private final SmppServer smpp;
     private final Broadcaster broadcaster;
     private final SignallingDispatcher signalling;
-    private final ExchangeParts parts;
     private final SnapshotMaker snapshots;
-    private final Instant startedAt;
+    private final Link.Context links;
 
-    public Exchange(ExchangeSettings settings, MessageStore store, ExchangeListener listener) {
-        ladder = new Ladder(settings.startedAt(), timers);
+    /** An exchange without applications. */
+    public Exchange(ExchangeSettings settings, MessageStore store, Consumer<ExchangeEvent> listener) {
+        this(settings, store, ApplicationPort.NONE, listener);
+    }
+
+    /** @param listener is called on the driving thread */
+    public Exchange(
+            ExchangeSettings settings,
+            MessageStore store,
+            ApplicationPort applications,
+            Consumer<ExchangeEvent> listener) {
+        this.startedAt = settings.startedAt();
+        this.listener = listener;
         RandomGenerator random = settings.random();
+        Ladder ladder = new Ladder(startedAt, timers);
         register = new SubscriberRegister(
                 settings.home(),
                 random,
-                newcomer -> store.commit(
-                        MessageStore.NO_TICKET, List.of(new StoreEntry.Known(newcomer.number(), newcomer.imsi()))));
-        smpp = new SmppServer(timers);
-        MessageDelivery delivery = new MessageDelivery(register);
+                first -> store.commit(
+                        MessageStore.NO_TICKET, List.of(new StoreEntry.Known(first.number(), first.imsi()))));
+        mobility = new MobilityProcedures(register, random, settings.networkName(), this::attached, this::detached);
+        MobileMessages mobiles =
+                new MobileMessages(number -> register.ofNumber(number).flatMap(mobility::locationOf));
         shortMessages = new ShortMessageCenter(
-                settings.startedAt(),
-                timers,
-                store,
-                new DeliveryWays(delivery, smpp.routes(), register),
-                (message, state) -> messageChanged(message, state, listener));
-        mobility = new Mobility(
-                register,
-                timers,
-                random,
-                settings.networkName(),
-                new AttachmentEvents(listener, number -> shortMessages.available(number)));
-        delivery.locations(mobility);
-        smpp.serve(shortMessages);
-        calls = new CallSwitch(
-                mobility, timers, settings.tones(), settings.callWaiting(), call -> callChanged(call, listener));
+                startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
+        mobiles.serve(shortMessages);
+        calls = new CallSwitch(mobility, settings.tones(), settings.callWaiting(), this::callChanged);
         broadcaster = new Broadcaster(mobility, timers, random);
-        signalling = new SignallingDispatcher(mobility, calls, ladder);
-        parts = new ExchangeParts(timers, ladder, mobility, shortMessages, links, settlement);
+        signalling = new SignallingDispatcher(mobility, calls, mobiles, ladder);
+        links = new Link.Context(
+                timers, ladder, new LinkedHashSet<>(), new LinkedHashSet<>(), List.of(mobility, calls, mobiles));
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
-        startedAt = settings.startedAt();
     }
 
-    /** Goes on where an earlier life of this exchange ended. To be called once, before anything else. */
-    public void restore(StoredState restored) {
-        restored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
-        shortMessages.restore(restored);
+    /** Takes over what the store held at the start. To be called once, before all other methods. */
+    public void restore(StoredState stored) {
+        stored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
+        shortMessages.restore(stored);
     }
 
-    private void callChanged(NetworkCall call, ExchangeListener listener) {
+    private void attached(Subscriber subscriber) {
+        listener.accept(new ExchangeEvent.Attached(subscriber.number()));
+        shortMessages.available(subscriber.number());
+    }
+
+    private void detached(Subscriber subscriber) {
+        listener.accept(new ExchangeEvent.Detached(subscriber.number()));
+    }
+
+    private void callChanged(NetworkCall call) {
         if (call.state() == CallProgress.INITIATED) {
             snapshots.callBegan(CallView.of(call));
             calls.keyTap().follow(call);
         }
-        call.to().ifPresent(to -> listener.happened(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
+        call.to().ifPresent(to -> listener.accept(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
     }
 
-    private void messageChanged(ShortMessage message, MessageState state, ExchangeListener listener) {
+    private void messageChanged(ShortMessage message, MessageState state) {
         if (state == MessageState.ACCEPTED) {
             snapshots.messageAccepted(message);
         }
-        smpp.changed(message, state);
-        listener.happened(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
+        listener.accept(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
     }
 
-    /** A terminal of this machine has connected. The link stands for it in all further calls. */
+    /** A terminal on this machine has connected. The link identifies it in all further calls. */
     public Link linkOpened(long nowNanos, LinkPort port, String address) {
         return linkOpened(nowNanos, port, address, true);
     }
 
-    /** A terminal has connected. @param isLocal whether from this machine: only others are held to what one person does */
+    /** A terminal has connected. @param isLocal whether it runs on this machine, without rate limits */
     public Link linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
         advanceTimers(nowNanos);
-        Link link = new Link(port, address, isLocal, parts);
-        links.add(link);
+        Link link = new Link(port, address, isLocal, links);
         link.open();
         settle();
         return link;
@@ -121,7 +134,7 @@ public final class Exchange {
 
     public void frameReceived(long nowNanos, Link link, IpaFrame frame) {
         advanceTimers(nowNanos);
-        if (!link.isClosed) {
+        if (!link.isClosed()) {
             try {
                 receive(link, frame);
             } catch (ProtocolViolation violation) {
@@ -131,30 +144,24 @@ public final class Exchange {
         settle();
     }
 
-    /** The connection has ended by the peer's doing, or broke. */
+    /** The connection was closed by the peer, or is broken. */
     public void linkClosed(long nowNanos, Link link, String reason) {
         advanceTimers(nowNanos);
-        if (!link.isClosed) {
-            // Whoever has detached before may go without a word.
-            LOG.log(link.subscriber == null ? Level.DEBUG : Level.INFO, "{0}: gone, {1}", link, reason);
+        if (!link.isClosed()) {
+            LOG.log(link.hasSubscriber() ? Level.INFO : Level.DEBUG, "{0}: gone, {1}", link, reason);
             link.forget();
         }
         settle();
     }
 
-    /** What applications say and hear; only within {@link #perform}. */
-    public SmppServer smpp() {
-        return smpp;
-    }
-
-    /** Has something done at this moment. */
+    /** Performs an action at this time. */
     public void perform(long nowNanos, Runnable action) {
         advanceTimers(nowNanos);
         action.run();
         settle();
     }
 
-    /** The store has made an entry durable, or has failed to. */
+    /** The store's answer to a commit. */
     public void committed(long nowNanos, long ticket, boolean isDurable) {
         advanceTimers(nowNanos);
         try {
@@ -193,25 +200,21 @@ public final class Exchange {
         }
     }
 
-    /**
-     * Lets held calls go on and releases the channels that nothing needs any more; only links on which something happened
-     * are looked at.
-     */
+    /** Connects held calls and releases unused channels, on the links on which something has happened. */
     private void settle() {
-        while (!settlement.isEmpty()) {
-            calls.legsChanged();
-            List<Link> touched = new ArrayList<>(settlement);
-            settlement.clear();
-            for (Link link : touched) {
-                settle(link);
-            }
+        Set<Link> touched = links.touched();
+        while (!touched.isEmpty()) {
+            List<Link> portion = new ArrayList<>(touched);
+            touched.clear();
+            portion.forEach(calls::legsChanged);
+            portion.forEach(Exchange::releaseIfUnused);
         }
     }
 
-    private static void settle(Link link) {
+    private static void releaseIfUnused(Link link) {
         try {
-            if (!link.isClosed) {
-                link.radio.releaseIfUnused();
+            if (!link.isClosed()) {
+                link.radio().releaseIfUnused();
             }
         } catch (RuntimeException e) {
             link.failed(e);
@@ -235,9 +238,9 @@ public final class Exchange {
     }
 
     /**
-     * Sends a text to everybody who is attached, now and perhaps again.
+     * Broadcasts a text to all attached terminals, once or repeatedly.
      *
-     * @throws IllegalArgumentException saying what is wrong with the order
+     * @throws IllegalArgumentException naming the invalid part of the order
      */
     public BroadcastView broadcast(long nowNanos, BroadcastOrder order) {
         advanceTimers(nowNanos);
@@ -254,18 +257,18 @@ public final class Exchange {
         return broadcaster.running();
     }
 
-    // What an operator looks at; all of it on the driving thread.
+    // Views, for the driving thread only.
 
     public Collection<Subscriber> subscribers() {
         return register.all();
     }
 
-    /** Whether the operator lets the subscriber not register. */
+    /** Whether the operator has barred the subscriber. */
     public boolean isBarred(Subscriber subscriber) {
         return register.home().isBarred(subscriber.imsi());
     }
 
-    /** Whether this number has ever registered, or is listed. */
+    /** Whether this number is listed, or has ever registered. */
     public boolean isKnown(Msisdn number) {
         return register.ofNumber(number).isPresent();
     }
@@ -275,16 +278,24 @@ public final class Exchange {
         return calls.calls().stream().map(CallView::of).toList();
     }
 
+    CallSwitch callSwitch() {
+        return calls;
+    }
+
     public ShortMessageCenter shortMessages() {
         return shortMessages;
     }
 
-    public int linkCount() {
-        return links.size();
+    public Timers timers() {
+        return timers;
     }
 
-    /** An immutable picture of everything for a window; its size is bounded. */
+    public int linkCount() {
+        return links.open().size();
+    }
+
+    /** An immutable view of bounded size for a window. */
     public ExchangeSnapshot snapshot() {
-        return snapshots.make(startedAt.plusNanos(timers.nowNanos()), links.size());
+        return snapshots.make(startedAt.plusNanos(timers.nowNanos()), linkCount());
     }
 }

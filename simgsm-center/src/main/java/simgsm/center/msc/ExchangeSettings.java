@@ -8,14 +8,14 @@ import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.ToneSet;
 
 /**
- * What an exchange is told at its start.
+ * Settings of an exchange.
  *
  * @param networkName shown on the phones
- * @param random of temporary identities and challenges
- * @param startedAt the civil time of the moment that the cores call 0 ns
- * @param home who may come
- * @param callWaiting whether a second call is offered to who is in one; else its caller hears that he is busy (17)
- * @param tones what callers are made to hear of calls that are not connected; empty when that is left to the phones
+ * @param random source of temporary identities and challenges
+ * @param startedAt civil time at 0 ns of the exchange's time
+ * @param home subscribers who may register
+ * @param tones call progress tones that the network plays to callers; empty if the phones make them
+ * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
  */
 public record ExchangeSettings(
         String networkName,
@@ -26,7 +26,7 @@ public record ExchangeSettings(
         boolean callWaiting) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
-    /** An open network whose runs repeat with the seed, and which leaves tones to the phones. */
+    /** An open network without tones, reproducible by its seed. */
     public ExchangeSettings(String networkName, long seed, Instant startedAt) {
         this(networkName, new SplittableRandom(seed), startedAt, HomeRegister.OPEN, Optional.empty());
     }

@@ -4,18 +4,19 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.call.CallView;
 import simgsm.center.smsc.MessageHistory;
 
 /**
- * The exchange at one moment, for a window. Lists are bounded by {@link #MAX_ROWS}; the counts tell all.
+ * The exchange at one moment, for a window. Lists have at most {@link #MAX_ROWS} elements; the counts are complete.
  *
  * @param links open connections, registered or not
- * @param attached subscribers who are attached
- * @param waiting messages and reports that wait for their receivers
+ * @param attached attached subscribers
+ * @param waiting messages and reports that wait
  * @param ladder the latest signalling messages, oldest first
- * @param ladderCount how many have passed since the start; the last entry of {@code ladder} is number {@code ladderCount}
- * @param latest what began last: a call, or a short message
- * @param broadcasts those that are repeated
+ * @param ladderCount signalling messages since the start; the last entry of {@code ladder} has this number
+ * @param latest the latest call or short message
+ * @param broadcasts repeated broadcasts
  */
 public record ExchangeSnapshot(
         Instant time,
@@ -32,7 +33,7 @@ public record ExchangeSnapshot(
         List<BroadcastView> broadcasts) {
     public static final int MAX_ROWS = 1_000;
 
-    /** @param imei empty until the subscriber has registered once; @param barred whether the operator lets him not register */
+    /** @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
     public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
         /** Of a subscriber who may register. */
         public SubscriberRow(Msisdn number, boolean attached, String imsi, String imei) {
@@ -40,9 +41,9 @@ public record ExchangeSnapshot(
         }
     }
 
-    /** A message that waits, or one that has ended lately. */
+    /** A message that waits, or has ended lately. */
     public record MessageRow(String text, MessageHistory history) {}
 
-    /** @param text of a short message; of a call the keys heard so far, those of the called side in brackets */
+    /** @param text of a short message; for a call, the keys decoded so far, those of the called party in brackets */
     public record Passing(Msisdn from, String to, String text) {}
 }

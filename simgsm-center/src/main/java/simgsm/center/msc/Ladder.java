@@ -7,10 +7,12 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import simgsm.air.Direction;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.Trace;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 
-/** The latest signalling messages; older ones are forgotten. */
+/** The latest 1000 signalling messages. */
 final class Ladder implements Trace {
     static final int MAX_ENTRIES = 1_000;
 
@@ -33,7 +35,7 @@ final class Ladder implements Trace {
         passed++;
     }
 
-    /** All messages since the start, those forgotten too. */
+    /** Number of messages since the start. */
     long passedCount() {
         return passed;
     }
@@ -44,7 +46,7 @@ final class Ladder implements Trace {
         return Collections.unmodifiableList(entries);
     }
 
-    /** Finds its terminal's number as late as it can: who registers has no number yet in the first message. */
+    /** A message, whose terminal may get its number later: the first message of a registration has none yet. */
     private static final class Rung {
         private final Link link;
         private final Direction direction;

@@ -4,14 +4,14 @@ import java.time.Instant;
 import simgsm.octets.OctetString;
 
 /**
- * One signalling message on its way, a rung of the ladder.
+ * One signalling message of the ladder diagram.
  *
- * @param from a number, {@link #CENTER}, or the address of a terminal that has not yet registered
+ * @param from a number, {@link #CENTER}, or the address of a terminal that has not registered
  * @param to likewise
- * @param name the standard's name of the message
- * @param octets the layer-3 message; for paging and cell broadcast the RSL message
+ * @param name the message's name in the standard
+ * @param octets the layer 3 message; for paging and cell broadcast the RSL message
  */
 public record LadderEntry(Instant time, String from, String to, String name, OctetString octets) {
-    /** The centre's own lifeline. */
+    /** The lifeline of the centre. */
     public static final String CENTER = "M3";
 }

@@ -13,29 +13,36 @@ import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;
+import simgsm.center.msc.call.CallSwitch;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.Trace;
+import simgsm.center.msc.mobility.MobilityProcedures;
+import simgsm.center.msc.sms.MobileMessages;
 import simgsm.octets.OctetString;
 import simgsm.trace.MessageText;
 
-/** Uplink signalling: from the radio link's message to the protocol that it is for. */
+/** Decodes uplink signalling and passes each message to its protocol. */
 final class SignallingDispatcher {
-    private final Mobility mobility;
+    private final MobilityProcedures mobility;
     private final CallSwitch calls;
+    private final MobileMessages shortMessages;
     private final Trace trace;
 
-    SignallingDispatcher(Mobility mobility, CallSwitch calls, Trace trace) {
+    SignallingDispatcher(MobilityProcedures mobility, CallSwitch calls, MobileMessages shortMessages, Trace trace) {
         this.mobility = mobility;
         this.calls = calls;
+        this.shortMessages = shortMessages;
         this.trace = trace;
     }
 
     void receive(Link link, RslMessage message) {
-        link.touched();
+        link.touch();
         if (message instanceof RslMessage.EstablishIndication establish) {
             establish(link, establish);
         } else if (message instanceof RslMessage.DataIndication data) {
             receiveLayer3(link, data.layer3());
         } else if (message instanceof RslMessage.ReleaseIndication release) {
-            left(link, release);
+            released(link, release);
         } else if (message instanceof RslMessage.ErrorIndication error) {
             link.violated("reports link layer error " + error.cause());
         } else {
@@ -43,40 +50,37 @@ final class SignallingDispatcher {
         }
     }
 
-    /** SAPI 3 may be opened on a connection that is there; else this is a new connection, and an old one is gone. */
+    /** SAPI 3 is opened on an existing connection; any other message begins a new one, and the old one is lost. */
     private void establish(Link link, RslMessage.EstablishIndication establish) {
-        boolean isSecondLink = establish.sapi() == RslMessage.Sapi.SHORT_MESSAGES && link.radio.isEstablished();
+        boolean isSecondLink = establish.sapi() == RslMessage.Sapi.SHORT_MESSAGES
+                && link.radio().isEstablished();
         if (!isSecondLink) {
             abandon(link);
-            link.radio.established();
+            link.radio().established();
         }
         receiveLayer3(link, establish.layer3());
     }
 
-    private void left(Link link, RslMessage.ReleaseIndication release) {
+    private void released(Link link, RslMessage.ReleaseIndication release) {
         if (release.sapi() == RslMessage.Sapi.SIGNALLING) {
             abandon(link);
-            link.radio.left();
+            link.radio().left();
         }
     }
 
     private static void abandon(Link link) {
-        if (link.radio.isEstablished()) {
-            if (link.registration != null) {
-                link.registration.cancel();
-            }
-            link.authenticity.cancel();
+        if (link.radio().isEstablished()) {
             link.loseTransactions();
         }
     }
 
     private void receiveLayer3(Link link, OctetString layer3) {
-        if (!link.radio.isEstablished()) {
+        if (!link.radio().isEstablished()) {
             return;
         }
         byte[] octets = layer3.toArray();
         int sequence = Layer3Codec.sendSequence(octets);
-        if (sequence >= 0 && !link.radio.acceptsSequence(sequence)) {
+        if (sequence >= 0 && !link.radio().acceptsSequence(sequence)) {
             link.violated("repeated a message, N(SD) " + sequence + "; dropped");
             return;
         }
@@ -98,13 +102,14 @@ final class SignallingDispatcher {
         int callState = violation
                 .header()
                 .flatMap(Layer3Header::transaction)
-                .map(transaction -> CallSwitch.stateCode(link, transaction))
+                .flatMap(transaction -> calls.leg(link, transaction))
+                .map(leg -> leg.state().code())
                 .orElse(0);
         ProtocolErrorAnswers.to(violation, callState).forEach(link::send);
-        link.radio.takeService();
+        link.radio().takeService();
         link.violated(violation.getMessage());
-        if (link.registration != null && isType(violation, Layer3Type.IDENTITY_RESPONSE)) {
-            link.registration.identityIsNone();
+        if (isType(violation, Layer3Type.IDENTITY_RESPONSE)) {
+            mobility.identityInvalid(link);
         }
     }
 
@@ -119,12 +124,12 @@ final class SignallingDispatcher {
             mobility.receivePagingResponse(link, response);
         } else if (message instanceof RadioResource) {
             return;
-        } else if (link.subscriber == null) {
+        } else if (!link.hasSubscriber()) {
             link.violated("sent " + MessageText.nameOf(message, Direction.UPLINK) + " without being registered");
         } else if (message instanceof CallControl callControl) {
             calls.receive(link, callControl);
         } else {
-            link.shortMessages.receive((ShortMessageControl) message);
+            shortMessages.receive(link, (ShortMessageControl) message);
         }
     }
 }

@@ -5,13 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Imei;
+import simgsm.center.msc.call.CallSwitch;
+import simgsm.center.msc.call.CallView;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 
-/** Copies what a window shows. */
+/** Makes the snapshots of an exchange. */
 final class SnapshotMaker {
     private static final int MOST_ENDED = 100;
 
@@ -47,7 +49,7 @@ final class SnapshotMaker {
         latestIsCall = false;
     }
 
-    /** Whoever asks once is taken to go on watching. */
+    /** The first snapshot starts the decoding of keys. */
     ExchangeSnapshot make(Instant time, int links) {
         calls.keyTap().watch();
         int most = ExchangeSnapshot.MAX_ROWS;
@@ -66,7 +68,7 @@ final class SnapshotMaker {
                 broadcaster.running());
     }
 
-    /** Only now is a message's text read, since few are ever looked at. */
+    /** Decodes the message's text only now, because most messages are never shown. */
     private Optional<ExchangeSnapshot.Passing> latest() {
         if (latestIsCall) {
             return Optional.of(withKeys(latestCall));
@@ -90,7 +92,7 @@ final class SnapshotMaker {
                 register.home().isBarred(subscriber.imsi()));
     }
 
-    /** What waits comes first; it may leave little room for what has ended. */
+    /** Waiting messages first, then up to 100 ended ones. */
     private List<ExchangeSnapshot.MessageRow> messages(int most) {
         List<MessageHistory> histories = new ArrayList<>(shortMessages.waitingHistories(most));
         histories.addAll(shortMessages.endedHistories(Math.min(MOST_ENDED, most - histories.size())));

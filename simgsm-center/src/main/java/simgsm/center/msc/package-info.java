@@ -1,9 +1,12 @@
 /**
- * The switching centre as one deterministic core: links and their radio connections, registration, calls, the short
- * message dialogues, cell broadcast. Arrows point down: msc, then smsc and subscriber, then timer.
+ * The exchange: one deterministic core of the packages below it, and the views on it for the operator.
  *
- * <p>Read first: {@link simgsm.center.msc.Exchange}; then for a call {@code CallSwitch}, {@code Call}, {@code CallLeg}
- * and their table {@code CallTransitions}; for a registration {@code Mobility} and {@code Registration}; for a short
- * message {@code OriginatingTransfer} and {@code TerminatingTransfer}.
+ * <pre>
+ *   msc -> msc.sms, msc.call -> msc.mobility -> msc.link -> subscriber
+ *             |
+ *           smsc
+ * </pre>
+ *
+ * <p>Read first: {@link simgsm.center.msc.Exchange}, then the package of the procedure in question.
  */
 package simgsm.center.msc;

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import simgsm.center.capture.Capture;
 import simgsm.center.capture.WireTap;
 import simgsm.center.msc.Exchange;
+import simgsm.center.smpp.SmppServer;
 import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
@@ -76,11 +77,11 @@ public final class CenterLoop implements AutoCloseable {
      *
      * @return the port
      */
-    public int openSmpp(InetAddress address, int port) throws IOException {
+    public int openSmpp(InetAddress address, int port, SmppServer smpp) throws IOException {
         return loop.listen(
                         new InetSocketAddress(address, port),
                         new ConnectionLimits(MAX_APPLICATIONS, MAX_APPLICATIONS_PER_ADDRESS),
-                        endpoint -> new SmppConnection(endpoint, this))
+                        endpoint -> new SmppConnection(endpoint, this, smpp))
                 .port();
     }
 

@@ -3,9 +3,9 @@ package simgsm.center.net;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
-import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
+import simgsm.center.smpp.SmppServer;
 import simgsm.net.Connection;
 
 /**
@@ -25,20 +25,21 @@ final class SmppConnection extends Connection implements SmppPort {
     private static final int KEPT_CAPACITY = 64 * 1024;
 
     private final CenterLoop center;
+    private final SmppServer smpp;
     private ByteBuffer unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
     private EsmeSession session;
     private boolean isEnding;
 
-    SmppConnection(Endpoint endpoint, CenterLoop center) {
+    SmppConnection(Endpoint endpoint, CenterLoop center, SmppServer smpp) {
         super(endpoint);
         this.center = center;
+        this.smpp = smpp;
     }
 
     @Override
     protected void opened() {
-        Exchange exchange = center.changing();
-        exchange.perform(
-                center.nowNanos(), () -> session = exchange.smpp().opened(this, CenterLoop.text(address()), isLocal()));
+        center.changing()
+                .perform(center.nowNanos(), () -> session = smpp.opened(this, CenterLoop.text(address()), isLocal()));
     }
 
     @Override
@@ -48,8 +49,7 @@ final class SmppConnection extends Connection implements SmppPort {
 
     @Override
     protected void received(ByteBuffer octets) {
-        Exchange exchange = center.changing();
-        exchange.perform(center.nowNanos(), () -> exchange.smpp().received(session, octets));
+        center.changing().perform(center.nowNanos(), () -> session.received(octets));
     }
 
     @Override
@@ -105,7 +105,6 @@ final class SmppConnection extends Connection implements SmppPort {
 
     @Override
     protected void lost(String reason) {
-        Exchange exchange = center.changing();
-        exchange.perform(center.nowNanos(), () -> exchange.smpp().closed(session, reason));
+        center.changing().perform(center.nowNanos(), () -> session.closed(reason));
     }
 }

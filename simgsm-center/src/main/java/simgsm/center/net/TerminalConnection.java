@@ -3,8 +3,8 @@ package simgsm.center.net;
 import simgsm.abis.IpaConnection;
 import simgsm.abis.IpaFrame;
 import simgsm.center.capture.WireTap;
-import simgsm.center.msc.Link;
-import simgsm.center.msc.LinkPort;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.timer.RateLimit;
 
 /** One terminal's connection to the exchange. */

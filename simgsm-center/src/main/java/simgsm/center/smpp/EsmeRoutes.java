@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
+import simgsm.center.smsc.ApplicationPort;
 import simgsm.center.smsc.DeliveryOutcome;
-import simgsm.center.smsc.DeliveryPort;
 import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.Envelope;
 
 /** Delivers to applications: messages by the number that they serve, receipts by system id. */
-public final class EsmeRoutes implements DeliveryPort {
+public final class EsmeRoutes implements ApplicationPort {
     private static final int MAX_REMEMBERED = 100_000;
 
     private final Map<String, Route> bySystemId = new HashMap<>();
@@ -23,17 +23,17 @@ public final class EsmeRoutes implements DeliveryPort {
 
     EsmeRoutes() {}
 
-    /** Whether an application serves exactly this number. */
-    public boolean serveExactly(Msisdn number) {
+    @Override
+    public boolean servesExactly(Msisdn number) {
         return byNumber.containsKey(number);
     }
 
-    /** Whether an application serves this number, alone or in a range. */
-    public boolean serve(Msisdn number) {
+    @Override
+    public boolean serves(Msisdn number) {
         return routeOf(number).isPresent();
     }
 
-    boolean serve(Destination destination) {
+    boolean serves(Destination destination) {
         return routeOf(destination).isPresent();
     }
 

@@ -7,6 +7,9 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.center.smpp.MessageStatusStore.MessageStatus;
+import simgsm.center.smpp.SmppSessionTable.SmppSessionAction;
+import simgsm.center.smpp.SmppSessionTable.SmppSessionEvent;
+import simgsm.center.smpp.SmppSessionTable.SmppSessionState;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageState;
@@ -36,7 +39,7 @@ public final class EsmeSession {
     private final SmppFramer framer = new SmppFramer();
     private final DeliveryWindow window;
     private final SubmissionLimits limits;
-    private final StateMachine<SmppSessionTable.State, SmppSessionTable.Event, SmppSessionTable.Action> machine =
+    private final StateMachine<SmppSessionState, SmppSessionEvent, SmppSessionAction> machine =
             new StateMachine<>(SmppSessionTable.ROWS, this, this::perform);
     private boolean isClosed;
     private String systemId = "";
@@ -63,7 +66,7 @@ public final class EsmeSession {
         return systemId;
     }
 
-    SmppSessionTable.State state() {
+    SmppSessionState state() {
         return machine.state();
     }
 
@@ -75,7 +78,8 @@ public final class EsmeSession {
         return window.size() < DeliveryWindow.SIZE;
     }
 
-    void received(ByteBuffer octets) {
+    /** Octets have arrived, in pieces of any length. */
+    public void received(ByteBuffer octets) {
         if (isClosed) {
             return;
         }
@@ -83,7 +87,7 @@ public final class EsmeSession {
         isEnquired = false;
         framer.accept(octets);
         try {
-            while (!isClosed && state() != SmppSessionTable.State.UNBOUND && framer.hasNext()) {
+            while (!isClosed && state() != SmppSessionState.UNBOUND && framer.hasNext()) {
                 receiveNext();
             }
         } catch (SmppViolation lost) {
@@ -126,7 +130,7 @@ public final class EsmeSession {
     }
 
     private void request(SmppCommand command, int number, Fulfilment fulfilment) {
-        SmppSessionTable.Event event = SmppSessionTable.Event.of(command);
+        SmppSessionEvent event = SmppSessionEvent.of(command);
         if (!machine.accepts(event)) {
             boolean isSecondBind = command.isBind() && state().isBound();
             int status = isSecondBind ? SmppStatus.ALREADY_BOUND : SmppStatus.INVALID_BIND_STATUS;
@@ -145,7 +149,7 @@ public final class EsmeSession {
         }
     }
 
-    private void perform(SmppSessionTable.Action action) {
+    private void perform(SmppSessionAction action) {
         switch (action) {
             case ADD_TO_ROUTES -> server.bound(this, range);
             case REMOVE_FROM_ROUTES -> removeFromRoutes();
@@ -290,15 +294,20 @@ public final class EsmeSession {
         port.closeWhenSent();
     }
 
-    /** The connection is gone. */
-    void closed() {
+    /** The connection was closed by the peer, or is broken. */
+    public void closed(String reason) {
+        LOG.log(state().isBound() ? Level.INFO : Level.DEBUG, "{0}: gone, {1}", this, reason);
+        closed();
+    }
+
+    private void closed() {
         end();
         isClosed = true;
     }
 
     private void end() {
         timers.cancel(silence);
-        machine.fire(SmppSessionTable.Event.END);
+        machine.fire(SmppSessionEvent.END);
     }
 
     @Override

@@ -1,11 +1,8 @@
 package simgsm.center.smpp;
 
 import java.lang.System.Logger.Level;
-import java.nio.ByteBuffer;
 import java.util.Optional;
 import simgsm.center.smsc.Destination;
-import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.timer.Timers;
 
@@ -16,22 +13,23 @@ public final class SmppServer {
 
     private static final System.Logger LOG = System.getLogger(SmppServer.class.getName());
 
-    private final Timers timers;
     private final EsmeRoutes routes = new EsmeRoutes();
     private final MessageStatusStore statuses = new MessageStatusStore();
     private SmppUsers users = SmppUsers.anyLocal();
+    private Timers timers;
     private ShortMessageCenter center;
     private SubmitHandler submissions;
     private int sessions;
 
-    public SmppServer(Timers timers) {
-        this.timers = timers;
-    }
+    /** To be followed by {@link #serve}, because the short message centre is made with {@link #routes}. */
+    public SmppServer() {}
 
-    /** Connects server and short message centre; the centre's delivery port needs {@link #routes} before. */
-    public void serve(ShortMessageCenter shortMessages) {
+    /** Connects the server to the short message centre and its timers. To be called once, before any connection. */
+    public void serve(ShortMessageCenter shortMessages, Timers centersTimers) {
+        timers = centersTimers;
         center = shortMessages;
         submissions = new SubmitHandler(shortMessages);
+        shortMessages.addListener((message, state) -> statuses.changed(message, state, shortMessages.now()));
     }
 
     /** Sets the applications that may bind from now on; at first, any on this machine. */
@@ -44,28 +42,13 @@ public final class SmppServer {
         return routes;
     }
 
-    /** A connection was opened; the session identifies it in the other methods. */
+    /** A connection was opened. */
     public EsmeSession opened(SmppPort port, String address, boolean isLocal) {
         return new EsmeSession(this, port, address, isLocal);
     }
 
-    public void received(EsmeSession session, ByteBuffer octets) {
-        session.received(octets);
-    }
-
-    /** The connection was closed by the peer, or is broken. */
-    public void closed(EsmeSession session, String reason) {
-        LOG.log(session.state().isBound() ? Level.INFO : Level.DEBUG, "{0}: gone, {1}", session, reason);
-        session.closed();
-    }
-
     public int boundSessions() {
         return sessions;
-    }
-
-    /** To be called on every change of state of every message. */
-    public void changed(ShortMessage message, MessageState state) {
-        statuses.changed(message, state, center.now());
     }
 
     void bound(EsmeSession session, Optional<AddressRange> range) {
@@ -100,7 +83,7 @@ public final class SmppServer {
 
     /** A session has ended without answering; another one may serve the same destination. */
     void tryAgain(Destination destination) {
-        if (routes.serve(destination)) {
+        if (routes.serves(destination)) {
             center.available(destination);
         }
     }

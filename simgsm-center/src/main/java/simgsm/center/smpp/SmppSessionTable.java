@@ -1,8 +1,8 @@
 package simgsm.center.smpp;
 
-import static simgsm.center.smpp.SmppSessionTable.Action.*;
-import static simgsm.center.smpp.SmppSessionTable.Event.*;
-import static simgsm.center.smpp.SmppSessionTable.State.*;
+import static simgsm.center.smpp.SmppSessionTable.SmppSessionAction.*;
+import static simgsm.center.smpp.SmppSessionTable.SmppSessionEvent.*;
+import static simgsm.center.smpp.SmppSessionTable.SmppSessionState.*;
 
 import java.util.EnumSet;
 import java.util.Set;
@@ -10,7 +10,7 @@ import simgsm.state.StateTable;
 
 /** States of a session (2.2) and the requests that each accepts (2.3). */
 public final class SmppSessionTable {
-    public enum State {
+    public enum SmppSessionState {
         OPEN,
         BOUND_TX,
         BOUND_RX,
@@ -28,7 +28,7 @@ public final class SmppSessionTable {
     }
 
     /** A request of the application that is being fulfilled, named as its {@link SmppCommand}; or the session's end. */
-    public enum Event {
+    public enum SmppSessionEvent {
         BIND_RECEIVER,
         BIND_TRANSMITTER,
         QUERY_SM,
@@ -42,12 +42,12 @@ public final class SmppSessionTable {
         /** The connection is lost, or closed by the centre. */
         END;
 
-        static Event of(SmppCommand request) {
+        static SmppSessionEvent of(SmppCommand request) {
             return valueOf(request.name());
         }
     }
 
-    public enum Action {
+    public enum SmppSessionAction {
         /** The application receives what waits for it. */
         ADD_TO_ROUTES,
         /** Unanswered deliver_sm go back to their queues. */
@@ -55,11 +55,11 @@ public final class SmppSessionTable {
         CLOSE_CONNECTION
     }
 
-    private static final Set<State> BOUND = EnumSet.of(BOUND_TX, BOUND_RX, BOUND_TRX);
-    private static final Set<State> SENDING = EnumSet.of(BOUND_TX, BOUND_TRX);
+    private static final Set<SmppSessionState> BOUND = EnumSet.of(BOUND_TX, BOUND_RX, BOUND_TRX);
+    private static final Set<SmppSessionState> SENDING = EnumSet.of(BOUND_TX, BOUND_TRX);
 
-    public static final StateTable<State, Event, Action> ROWS = new StateTable<State, Event, Action>(
-                    "SMPP session", OPEN)
+    public static final StateTable<SmppSessionState, SmppSessionEvent, SmppSessionAction> ROWS = new StateTable<
+                    SmppSessionState, SmppSessionEvent, SmppSessionAction>("SMPP session", OPEN)
             .on(OPEN, BIND_TRANSMITTER, BOUND_TX, ADD_TO_ROUTES)
             .on(OPEN, BIND_RECEIVER, BOUND_RX, ADD_TO_ROUTES)
             .on(OPEN, BIND_TRANSCEIVER, BOUND_TRX, ADD_TO_ROUTES)

@@ -60,7 +60,7 @@ public final class ShortMessageCenter {
     private final Timers timers;
     private final MessageStore store;
     private final DeliveryPort port;
-    private final BiConsumer<ShortMessage, MessageState> listener;
+    private BiConsumer<ShortMessage, MessageState> listener;
     private final Containers containers;
     private final NavigableMap<Destination, ReceiverQueue> queues;
     /** Messages that wait, by id; ids rise in the order of acceptance. */
@@ -123,6 +123,11 @@ public final class ShortMessageCenter {
         this.containers = containers;
         this.queues = containers.sorted();
         this.waiting = containers.inOrderOfInsertion();
+    }
+
+    /** Adds a listener to every change of state of every message. */
+    public void addListener(BiConsumer<ShortMessage, MessageState> further) {
+        listener = listener.andThen(further);
     }
 
     /** Takes over what the store held at the start. To be called once, before all other methods. */

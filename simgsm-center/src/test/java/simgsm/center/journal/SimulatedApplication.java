@@ -19,6 +19,7 @@ import simgsm.center.smpp.SmppCommand;
 import simgsm.center.smpp.SmppMessage;
 import simgsm.center.smpp.SmppPdu;
 import simgsm.center.smpp.SmppPort;
+import simgsm.center.smpp.SmppServer;
 import simgsm.center.smpp.SmppStatus;
 import simgsm.center.smpp.SmppViolation;
 import simgsm.octets.OctetString;
@@ -50,9 +51,9 @@ final class SimulatedApplication implements SmppPort {
     }
 
     /** Connects and binds, unless it has. */
-    void bind(Exchange exchange, long nowNanos) {
+    void bind(Exchange exchange, SmppServer smpp, long nowNanos) {
         if (session == null) {
-            exchange.perform(nowNanos, () -> session = exchange.smpp().opened(this, "simulated", true));
+            exchange.perform(nowNanos, () -> session = smpp.opened(this, "simulated", true));
             say(new SmppPdu.Bind(SmppCommand.BIND_TRANSCEIVER, ++sequence, "app", "", "", 0x34, NUMBER));
         }
     }
@@ -152,7 +153,7 @@ final class SimulatedApplication implements SmppPort {
             ByteBuffer piece = all.slice(all.position(), 1 + random.nextInt(all.remaining()));
             all.position(all.position() + piece.remaining());
             EsmeSession to = session;
-            exchange.perform(nowNanos, () -> exchange.smpp().received(to, piece));
+            exchange.perform(nowNanos, () -> to.received(piece));
         }
         return true;
     }
@@ -161,7 +162,7 @@ final class SimulatedApplication implements SmppPort {
         if (session != null) {
             EsmeSession gone = session;
             disconnected();
-            exchange.perform(nowNanos, () -> exchange.smpp().closed(gone, "left"));
+            exchange.perform(nowNanos, () -> gone.closed("left"));
         }
     }
 

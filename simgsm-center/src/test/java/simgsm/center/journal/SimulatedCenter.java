@@ -24,6 +24,7 @@ import simgsm.air.ShortMessageControl.CpData;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
@@ -67,6 +68,7 @@ final class SimulatedCenter {
     private long bornNanos;
     private long nowNanos;
     private Exchange exchange;
+    private SmppServer smpp;
     private Journal journal;
     int deaths;
 
@@ -80,6 +82,10 @@ final class SimulatedCenter {
 
     Exchange exchange() {
         return exchange;
+    }
+
+    SmppServer smpp() {
+        return smpp;
     }
 
     /** As the present life of the exchange counts it. */
@@ -110,10 +116,13 @@ final class SimulatedCenter {
         }
         checkRestored();
         bornNanos = nowNanos;
+        smpp = new SmppServer();
         exchange = new Exchange(
                 new ExchangeSettings("SimGSM", random.split(), START.plusNanos(nowNanos), home, Optional.empty()),
                 this::order,
+                smpp.routes(),
                 this::happened);
+        smpp.serve(exchange.shortMessages(), exchange.timers());
         exchange.restore(journal.stored());
     }
 
@@ -263,7 +272,7 @@ final class SimulatedCenter {
     /** Nobody is connected any more, and nothing is left to be done. */
     void checkEmpty() throws IOException {
         Invariant.holds(exchange.linkCount() == 0, () -> exchange.linkCount() + " links are left");
-        Invariant.holds(exchange.smpp().boundSessions() == 0, () -> "an application is left");
+        Invariant.holds(smpp.boundSessions() == 0, () -> "an application is left");
         Invariant.holds(attached.isEmpty(), () -> attached + " are attached without a link");
         Invariant.holds(exchange.nextDeadlineNanos().isEmpty(), () -> "a timer is forgotten");
         Invariant.holds(

@@ -143,7 +143,7 @@ final class Simulation {
             case MEMORY_FULL -> phone.station.memoryFull();
             case MEMORY_FREE -> phone.station.memoryAvailable();
             case BROADCAST -> broadcast();
-            case APPLICATION_BINDS -> application.bind(center.exchange(), center.ownNanos());
+            case APPLICATION_BINDS -> application.bind(center.exchange(), center.smpp(), center.ownNanos());
             case APPLICATION_SUBMITS -> application.submit(phone.number.digits(), UNIQUE + texts++);
             case APPLICATION_ANSWERS -> application.answer(false);
             case APPLICATION_LEAVES -> application.leave(center.exchange(), center.ownNanos());
@@ -296,7 +296,7 @@ final class Simulation {
         long stepMillis = 100;
         for (int i = 0; i < MOST_ROUNDS_TO_REST; i++) {
             phones.forEach(this::bringBack);
-            application.bind(center.exchange(), center.ownNanos());
+            application.bind(center.exchange(), center.smpp(), center.ownNanos());
             while (application.hasUnanswered()) {
                 application.answer(true);
             }

@@ -18,6 +18,8 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.call.CallLeg;
+import simgsm.center.msc.call.NetworkCallState;
 
 /**
  * Every message that a mobile can send, in every state of the network's side of its call (TS 24.008, 5 and 8): what is
@@ -56,9 +58,7 @@ class CallStateWalkTest {
     /** A mobile in the middle of a call, and the call's transaction as it writes it. */
     private record Party(TestMobile mobile, TransactionIdentifier transaction) {
         Optional<CallLeg> leg() {
-            return mobile.link.callLegs.stream()
-                    .filter(leg -> leg.transaction().equals(transaction.answered()))
-                    .findFirst();
+            return mobile.network.exchange.callSwitch().leg(mobile.link, transaction);
         }
 
         String state() {

@@ -19,6 +19,8 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.call.CallProgress;
+import simgsm.center.msc.call.NetworkCallState;
 
 class CallTest {
     private final TestNetwork network = new TestNetwork();

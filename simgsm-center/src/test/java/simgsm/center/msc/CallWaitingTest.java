@@ -15,6 +15,8 @@ import simgsm.abis.IpaFrame;
 import simgsm.air.Cause;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.station.MobileStation;
 import simgsm.station.Sim;

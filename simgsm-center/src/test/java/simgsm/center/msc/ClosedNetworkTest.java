@@ -22,6 +22,7 @@ import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.Tmsi;
+import simgsm.center.msc.mobility.CardAuthentication;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
@@ -297,7 +298,7 @@ class ClosedNetworkTest {
         mobile.tell(new MobilityManagement.TmsiReallocationComplete());
         mobile.next(MobilityManagement.MmInformation.class);
         mobile.leaveReleasedChannel();
-        for (int use = 0; use < Authenticity.MAX_KEY_USES; use++) {
+        for (int use = 0; use < CardAuthentication.MAX_KEY_USES; use++) {
             requestService(mobile, agreed);
             abandonService(mobile);
         }

@@ -19,6 +19,8 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.tools.fuzz.FuzzStation;
 
 /**

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.Layer3Message;
+import simgsm.center.msc.call.CallProgress;
 
 /** At every step of a call: either side vanishes, or says anything at all; nothing may stay behind. */
 class LinkLossTest {

@@ -11,6 +11,8 @@ import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RadioResource;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 
 /** An error of the centre's own ends the link that it belongs to, and no other. */
 class OwnErrorTest {
@@ -50,7 +52,7 @@ class OwnErrorTest {
         other.register();
         assertEquals(Optional.of("internal error"), closedFor);
         assertEquals(Optional.empty(), other.closedFor);
-        assertEquals("5550100", other.link.subscriber.number().digits());
+        assertEquals("5550100", other.link.subscriber().number().digits());
         assertEquals(1, network.exchange.linkCount());
     }
 

@@ -29,6 +29,8 @@ import simgsm.air.RelayMessage;
 import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.call.CallProgress;
+import simgsm.center.msc.call.CallView;
 import simgsm.octets.OctetString;
 import simgsm.sim.SimCard;
 import simgsm.sms.SmsAddress;

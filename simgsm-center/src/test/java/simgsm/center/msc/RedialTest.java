@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.center.msc.link.NetworkTimer;
 
 /** Calls to a subscriber whose older call is being cleared. */
 class RedialTest {
@@ -42,7 +43,7 @@ class RedialTest {
     @Test
     void aMobileThatDoesNotFinishClearingInTimeIsBusy() {
         ActiveCall call = hungUpAndDialledAgain();
-        network.pass(HeldCalls.PATIENCE.minusNanos(1));
+        network.pass(Duration.ofNanos(NetworkTimer.HELD_CALL.nanos() - 1));
         assertTrue(call.caller().hasNothing());
         network.pass(Duration.ofNanos(1));
         assertEquals(

@@ -14,6 +14,8 @@ import simgsm.air.Cause;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource;
+import simgsm.center.msc.call.CallProgress;
+import simgsm.center.msc.link.Link;
 
 /** Silent peers, babbling peers, and peers that never leave. */
 class SupervisionTest {

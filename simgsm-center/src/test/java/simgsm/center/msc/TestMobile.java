@@ -25,6 +25,8 @@ import simgsm.air.RadioResource;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
@@ -33,7 +35,7 @@ import simgsm.sim.SimCard;
 final class TestMobile implements LinkPort {
     static final TransactionIdentifier OUR_CALL = new TransactionIdentifier(0, false);
 
-    private final TestNetwork network;
+    final TestNetwork network;
     final Imsi imsi;
     final Imei imei;
     final Link link;

@@ -12,6 +12,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.call.CallProgress;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.ToneSet;

@@ -18,6 +18,7 @@ import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.msc.call.ToneSender;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;

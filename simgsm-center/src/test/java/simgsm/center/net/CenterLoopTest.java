@@ -30,8 +30,8 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
-import simgsm.center.msc.Link;
-import simgsm.center.msc.LinkPort;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkPort;
 import simgsm.center.smsc.MessageStore;
 
 /** What real sockets do to frames: split them, join them, break off in the middle, and send nonsense. */

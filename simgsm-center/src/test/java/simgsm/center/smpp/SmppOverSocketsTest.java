@@ -37,16 +37,19 @@ import simgsm.octets.OctetString;
 class SmppOverSocketsTest {
     private static final String SERVICE = "5550300";
 
+    private final SmppServer smpp = new SmppServer();
     private CenterLoop loop;
     private int port;
 
     @BeforeEach
     void open() throws IOException {
         loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
-        port = loop.openSmpp(InetAddress.getLoopbackAddress(), 0);
-        MessageStore store =
-                (ticket, entries) -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true));
-        loop.start(new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, event -> {}), cause -> {});
+        port = loop.openSmpp(InetAddress.getLoopbackAddress(), 0, smpp);
+        MessageStore store = (ticket, entries) -> loop.post(owned -> owned.committed(loop.nowNanos(), ticket, true));
+        Exchange exchange =
+                new Exchange(new ExchangeSettings("SimGSM", 1, Instant.EPOCH), store, smpp.routes(), event -> {});
+        smpp.serve(exchange.shortMessages(), exchange.timers());
+        loop.start(exchange, cause -> {});
     }
 
     @AfterEach
@@ -306,7 +309,7 @@ class SmppOverSocketsTest {
 
     @Test
     void onlyListedUsersBind() throws IOException {
-        loop.post(exchange -> exchange.smpp().admit(SmppUsers.only(Map.of("app", "secret"))));
+        loop.post(exchange -> smpp.admit(SmppUsers.only(Map.of("app", "secret"))));
         try (SmppClient client = new SmppClient(port)) {
             assertEquals(SmppStatus.INVALID_SYSTEM_ID, client.bind(SmppCommand.BIND_TRANSMITTER, "me", "secret", ""));
             assertEquals(SmppStatus.INVALID_PASSWORD, client.bind(SmppCommand.BIND_TRANSMITTER, "app", "wrong", ""));

@@ -113,7 +113,7 @@ class SmppSessionTest extends SmppStage {
                 new SmppPdu.PlainResponse(SmppCommand.UNBIND, SmppStatus.OK, 9),
                 application.last(SmppPdu.PlainResponse.class));
         assertTrue(application.isEnding);
-        assertFalse(network.server.routes().serve(new Msisdn(SERVICE)));
+        assertFalse(network.server.routes().serves(new Msisdn(SERVICE)));
     }
 
     @Test

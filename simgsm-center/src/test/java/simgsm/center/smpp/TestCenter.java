@@ -14,13 +14,13 @@ final class TestCenter {
     static final Instant START = Instant.parse("2026-11-21T12:00:45Z");
 
     final Timers timers = new Timers();
-    final SmppServer server = new SmppServer(timers);
+    final SmppServer server = new SmppServer();
     final Queue<Long> tickets = new ArrayDeque<>();
     final ShortMessageCenter center = new ShortMessageCenter(
-            START, timers, (ticket, entry) -> tickets.add(ticket), server.routes(), server::changed);
+            START, timers, (ticket, entry) -> tickets.add(ticket), server.routes(), (message, state) -> {});
 
     TestCenter() {
-        server.serve(center);
+        server.serve(center, timers);
     }
 
     /** The store has made everything durable. */
@@ -66,7 +66,7 @@ final class TestCenter {
         }
 
         void say(byte[] octets) {
-            server.received(session, java.nio.ByteBuffer.wrap(octets));
+            session.received(java.nio.ByteBuffer.wrap(octets));
         }
 
         void submit(int sequence, SmppMessage message) {
@@ -87,7 +87,7 @@ final class TestCenter {
         }
 
         void leave() {
-            server.closed(session, "test");
+            session.closed("test");
         }
 
         EsmeSession session() {

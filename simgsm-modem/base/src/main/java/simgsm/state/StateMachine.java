@@ -13,6 +13,7 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
     private final StateTable<S, E, A> table;
     private final Object owner;
     private final Consumer<A> performer;
+    private Consumer<S> entered = before -> {};
     private S state;
 
     /** A machine in the table's initial state; otherwise as the other constructor. */
@@ -31,6 +32,12 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
         this.owner = owner;
         this.performer = performer;
         this.state = state;
+    }
+
+    /** Sets a hook that is given the previous state after each change of state, before the actions of the row. */
+    public StateMachine<S, E, A> onEntry(Consumer<S> hook) {
+        entered = hook;
+        return this;
     }
 
     public S state() {
@@ -58,6 +65,9 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
                 Level.TRACE,
                 () -> "%s of %s: %s -> %s by %s"
                         .formatted(table.name(), owner, before, row.get().next(), event));
+        if (state != before) {
+            entered.accept(before);
+        }
         row.get().actions().forEach(performer);
         return true;
     }

@@ -1,6 +1,0 @@
-package simgsm.center.msc;
-
-/** Hears what happens in the exchange, on the thread that drives it. */
-public interface ExchangeListener {
-    void happened(ExchangeEvent event);
-}

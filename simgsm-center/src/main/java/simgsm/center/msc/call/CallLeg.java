@@ -1,0 +1,266 @@
+package simgsm.center.msc.call;
+
+import java.util.Map;
+import java.util.Optional;
+import simgsm.abis.IpaFrame;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.NetworkTimer;
+import simgsm.center.msc.link.PagedTransaction;
+import simgsm.dtmf.ToneSet;
+import simgsm.state.StateMachine;
+import simgsm.timer.Timer;
+
+/** One mobile's leg of a call: {@link NetworkCallTable} driven by the mobile's messages, the call, and timers. */
+public final class CallLeg implements PagedTransaction {
+    private static final Map<Class<? extends CallControl>, NetworkCallEvent> EVENTS = Map.of(
+            CallControl.Setup.class, NetworkCallEvent.SETUP_RECEIVED,
+            CallControl.CallConfirmed.class, NetworkCallEvent.CALL_CONFIRMED_RECEIVED,
+            CallControl.Alerting.class, NetworkCallEvent.ALERTING_RECEIVED,
+            CallControl.Connect.class, NetworkCallEvent.CONNECT_RECEIVED,
+            CallControl.ConnectAcknowledge.class, NetworkCallEvent.CONNECT_ACKNOWLEDGE_RECEIVED);
+
+    private final NetworkCall call;
+    private final LinkCalls legs;
+    private final Link link;
+    private final TransactionIdentifier transaction;
+    private final Optional<Msisdn> calling;
+    private final StateMachine<NetworkCallState, NetworkCallEvent, NetworkCallAction> machine =
+            new StateMachine<>(NetworkCallTable.ROWS, this, this::perform).onEntry(this::entered);
+    private final NetworkTones networkTones;
+    private Timer guard;
+    private boolean isReleaseRepeated;
+    /** Why the leg is cleared, for the other leg. */
+    private Cause cause = Cause.NORMAL_CALL_CLEARING;
+    /** The cause in the clearing message to the mobile; empty if the mobile clears. */
+    private Optional<Cause> sentCause = Optional.empty();
+    /** Whether the message of this state announces a tone of the network's. */
+    private boolean announcesTone;
+    /** Null until the mobile signals its first key. */
+    private ToneSender keyTones;
+
+    /**
+     * @param transaction as the network writes it
+     * @param calling the caller's number, for a called mobile; empty on the caller's own leg
+     * @param toneSet of the network's tones for a caller, if any
+     */
+    CallLeg(
+            NetworkCall call,
+            LinkCalls legs,
+            TransactionIdentifier transaction,
+            Optional<Msisdn> calling,
+            Optional<ToneSet> toneSet) {
+        this.call = call;
+        this.legs = legs;
+        this.link = legs.link();
+        this.transaction = transaction;
+        this.calling = calling;
+        this.networkTones = new NetworkTones(toneSet, link);
+    }
+
+    Link link() {
+        return link;
+    }
+
+    public TransactionIdentifier transaction() {
+        return transaction;
+    }
+
+    public NetworkCallState state() {
+        return machine.state();
+    }
+
+    CallLeg listener() {
+        return call.listenerOf(this);
+    }
+
+    // From the call.
+
+    void page() {
+        machine.fire(NetworkCallEvent.PAGE);
+        link.paging().request(this);
+    }
+
+    void proceed() {
+        machine.fire(NetworkCallEvent.PROCEED);
+    }
+
+    void alert() {
+        machine.fire(NetworkCallEvent.ALERT);
+    }
+
+    void answer() {
+        machine.fire(NetworkCallEvent.ANSWER);
+    }
+
+    /** Clears this leg for a cause on the other leg. */
+    void clear(Cause why) {
+        fire(NetworkCallEvent.CLEAR, why, Optional.of(why));
+    }
+
+    // From the link.
+
+    @Override
+    public void radioConnected() {
+        machine.fire(NetworkCallEvent.RADIO_CONNECTED);
+    }
+
+    @Override
+    public void pagingFailed() {
+        fire(NetworkCallEvent.PAGING_FAILED, Cause.DESTINATION_OUT_OF_ORDER, Optional.empty());
+    }
+
+    void linkLost() {
+        boolean isUnreachable = calling.isPresent() && !state().speaks();
+        Cause why = isUnreachable ? Cause.DESTINATION_OUT_OF_ORDER : Cause.TEMPORARY_FAILURE;
+        fire(NetworkCallEvent.LINK_LOST, why, Optional.empty());
+    }
+
+    /** Takes a message of this transaction; one without a row in this state is answered with STATUS. */
+    void receive(CallControl message) {
+        if (message instanceof CallControl.StatusEnquiry) {
+            sendStatus(Cause.RESPONSE_TO_STATUS_ENQUIRY);
+        } else if (message instanceof CallControl.StartDtmf start) {
+            keyTones().start(start.key());
+        } else if (message instanceof CallControl.StopDtmf) {
+            keyTones().stop();
+        } else if (message instanceof CallControl.Status status) {
+            if (status.callState() == NetworkCallState.NULL.code()) {
+                fire(NetworkCallEvent.STATUS_NULL_RECEIVED, status.cause(), Optional.empty());
+            }
+        } else if (!receiveForTable(message)) {
+            sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+        }
+    }
+
+    private boolean receiveForTable(CallControl message) {
+        if (message instanceof CallControl.Disconnect disconnect) {
+            return fire(NetworkCallEvent.DISCONNECT_RECEIVED, disconnect.cause(), Optional.empty());
+        }
+        if (message instanceof CallControl.Release release) {
+            return fire(NetworkCallEvent.RELEASE_RECEIVED, orNormal(release.cause()), Optional.empty());
+        }
+        if (message instanceof CallControl.ReleaseComplete complete) {
+            return fire(NetworkCallEvent.RELEASE_COMPLETE_RECEIVED, orNormal(complete.cause()), Optional.empty());
+        }
+        NetworkCallEvent event = EVENTS.get(message.getClass());
+        return event != null && machine.fire(event);
+    }
+
+    private static Cause orNormal(Optional<Cause> cause) {
+        return cause.orElse(Cause.NORMAL_CALL_CLEARING);
+    }
+
+    private ToneSender keyTones() {
+        if (keyTones == null) {
+            keyTones = new ToneSender(this);
+        }
+        return keyTones;
+    }
+
+    /** The frame that the other leg hears for this one: itself, the tone of a signalled key, or null for none. */
+    IpaFrame audible(IpaFrame speech) {
+        return keyTones == null ? speech : keyTones.inPlaceOf(speech);
+    }
+
+    private void sendStatus(Cause why) {
+        link.send(new CallControl.Status(transaction, why, state().code()));
+    }
+
+    /**
+     * @param why the cause for the other leg if this one is cleared
+     * @param sent the cause for the mobile if it is cleared by the network
+     */
+    private boolean fire(NetworkCallEvent event, Cause why, Optional<Cause> sent) {
+        if (machine.accepts(event) && !state().isClearing()) {
+            cause = why;
+            sentCause = sent;
+        }
+        return machine.fire(event);
+    }
+
+    private void entered(NetworkCallState before) {
+        announcesTone = announcesTone(before);
+        networkTones.stop();
+        restartGuard();
+        if (keyTones != null && !state().speaks()) {
+            keyTones.end();
+        }
+        legs.changed(this);
+    }
+
+    /** Tones are played to a caller who is not connected. */
+    private boolean announcesTone(NetworkCallState before) {
+        return switch (state()) {
+            case CALL_DELIVERED -> networkTones.hasRingBack();
+            case DISCONNECT_INDICATION ->
+                (before == NetworkCallState.CALL_PROCEEDING || before == NetworkCallState.CALL_DELIVERED)
+                        && networkTones.has(cause);
+            default -> false;
+        };
+    }
+
+    private void restartGuard() {
+        link.timers().cancel(guard);
+        guard = state().guard(announcesTone)
+                .map(timer -> link.timers().start(timer.nanos(), () -> expired(timer)))
+                .orElse(null);
+    }
+
+    private void expired(NetworkTimer timer) {
+        boolean isAgain = timer == NetworkTimer.T308 && isReleaseRepeated;
+        isReleaseRepeated |= timer == NetworkTimer.T308;
+        fire(
+                isAgain ? NetworkCallEvent.T308_EXPIRED_AGAIN : NetworkCallEvent.expiryOf(timer),
+                causeOf(timer),
+                Optional.of(Cause.RECOVERY_ON_TIMER_EXPIRY));
+    }
+
+    private static Cause causeOf(NetworkTimer timer) {
+        return switch (timer) {
+            case T301 -> Cause.USER_ALERTING_NO_ANSWER;
+            case T303, T310 -> Cause.NO_USER_RESPONDING;
+            default -> Cause.RECOVERY_ON_TIMER_EXPIRY;
+        };
+    }
+
+    private void perform(NetworkCallAction action) {
+        switch (action) {
+            case SEND_SETUP ->
+                link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));
+            case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
+            case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, announcesTone));
+            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction));
+            case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
+            case SEND_DISCONNECT ->
+                link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause), announcesTone));
+            case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause));
+            case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(transaction, sentCause));
+            case START_T308 -> restartGuard();
+            case PLAY_TONE -> {
+                if (announcesTone) {
+                    networkTones.play(state(), cause);
+                }
+            }
+            case TELL_OFFERED -> call.offered();
+            case TELL_ALERTING -> call.alerting();
+            case TELL_ANSWERED -> call.answered();
+            case TELL_ACTIVE -> call.active();
+            case TELL_CLEARED -> call.cleared(this, cause);
+        }
+    }
+
+    /** A second call is marked as waiting (TS 24.083, 1). */
+    private Optional<CallControl.Signal> waitingSignal() {
+        boolean isSecond = legs.live().stream().anyMatch(leg -> leg != this);
+        return isSecond ? Optional.of(CallControl.Signal.CALL_WAITING) : Optional.empty();
+    }
+
+    @Override
+    public String toString() {
+        return link + " " + state();
+    }
+}

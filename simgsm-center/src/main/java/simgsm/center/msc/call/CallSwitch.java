@@ -1,0 +1,209 @@
+package simgsm.center.msc.call;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import simgsm.abis.IpaFrame;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.LinkUser;
+import simgsm.center.msc.mobility.MobilityProcedures;
+import simgsm.dtmf.ToneSet;
+
+/** Number analysis and switching: connects the two legs of each call, and the speech between them. */
+public final class CallSwitch implements LinkUser {
+    /** Calls at a time; further ones are refused with cause 42. */
+    static final int MAX_CALLS = 5_000;
+
+    /** RTP version 2 in bits 8-7 of the first octet (RFC 3550, 5.1). */
+    private static final int RTP_VERSION_MASK = 0xc0;
+
+    private static final int RTP_VERSION_2 = 0x80;
+    private static final int RTP_HEADER_LENGTH = 12;
+
+    private final MobilityProcedures mobility;
+    private final Consumer<NetworkCall> changes;
+    private final boolean callWaiting;
+    private final Set<NetworkCall> calls = new LinkedHashSet<>();
+    private final Map<Link, LinkCalls> links = new HashMap<>();
+    private final Optional<ToneSet> tones;
+    private final KeyTap keyTap = new KeyTap();
+    private long speechFramesSwitched;
+
+    /**
+     * @param tones of the network to callers, if any
+     * @param callWaiting whether a second call is offered to a mobile in a call
+     * @param changes is given each call that enters a state
+     */
+    public CallSwitch(
+            MobilityProcedures mobility, Optional<ToneSet> tones, boolean callWaiting, Consumer<NetworkCall> changes) {
+        this.tones = tones;
+        this.mobility = mobility;
+        this.changes = changes;
+        this.callWaiting = callWaiting;
+    }
+
+    /** Calls from SETUP to the first clearing message, oldest first. */
+    public Collection<NetworkCall> calls() {
+        return Collections.unmodifiableSet(calls);
+    }
+
+    Optional<ToneSet> tones() {
+        return tones;
+    }
+
+    public KeyTap keyTap() {
+        return keyTap;
+    }
+
+    public long speechFramesSwitched() {
+        return speechFramesSwitched;
+    }
+
+    private LinkCalls on(Link link) {
+        return links.computeIfAbsent(link, LinkCalls::new);
+    }
+
+    /** The leg of a transaction as the mobile writes it. */
+    public Optional<CallLeg> leg(Link link, TransactionIdentifier received) {
+        return on(link).leg(received);
+    }
+
+    @Override
+    public boolean needsRadio(Link link) {
+        return on(link).needsRadio();
+    }
+
+    @Override
+    public void radioLost(Link link) {
+        on(link).radioLost();
+    }
+
+    @Override
+    public void linkClosed(Link link) {
+        LinkCalls closed = on(link);
+        links.remove(link);
+        closed.releaseHeld(this::reach);
+    }
+
+    /** Passes a message to its leg; without one it is answered as TS 24.008, 8.3 says. */
+    public void receive(Link link, CallControl message) {
+        Optional<CallLeg> leg = leg(link, message.transaction());
+        if (message instanceof CallControl.Setup setup) {
+            if (leg.isEmpty() && !setup.transaction().fromOtherSide()) {
+                open(link, setup);
+            }
+        } else if (leg.isPresent()) {
+            leg.get().receive(message);
+        } else if (needsAnswer(message)) {
+            refuse(link, message.transaction(), Cause.INVALID_TRANSACTION_IDENTIFIER);
+        }
+    }
+
+    private static boolean needsAnswer(CallControl message) {
+        return !(message instanceof CallControl.ReleaseComplete)
+                && !(message instanceof CallControl.Status status && status.callState() == 0);
+    }
+
+    private static void refuse(Link link, TransactionIdentifier transaction, Cause cause) {
+        link.send(new CallControl.ReleaseComplete(transaction.answered(), Optional.of(cause)));
+    }
+
+    private void open(Link link, CallControl.Setup setup) {
+        if (link.radio().takeService()) {
+            NetworkCall call =
+                    new NetworkCall(this, on(link), setup.transaction().answered(), setup.called());
+            call.originating().receive(setup);
+        } else {
+            refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+        }
+    }
+
+    /** Connects a call to the called mobile, or refuses it. */
+    void route(NetworkCall call) {
+        if (tones.isPresent()) {
+            // A tone for a refused call needs a channel first (TS 24.008, 5.2.1.2).
+            call.originating().proceed();
+        }
+        if (call.to().isEmpty()) {
+            call.refuse(Cause.INVALID_NUMBER_FORMAT);
+        } else if (!mobility.register().isAssigned(call.to().get())) {
+            call.refuse(Cause.UNASSIGNED_NUMBER);
+        } else if (calls.size() > MAX_CALLS) {
+            call.refuse(Cause.SWITCHING_EQUIPMENT_CONGESTION);
+        } else {
+            call.originating().proceed();
+            reach(call);
+        }
+    }
+
+    private void reach(NetworkCall call) {
+        Optional<Link> location =
+                call.to().flatMap(mobility.register()::ofNumber).flatMap(mobility::locationOf);
+        if (location.isEmpty()) {
+            call.refuse(Cause.DESTINATION_OUT_OF_ORDER);
+            return;
+        }
+        LinkCalls called = on(location.get());
+        Optional<TransactionIdentifier> transaction = called.freeTransaction();
+        boolean waits = callWaiting && location.get() != call.originating().link() && called.allowsWaitingCall();
+        if (!called.live().isEmpty() && !waits || transaction.isEmpty()) {
+            call.refuse(Cause.USER_BUSY);
+        } else if (called.isClearing() && !waits) {
+            call.hold(called);
+        } else {
+            call.extend(called, transaction.get());
+        }
+    }
+
+    /** Legs on this link have changed: calls that are held for it may go on. */
+    public void legsChanged(Link link) {
+        if (links.containsKey(link)) {
+            links.get(link).releaseHeld(call -> {
+                try {
+                    reach(call);
+                } catch (RuntimeException e) {
+                    call.originating().link().failed(e);
+                }
+            });
+        }
+    }
+
+    /** To be called by a call that has entered a state. */
+    void changed(NetworkCall call) {
+        if (call.state() == CallProgress.RELEASED) {
+            calls.remove(call);
+        } else {
+            calls.add(call);
+        }
+        changes.accept(call);
+    }
+
+    /**
+     * Passes a speech frame on unchanged, with the speaker's own numbering and losses; the tone of a signalled key replaces
+     * it.
+     */
+    public void switchSpeech(Link link, IpaFrame frame) {
+        CallLeg leg = on(link).speakingLeg();
+        CallLeg listening = leg == null ? null : leg.listener();
+        if (listening != null) {
+            speechFramesSwitched++;
+            IpaFrame audible = leg.audible(frame);
+            if (audible != null) {
+                listening.link().sendSpeech(audible);
+            }
+            keyTap.passed(leg, frame.payload());
+        }
+    }
+
+    public static boolean isRtp(byte[] payload) {
+        return payload.length > RTP_HEADER_LENGTH && (payload[0] & RTP_VERSION_MASK) == RTP_VERSION_2;
+    }
+}

@@ -1,0 +1,216 @@
+package simgsm.center.msc.link;
+
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.Set;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.KeepAlive;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.ShortMessageControl;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.octets.OctetString;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+import simgsm.trace.MessageText;
+
+/** The connection of one terminal, which is mobile and cell in one. An opaque handle to the exchange's driver. */
+public final class Link {
+    /** Protocol errors that are answered as the standard says before the link is closed. */
+    public static final int MAX_VIOLATIONS = 100;
+
+    private static final int MAX_LOGGED_VIOLATIONS = 3;
+    private static final System.Logger LOG = System.getLogger(Link.class.getName());
+
+    private final LinkPort port;
+    private final Context context;
+    private final Timers timers;
+    private final NetworkRadioConnection radio;
+    private final Paging paging;
+    private final KeepAlive keepAlive;
+    private final TerminalRateLimits rateLimits;
+    private final String address;
+    private Subscriber subscriber;
+    private boolean isClosed;
+    private Timer identification;
+    private String lifeline;
+    private int violations;
+
+    /**
+     * What all links share.
+     *
+     * @param open all open links
+     * @param touched links that the exchange looks at before it returns to its driver
+     * @param users protocols on top of the links, in the order in which they end when a radio connection is lost
+     */
+    public record Context(Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users) {}
+
+    /** @param isLocal whether the terminal runs on this machine, without rate limits */
+    public Link(LinkPort port, String address, boolean isLocal, Context context) {
+        this.port = port;
+        this.address = address;
+        this.lifeline = address;
+        this.context = context;
+        this.timers = context.timers().ownedBy(this::failed);
+        this.radio = new NetworkRadioConnection(this);
+        this.paging = new Paging(this);
+        this.keepAlive = new KeepAlive(timers, this::sendCcm, this::drop);
+        this.rateLimits = new TerminalRateLimits(isLocal, timers);
+    }
+
+    /** Asks the peer for its identity and begins to supervise the connection. */
+    public void open() {
+        context.open().add(this);
+        sendCcm(new CcmMessage.IdentityRequest());
+        keepAlive.start();
+        identification = timers.start(NetworkTimer.IDENTIFICATION.nanos(), () -> drop("has not identified itself"));
+    }
+
+    public void receive(CcmMessage message) {
+        if (message instanceof CcmMessage.IdentityResponse) {
+            timers.cancel(identification);
+            sendCcm(new CcmMessage.IdentityAcknowledge());
+        } else {
+            keepAlive.receive(message);
+        }
+    }
+
+    /** Timers of this link; an error in one closes the link. */
+    public Timers timers() {
+        return timers;
+    }
+
+    public NetworkRadioConnection radio() {
+        return radio;
+    }
+
+    public Paging paging() {
+        return paging;
+    }
+
+    public TerminalRateLimits rateLimits() {
+        return rateLimits;
+    }
+
+    public boolean isClosed() {
+        return isClosed;
+    }
+
+    /** The subscriber registered here; null before the location update has ended, and after detach. */
+    public Subscriber subscriber() {
+        return subscriber;
+    }
+
+    public boolean hasSubscriber() {
+        return subscriber != null;
+    }
+
+    /** Takes a registered subscriber. */
+    public void register(Subscriber registered) {
+        subscriber = registered;
+        timers.cancel(identification);
+        lifeline = registered.number().digits();
+    }
+
+    /** Removes the subscriber. */
+    public void deregister() {
+        subscriber = null;
+    }
+
+    /** The number that was registered here last, else the peer's address. */
+    public String lifeline() {
+        return lifeline;
+    }
+
+    /** Whether a subscriber was ever registered here. */
+    public boolean hasNumber() {
+        return !lifeline.equals(address);
+    }
+
+    /** Sends a message on the radio connection; without one it is dropped. */
+    public void send(Layer3Message message) {
+        if (!radio.isEstablished()) {
+            return;
+        }
+        OctetString layer3 = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
+        context.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message, Direction.DOWNLINK), layer3);
+        RslMessage.Sapi sapi =
+                message instanceof ShortMessageControl ? RslMessage.Sapi.SHORT_MESSAGES : RslMessage.Sapi.SIGNALLING;
+        port.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(new RslMessage.DataRequest(sapi, layer3))));
+    }
+
+    /** Sends a message on a common channel: paging, cell broadcast. */
+    public void sendCommon(RslMessage message) {
+        byte[] octets = RslCodec.encode(message);
+        context.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message), OctetString.of(octets));
+        port.send(new IpaFrame(IpaFrame.RSL, octets));
+    }
+
+    public void sendSpeech(IpaFrame frame) {
+        port.send(frame);
+    }
+
+    private void sendCcm(CcmMessage message) {
+        port.send(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
+    }
+
+    List<LinkUser> users() {
+        return context.users();
+    }
+
+    /** Has the exchange look at this link before it returns to its driver: something may need the radio no longer. */
+    public void touch() {
+        context.touched().add(this);
+    }
+
+    /** Closes the link. */
+    public void drop(String reason) {
+        if (!isClosed) {
+            LOG.log(hasNumber() ? Level.INFO : Level.DEBUG, "{0}: closed, {1}", this, reason);
+            forget();
+            port.close(reason);
+        }
+    }
+
+    /** Closes this link after an error of our own, and no other. */
+    public void failed(RuntimeException e) {
+        LOG.log(Level.ERROR, this + ": closed after an error of our own", e);
+        drop("internal error");
+    }
+
+    /** The connection is closed: all transactions end, and the subscriber is detached. */
+    public void forget() {
+        isClosed = true;
+        keepAlive.stop();
+        timers.cancel(identification);
+        radio.close();
+        loseTransactions();
+        users().forEach(user -> user.linkClosed(this));
+        context.open().remove(this);
+    }
+
+    /** Counts and logs a protocol error of the peer, the first three as warnings; closes the link after the last. */
+    public void violated(String what) {
+        violations++;
+        LOG.log(violations <= MAX_LOGGED_VIOLATIONS ? Level.WARNING : Level.DEBUG, "{0}: {1}", this, what);
+        if (violations == MAX_VIOLATIONS) {
+            drop(MAX_VIOLATIONS + " protocol errors");
+        }
+    }
+
+    /** Ends all transactions that use the radio connection or wait for one. */
+    public void loseTransactions() {
+        users().forEach(user -> user.radioLost(this));
+    }
+
+    /** The subscriber's number, or the peer's address without one. */
+    @Override
+    public String toString() {
+        return subscriber == null ? address : subscriber.number().digits();
+    }
+}

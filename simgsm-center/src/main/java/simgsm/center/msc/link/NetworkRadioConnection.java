@@ -1,0 +1,104 @@
+package simgsm.center.msc.link;
+
+import simgsm.air.RadioResource;
+import simgsm.timer.Timer;
+
+/**
+ * The radio connection of one link (TS 44.018, 3.4): at most one at a time, opened by the mobile with its first message,
+ * released by the network when no transaction needs it.
+ */
+public final class NetworkRadioConnection {
+    private enum State {
+        IDLE,
+        ESTABLISHED,
+        /** CHANNEL RELEASE is sent; uplink messages are ignored until the mobile has left. */
+        RELEASING
+    }
+
+    private static final int NORMAL_RELEASE = 0;
+
+    private final Link link;
+    private State state = State.IDLE;
+    private int expectedSequence;
+    private Timer leaving;
+    /** Runs while a mobile-originated transaction is granted and not yet begun. */
+    private Timer service;
+
+    NetworkRadioConnection(Link link) {
+        this.link = link;
+    }
+
+    public boolean isEstablished() {
+        return state == State.ESTABLISHED;
+    }
+
+    boolean isIdle() {
+        return state == State.IDLE;
+    }
+
+    /** The mobile has opened the connection. */
+    public void established() {
+        link.timers().cancel(leaving);
+        state = State.ESTABLISHED;
+        expectedSequence = 0;
+    }
+
+    /** Accepts the N(SD) of an uplink message; false for a duplicate (TS 24.007, 11.2.3.2.3). */
+    public boolean acceptsSequence(int sequence) {
+        if (sequence != expectedSequence) {
+            return false;
+        }
+        expectedSequence ^= 1;
+        return true;
+    }
+
+    /** Grants one mobile-originated transaction. */
+    public void awaitService() {
+        link.timers().cancel(service);
+        service = link.timers().start(NetworkTimer.SERVICE.nanos(), () -> {
+            service = null;
+            link.touch();
+        });
+    }
+
+    /** Ends the grant; false if there was none. */
+    public boolean takeService() {
+        boolean granted = service != null;
+        link.timers().cancel(service);
+        service = null;
+        return granted;
+    }
+
+    /** Whether a location update has the connection for itself. */
+    boolean isReserved() {
+        return link.users().stream().anyMatch(user -> user.reservesRadio(link));
+    }
+
+    /** Releases the channel if no transaction needs it. */
+    public void releaseIfUnused() {
+        if (state == State.ESTABLISHED
+                && service == null
+                && link.users().stream().noneMatch(user -> user.needsRadio(link))) {
+            release();
+        }
+    }
+
+    public void release() {
+        link.send(new RadioResource.ChannelRelease(NORMAL_RELEASE));
+        takeService();
+        state = State.RELEASING;
+        leaving = link.timers().start(NetworkTimer.T3109.nanos(), this::left);
+    }
+
+    /** The mobile has left the channel. */
+    public void left() {
+        close();
+        link.paging().resume();
+    }
+
+    void close() {
+        link.timers().cancel(leaving);
+        takeService();
+        state = State.IDLE;
+    }
+}

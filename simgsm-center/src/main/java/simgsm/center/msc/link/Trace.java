@@ -1,0 +1,10 @@
+package simgsm.center.msc.link;
+
+import simgsm.air.Direction;
+import simgsm.octets.OctetString;
+
+/** Receives every signalling message that passes a link. */
+public interface Trace {
+    /** @param octets the layer 3 message, or the RSL message where there is no layer 3 */
+    void passed(Link link, Direction direction, String name, OctetString octets);
+}

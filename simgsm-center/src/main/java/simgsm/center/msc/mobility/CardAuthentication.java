@@ -1,0 +1,119 @@
+package simgsm.center.msc.mobility;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.air.MobilityManagement;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.NetworkTimer;
+import simgsm.octets.OctetString;
+import simgsm.sim.GsmVector;
+import simgsm.sim.SimCard;
+import simgsm.timer.Timer;
+
+/**
+ * Authentication of the card on one link (TS 24.008, 4.3.2). Every location update is authenticated; a service only if the
+ * mobile names another key sequence number than the latest, or that key was used for {@link #MAX_KEY_USES} services.
+ */
+public final class CardAuthentication {
+    /** The network's choice. */
+    public static final int MAX_KEY_USES = 10;
+
+    private static final int MAX_OUTDATED = 8;
+
+    private final Link link;
+    /** Expected answers to cancelled challenges, which may arrive late on a later radio connection. */
+    private final Deque<OctetString> outdated = new ArrayDeque<>();
+
+    private OctetString expected;
+    /** Is given the outcome of the challenge under way; null without one. */
+    private Consumer<Boolean> ended;
+
+    private Timer guard;
+    /** Of the latest successful challenge, and of the latest challenge. */
+    private int keySequence = MobilityManagement.NO_KEY;
+
+    private int challengeSequence = MobilityManagement.NO_KEY;
+    private int keyUses;
+
+    CardAuthentication(Link link) {
+        this.link = link;
+    }
+
+    /** Whether a challenge is unanswered. */
+    boolean isAwaited() {
+        return ended != null;
+    }
+
+    /** Counts a service by the key that the mobile names; false if the key is not valid for one. */
+    boolean useKey(int namedKeySequence) {
+        boolean isValid =
+                keySequence != MobilityManagement.NO_KEY && namedKeySequence == keySequence && keyUses < MAX_KEY_USES;
+        keyUses += isValid ? 1 : 0;
+        return isValid;
+    }
+
+    /**
+     * Challenges the card. Without an answer within T3260 the radio connection is released.
+     *
+     * @param outcome is given whether the card has its key
+     */
+    void begin(SimCard card, OctetString rand, Consumer<Boolean> outcome) {
+        cancel();
+        expected = GsmVector.of(card.functions(), rand).sres();
+        ended = outcome;
+        challengeSequence = (challengeSequence + 1) % MobilityManagement.NO_KEY;
+        guard = link.timers().start(NetworkTimer.T3260.nanos(), this::unanswered);
+        link.send(new MobilityManagement.AuthenticationRequest(challengeSequence, rand, Optional.empty()));
+    }
+
+    /** Takes the answer; false for any other message, or if none is awaited. */
+    boolean receive(MobilityManagement message) {
+        if (!isAwaited()) {
+            return false;
+        }
+        if (message instanceof MobilityManagement.AuthenticationResponse response) {
+            if (!outdated.remove(response.response())) {
+                end(response.response().equals(expected));
+            }
+            return true;
+        }
+        if (message instanceof MobilityManagement.AuthenticationFailure) {
+            end(false);
+            return true;
+        }
+        return false;
+    }
+
+    private void end(boolean hasKey) {
+        Consumer<Boolean> outcome = ended;
+        stop();
+        keySequence = hasKey ? challengeSequence : MobilityManagement.NO_KEY;
+        keyUses = 0;
+        outcome.accept(hasKey);
+    }
+
+    private void unanswered() {
+        cancel();
+        keySequence = MobilityManagement.NO_KEY;
+        link.loseTransactions();
+        link.radio().release();
+    }
+
+    /** Ends the challenge under way without an outcome. */
+    void cancel() {
+        if (isAwaited()) {
+            outdated.addLast(expected);
+            if (outdated.size() > MAX_OUTDATED) {
+                outdated.removeFirst();
+            }
+            stop();
+        }
+    }
+
+    private void stop() {
+        link.timers().cancel(guard);
+        ended = null;
+    }
+}
