@@ -75,7 +75,7 @@ class LayeringTest {
             simrobot.simulation      : vericommand simrobot.behaviour simrobot.world simrobot.robot
             simrobot.camera          : vericommand simrobot.world simrobot.robot simrobot.simulation
             simrobot.p2os            : simgsm.octets simgsm.net simgsm.state vericommand simrobot.robot simrobot.simulation
-            simrobot.pioneer         : vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
+            simrobot.pioneer         : simgsm.net vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing

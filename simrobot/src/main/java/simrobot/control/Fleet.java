@@ -111,6 +111,7 @@ public final class Fleet {
         simRobot.onRemoved(gone -> {
             if (gone == added) {
                 robot.setPower(false);
+                call.end();
                 simRobot.simulation().owned().removeGuest(guest);
             }
         });

@@ -12,10 +12,12 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import simgsm.net.RetryPause;
 
 /**
- * Gives a {@link RealPioneer} its line and its time: one thread connects and reads, one writes, one keeps time; what comes
- * is done on the simulation's thread. A connection that is lost, or never was, is tried again after growing pauses.
+ * Gives a {@link RealPioneer} its connection and its time. Serial lines block, so one thread connects and reads, one writes,
+ * and one posts a tick every 100 ms; all three end with {@link #close}. The robot's core runs on the simulation's thread. A
+ * connection that is lost, or cannot be made, is tried again with pauses that grow from 0.5 s to 15 s.
  */
 public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final Logger LOG = System.getLogger(PioneerCall.class.getName());
@@ -25,37 +27,54 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final long GOODBYE_MILLIS = 1000;
     private static final int MOST_QUEUED = 256;
     private static final int CHUNK = 1024;
+    /** Closes the connection after the packets before it. */
+    private static final byte[] END = {};
 
     private final String robot;
     private final PioneerAddress address;
     private final Executor simulation;
     private final BlockingQueue<byte[]> outgoing = new ArrayBlockingQueue<>(MOST_QUEUED);
     private final AtomicBoolean tickPosted = new AtomicBoolean();
-    private final Object wish = new Object();
-    private RealPioneer pioneer;
-    private Thread liner;
+    /** Guards the fields from {@link #wanted} to {@link #pause}. */
+    private final Object lock = new Object();
+
     private boolean wanted;
     private boolean closed;
-    private long pauseMillis = FIRST_PAUSE_MILLIS;
+    private boolean retriesNow;
+    private final RetryPause pause = new RetryPause(FIRST_PAUSE_MILLIS, LONGEST_PAUSE_MILLIS);
+
+    private RealPioneer pioneer;
+    private Thread reader;
     private volatile ByteChannel channel;
 
-    /** @param simulation runs acts on the thread that owns the robot, in their order */
+    /** @param simulation runs actions on the thread that owns the robot, in their order */
     public PioneerCall(String robot, PioneerAddress address, Executor simulation) {
         this.robot = robot;
         this.address = address;
         this.simulation = simulation;
     }
 
-    /** The robot whose line this is; it is called when it wants to. */
+    /** Starts the threads; the connection is made after {@link #call}. */
     public void start(RealPioneer served) {
         pioneer = served;
-        liner = thread("line", this::keepConnected);
-        thread("sender", this::write);
+        reader = thread("reader", this::keepConnected);
+        thread("writer", this::write);
         thread("time", this::keepTime);
     }
 
-    private Thread thread(String what, Runnable work) {
-        Thread thread = new Thread(work, "pioneer " + robot + " " + what);
+    private interface Work {
+        void run() throws InterruptedException;
+    }
+
+    private Thread thread(String what, Work work) {
+        Runnable interruptible = () -> {
+            try {
+                work.run();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        };
+        Thread thread = new Thread(interruptible, "pioneer " + robot + " " + what);
         thread.setDaemon(true);
         thread.start();
         return thread;
@@ -72,47 +91,17 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
 
     @Override
     public void call() {
-        synchronized (wish) {
+        synchronized (lock) {
             wanted = true;
-            pauseMillis = FIRST_PAUSE_MILLIS;
-            wish.notifyAll();
+            retriesNow = true;
+            pause.reset();
+            lock.notifyAll();
         }
     }
 
-    /** What was said before leaves first, if it leaves at once. */
+    /** Packets that are still queued may be lost. */
     @Override
     public void drop() {
-        closeChannel();
-    }
-
-    @Override
-    public void hangUp() {
-        synchronized (wish) {
-            wanted = false;
-        }
-        // the goodbye leaves through the queue; an empty packet closes behind it
-        if (!outgoing.offer(new byte[0])) {
-            closeChannel();
-        }
-    }
-
-    /** Stops the robot and says goodbye, if that can be done at once. */
-    @Override
-    public void close() {
-        simulation.execute(() -> pioneer.setPower(false));
-        synchronized (wish) {
-            closed = true;
-            wish.notifyAll();
-        }
-        try {
-            liner.join(GOODBYE_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        closeChannel();
-    }
-
-    private void closeChannel() {
         ByteChannel open = channel;
         if (open != null) {
             try {
@@ -123,58 +112,84 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         }
     }
 
-    // ---- threads of its own --------------------------------------------------------------------------------------
+    @Override
+    public void hangUp() {
+        synchronized (lock) {
+            wanted = false;
+        }
+        if (!outgoing.offer(END)) {
+            drop();
+        }
+    }
 
-    private void keepConnected() {
+    /** Stops the robot and ends the threads, as {@link #close} does, without waiting for them. */
+    public void end() {
+        thread("end", this::close);
+    }
+
+    /** Stops the robot, ends the connection and the threads, and waits for that for at most a second. */
+    @Override
+    public void close() {
+        simulation.execute(() -> pioneer.setPower(false));
+        synchronized (lock) {
+            closed = true;
+            lock.notifyAll();
+        }
         try {
-            while (awaitWish()) {
-                try (ByteChannel open = address.open()) {
-                    outgoing.clear();
-                    channel = open;
-                    if (isWanted()) {
-                        simulation.execute(() -> pioneer.connected(System.nanoTime()));
-                        read(open);
-                        LOG.log(Level.INFO, robot + ": the line to the Pioneer at " + address + " has ended");
-                    }
-                } catch (AsynchronousCloseException e) {
-                    LOG.log(Level.INFO, robot + ": the line to the Pioneer at " + address + " was closed");
-                } catch (IOException | UnresolvedAddressException e) {
-                    LOG.log(Level.WARNING, robot + ": no Pioneer at " + address + " (" + e.getMessage() + ")");
-                }
-                channel = null;
-                simulation.execute(pioneer::disconnected);
-                pause();
-            }
+            reader.join(GOODBYE_MILLIS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+        drop();
+    }
+
+    // ---- the threads ---------------------------------------------------------------------------------------------
+
+    private void keepConnected() throws InterruptedException {
+        while (awaitWanted()) {
+            try (ByteChannel open = address.open()) {
+                outgoing.clear();
+                channel = open;
+                if (isWanted()) {
+                    simulation.execute(() -> pioneer.connected(System.nanoTime()));
+                    read(open);
+                    LOG.log(Level.INFO, robot + ": the Pioneer at " + address + " has ended the connection");
+                }
+            } catch (AsynchronousCloseException e) {
+                LOG.log(Level.INFO, robot + ": the connection to the Pioneer at " + address + " is closed");
+            } catch (IOException | UnresolvedAddressException e) {
+                LOG.log(Level.WARNING, robot + ": no Pioneer at " + address + " (" + e.getMessage() + ")");
+            }
+            channel = null;
+            simulation.execute(pioneer::disconnected);
+            pause();
         }
     }
 
     private boolean isWanted() {
-        synchronized (wish) {
+        synchronized (lock) {
             return wanted && !closed;
         }
     }
 
-    private boolean awaitWish() throws InterruptedException {
-        synchronized (wish) {
+    /** @return false once closed */
+    private boolean awaitWanted() throws InterruptedException {
+        synchronized (lock) {
             while (!wanted && !closed) {
-                wish.wait();
+                lock.wait();
             }
             return !closed;
         }
     }
 
-    /** Longer each time; a new wish ends it. */
+    /** Ended by {@link #call} and {@link #close}. */
     private void pause() throws InterruptedException {
-        synchronized (wish) {
-            long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(pauseMillis);
-            long before = pauseMillis;
-            pauseMillis = Math.min(LONGEST_PAUSE_MILLIS, 2 * pauseMillis);
-            long grown = pauseMillis;
-            for (long left = before; left > 0 && !closed && pauseMillis == grown; ) {
-                wish.wait(left);
+        synchronized (lock) {
+            retriesNow = false;
+            long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(pause.next());
+            for (long left = 1; left > 0 && !closed && !retriesNow; ) {
                 left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+                lock.wait(Math.max(1, left));
             }
         }
     }
@@ -183,35 +198,26 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         ByteBuffer buffer = ByteBuffer.allocate(CHUNK);
         while (open.read(buffer) >= 0) {
             if (buffer.position() > 0) {
-                byte[] bytes = new byte[buffer.flip().remaining()];
-                buffer.get(bytes);
+                byte[] octets = new byte[buffer.flip().remaining()];
+                buffer.get(octets);
                 buffer.clear();
-                simulation.execute(() -> pioneer.received(bytes, System.nanoTime()));
-                answered();
-            }
-        }
-    }
-
-    /** Somebody is there: the next loss is a new one. */
-    private void answered() {
-        synchronized (wish) {
-            pauseMillis = FIRST_PAUSE_MILLIS;
-        }
-    }
-
-    private void write() {
-        try {
-            while (true) {
-                byte[] packet = outgoing.take();
-                ByteChannel open = channel;
-                if (packet.length == 0) {
-                    closeChannel();
-                } else if (open != null) {
-                    write(open, packet);
+                simulation.execute(() -> pioneer.received(octets, System.nanoTime()));
+                synchronized (lock) {
+                    pause.reset();
                 }
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void write() throws InterruptedException {
+        while (reader.isAlive()) {
+            byte[] packet = outgoing.poll(TICK_MILLIS, TimeUnit.MILLISECONDS);
+            ByteChannel open = channel;
+            if (packet == END) {
+                drop();
+            } else if (packet != null && open != null) {
+                write(open, packet);
+            }
         }
     }
 
@@ -222,23 +228,19 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
                 open.write(rest);
             }
         } catch (IOException e) {
-            closeChannel();
+            drop();
         }
     }
 
-    private void keepTime() {
-        try {
-            while (true) {
-                Thread.sleep(TICK_MILLIS);
-                if (tickPosted.compareAndSet(false, true)) {
-                    simulation.execute(() -> {
-                        tickPosted.set(false);
-                        pioneer.tick(System.nanoTime());
-                    });
-                }
+    private void keepTime() throws InterruptedException {
+        while (reader.isAlive()) {
+            reader.join(TICK_MILLIS);
+            if (tickPosted.compareAndSet(false, true)) {
+                simulation.execute(() -> {
+                    tickPosted.set(false);
+                    pioneer.tick(System.nanoTime());
+                });
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 }
