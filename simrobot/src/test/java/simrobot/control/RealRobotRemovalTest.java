@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import simgsm.air.Msisdn;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.CallTap;
+import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.pioneer.PioneerAddress;
@@ -45,7 +45,7 @@ class RealRobotRemovalTest {
                 true,
                 BehaviourKind.NONE,
                 SpeechCodec.Kind.A_LAW,
-                name -> CallTap.NONE,
+                name -> CallAudioListener.NONE,
                 number -> Optional.empty());
         robot = new Fleet(simRobot, kit)
                 .addReal(
