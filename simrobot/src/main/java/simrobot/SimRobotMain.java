@@ -217,7 +217,7 @@ public final class SimRobotMain {
         List<RobotName> names = RequestedRobots.of(arguments, slot, world);
         Fleet.Kit kit = kit(arguments, slot, names.size() == 1);
         Simulation simulation = new Simulation(world, kit.seed());
-        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MOST));
+        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
         simRobot.simulation().setSpeed(speed);

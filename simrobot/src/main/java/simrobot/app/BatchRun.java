@@ -44,7 +44,7 @@ public final class BatchRun {
                 .map(RobotName::name)
                 .toList();
         long seed = SimRobotMain.seed(arguments);
-        double noise = arguments.number("noise", 0, 0, Noise.MOST);
+        double noise = arguments.number("noise", 0, 0, Noise.MAX_SCALE);
         BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         boolean power = arguments.choice("power", "on", "off").equals("on");

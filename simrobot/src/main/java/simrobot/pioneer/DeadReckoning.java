@@ -1,21 +1,21 @@
 package simrobot.pioneer;
 
 import simrobot.p2os.InformationPacket;
+import simrobot.robot.PoseRounding;
 import vericommand.Pose;
 
 /**
- * Where a robot is, by its own odometry from where it was last said to stand. The odometry rolls over at 15 bits and 4096
- * units; steps are taken the short way round.
+ * The pose of a robot by its own odometry, from the pose that was set last. The odometry rolls over at 15 bits and 4096
+ * units; the smaller of two possible differences is taken.
  */
 final class DeadReckoning {
     private static final int PLACE_BITS = 15;
-    private static final double DUST = 1e9;
 
     private double x;
     private double y;
     private double heading;
 
-    /** From the odometry's axes to the world's. */
+    /** Rotation from the odometry's frame to the world's. */
     private double skew;
 
     private InformationPacket last;
@@ -26,12 +26,12 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    /** The next information is the first of a new session: its place is where the robot was last. */
+    /** The next packet begins a new session, at the last pose. */
     void restart() {
         last = null;
     }
 
-    /** Somebody says where the robot stands. */
+    /** Sets the true pose. */
     void setPose(double xMeters, double yMeters, double headingRadians) {
         x = xMeters;
         y = yMeters;
@@ -52,7 +52,7 @@ final class DeadReckoning {
         last = information;
     }
 
-    /** The short way round a counter of so many bits. */
+    /** The smallest signed difference on a counter of this many bits. */
     private static int step(int difference, int bits) {
         int half = 1 << bits - 1;
         return (difference + half & (1 << bits) - 1) - half;
@@ -76,12 +76,6 @@ final class DeadReckoning {
     }
 
     Pose pose() {
-        double degrees = Math.toDegrees(heading) % 360;
-        double rounded = clean(degrees < 0 ? degrees + 360 : degrees);
-        return new Pose(clean(x), clean(y), rounded >= 360 ? 0 : rounded);
-    }
-
-    private static double clean(double value) {
-        return Math.rint(value * DUST) / DUST + 0.0;
+        return PoseRounding.pose(x, y, heading);
     }
 }

@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
+import simrobot.robot.InfiniteLoopRule;
 import simrobot.robot.Trapezoid;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -42,9 +43,6 @@ final class InstructionLegs {
     /** An information packet may have left before the command came. */
     private static final long IN_FLIGHT_NANOS = 250_000_000;
 
-    private static final int PATIENCE = 3;
-    private static final double PATIENCE_SECONDS = 2;
-
     private final boolean forward;
     private final int goal;
     private final Consumer<MotionOutcome> ended;
@@ -77,8 +75,7 @@ final class InstructionLegs {
         startHeading = place.headingRadians();
         startNanos = nanos;
         Trapezoid profile = forward ? Trapezoid.FORWARD : Trapezoid.TURN;
-        double nominal = profile.seconds(forward ? goal / 1000.0 : Math.toRadians(goal));
-        limitNanos = Math.round((PATIENCE * nominal + PATIENCE_SECONDS) * 1e9);
+        limitNanos = InfiniteLoopRule.limitNanos(profile, forward ? goal / 1000.0 : Math.toRadians(goal));
     }
 
     /** The command for the next leg, framed; to be sent at once. */

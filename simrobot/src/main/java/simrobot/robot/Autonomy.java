@@ -10,8 +10,8 @@ import simrobot.behaviour.Steering;
 import vericommand.RobotStatus;
 
 /**
- * The autonomous process in a robot: it steers the drive ten times a second until somebody ends it. An order, a client
- * that drives, whoever brakes, and the switches end it; ending brakes the robot, it does not stand at once.
+ * The autonomous process in a robot: it sets the drive's speeds ten times a second until it is ended by an order, a P2OS
+ * client's motion command, a brake or a switch. Ending it brakes the robot with its deceleration.
  */
 public final class Autonomy {
     private final SimulatedRobot robot;
@@ -19,8 +19,8 @@ public final class Autonomy {
     private BehaviourKind kind = BehaviourKind.NONE;
     private Optional<Behaviour> behaviour = Optional.empty();
     private long sinceDecisionNanos;
-    /** Told when the robot stands; null when nobody waits for that. */
-    private Runnable awaiting;
+    /** Called once the robot stands; null if no order waits for that. */
+    private Runnable standListener;
 
     Autonomy(SimulatedRobot robot) {
         this.robot = robot;
@@ -34,15 +34,15 @@ public final class Autonomy {
         return behaviour.isPresent();
     }
 
-    /** Told the new kind at every change, on the owner thread. */
+    /** Adds a listener for the new kind at every change, on the owner thread. */
     public void addListener(Consumer<BehaviourKind> listener) {
         listeners.add(listener);
     }
 
     /**
-     * Begins a process in place of the one that runs; {@link BehaviourKind#NONE} only ends that one.
+     * Begins a process in place of the running one; {@link BehaviourKind#NONE} only ends that.
      *
-     * @return false, and nothing has changed, when the robot has no motors or is under an order
+     * @return false, with nothing changed, if the robot has no motors or executes an order
      */
     public boolean begin(BehaviourKind next) {
         if (next == BehaviourKind.NONE) {
@@ -52,44 +52,44 @@ public final class Autonomy {
         if (!robot.hasMotors() || robot.isUnderOrder()) {
             return false;
         }
-        become(next, next.begin(robot.number()));
+        change(next, next.begin(robot.number()));
         sinceDecisionNanos = Behaviour.TICK_NANOS;
         return true;
     }
 
-    /** Looks as if it ran; for a replay. */
+    /** Sets the kind that is shown, for a replay; no process runs. */
     void show(BehaviourKind shown) {
         kind = shown;
     }
 
-    /** Ends the process, if one runs; the robot slows down to a stand. */
+    /** Ends the process, if one runs; the robot slows down until it stands. */
     public void end() {
         if (isActive()) {
             robot.drive().stop();
-            become(BehaviourKind.NONE, Optional.empty());
+            change(BehaviourKind.NONE, Optional.empty());
         }
     }
 
-    /** Ends the process for an order, which waits for the robot to stand. */
-    void endFor(Runnable stands) {
+    /** Ends the process for an order. @param listener called once the robot stands */
+    void endFor(Runnable listener) {
         end();
-        awaiting = stands;
-        tellIfItStands();
+        standListener = listener;
+        notifyIfStanding();
     }
 
     boolean isAwaited() {
-        return awaiting != null;
+        return standListener != null;
     }
 
-    private void tellIfItStands() {
-        if (awaiting != null && robot.status() != RobotStatus.MOVING) {
-            Runnable told = awaiting;
-            awaiting = null;
-            told.run();
+    private void notifyIfStanding() {
+        if (standListener != null && robot.status() != RobotStatus.MOVING) {
+            Runnable listener = standListener;
+            standListener = null;
+            listener.run();
         }
     }
 
-    private void become(BehaviourKind next, Optional<Behaviour> process) {
+    private void change(BehaviourKind next, Optional<Behaviour> process) {
         boolean changes = next != kind;
         kind = next;
         behaviour = process;
@@ -100,7 +100,7 @@ public final class Autonomy {
 
     /** A step of time, before the robot moves through it. */
     void step(long nanos) {
-        tellIfItStands();
+        notifyIfStanding();
         if (behaviour.isPresent()) {
             sinceDecisionNanos += nanos;
             if (sinceDecisionNanos >= Behaviour.TICK_NANOS) {

@@ -1,13 +1,13 @@
 package simrobot.robot;
 
 /**
- * One of the drive's two motions, along or about: towards a speed or towards a goal, within its limits. Signed, unlike
- * the {@link Trapezoid} that it steps along.
+ * One of the drive's two motions, translation or rotation: towards a speed or towards a goal, within its limits. Distances
+ * and speeds are signed, unlike those of {@link Trapezoid}.
  *
- * <p>The unit of way is free: metres, or radians anticlockwise.
+ * <p>The unit of distance is metres, or radians anticlockwise.
  */
 final class Axis {
-    /** Goals that lie nearer are reached: rounding, not way. */
+    /** A remaining distance below this is rounding error. */
     private static final double REACHED = 1e-12;
 
     private Trapezoid limits;
@@ -32,20 +32,20 @@ final class Axis {
         return speed;
     }
 
-    /** Goes at this speed, or at the top one, until told otherwise. */
+    /** Sets the target speed, limited to the top speed. */
     void setSpeed(double target) {
         wanted = target;
         toGoal = false;
     }
 
-    /** Comes to rest so far from here. */
-    void setWay(double way) {
-        remaining = way;
+    /** Sets a goal at which the motion comes to rest. @param distance from here */
+    void setGoal(double distance) {
+        remaining = distance;
         toGoal = true;
         wanted = 0;
     }
 
-    /** What is left to a goal; 0 without one. */
+    /** The distance to the goal; 0 without one. */
     double remaining() {
         return toGoal ? remaining : 0;
     }
@@ -54,59 +54,59 @@ final class Axis {
         return toGoal;
     }
 
-    /** Which way it wants to go: -1, 0 or 1. */
-    double sense() {
+    /** The direction of the target: -1, 0 or 1. */
+    double direction() {
         return Math.signum(toGoal ? remaining : wanted);
     }
 
-    /** Forgets its target and stands at once. */
+    /** Clears the target and stops at once. */
     void halt() {
         setSpeed(0);
         speed = 0;
     }
 
-    /** The wheels' next stretch, signed. */
-    Trapezoid.Stretch next(double seconds) {
-        Trapezoid.Stretch stretch = toGoal ? towardsGoal(seconds) : towardsSpeed(wanted, seconds);
-        return take(stretch);
+    /** The next step of time. */
+    Trapezoid.Step next(double seconds) {
+        Trapezoid.Step step = toGoal ? towardsGoal(seconds) : towardsSpeed(wanted, seconds);
+        return take(step);
     }
 
-    /** A stretch of slowing down; the target is kept. */
-    Trapezoid.Stretch brake(double seconds) {
+    /** A step of slowing down; the target is kept. */
+    Trapezoid.Step brake(double seconds) {
         return take(towardsSpeed(0, seconds));
     }
 
-    private Trapezoid.Stretch take(Trapezoid.Stretch stretch) {
-        speed = stretch.speed();
+    private Trapezoid.Step take(Trapezoid.Step step) {
+        speed = step.speed();
         if (toGoal) {
-            remaining -= stretch.way();
+            remaining -= step.distance();
             if (speed == 0 && Math.abs(remaining) <= REACHED) {
                 setSpeed(0);
             }
         }
-        return stretch;
+        return step;
     }
 
-    private Trapezoid.Stretch towardsGoal(double seconds) {
-        double sense = remaining < 0 ? -1 : 1;
-        double forth = speed * sense;
+    private Trapezoid.Step towardsGoal(double seconds) {
+        double sign = remaining < 0 ? -1 : 1;
+        double forth = speed * sign;
         if (forth >= 0) {
-            Trapezoid.Stretch stretch = limits.towards(remaining * sense, forth, seconds);
-            return new Trapezoid.Stretch(stretch.way() * sense, stretch.speed() * sense + 0.0);
+            Trapezoid.Step step = limits.towards(remaining * sign, forth, seconds);
+            return new Trapezoid.Step(step.distance() * sign, step.speed() * sign + 0.0);
         }
-        // it still runs the other way: first to rest
+        // it still moves in the opposite direction: first to rest
         double toRest = -forth / limits.deceleration();
         if (seconds <= toRest) {
             return towardsSpeed(0, seconds);
         }
         double back = speed * toRest / 2;
-        Trapezoid.Stretch stretch = limits.towards((remaining - back) * sense, 0, seconds - toRest);
-        return new Trapezoid.Stretch(back + stretch.way() * sense, stretch.speed() * sense + 0.0);
+        Trapezoid.Step step = limits.towards((remaining - back) * sign, 0, seconds - toRest);
+        return new Trapezoid.Step(back + step.distance() * sign, step.speed() * sign + 0.0);
     }
 
-    private Trapezoid.Stretch towardsSpeed(double target, double seconds) {
+    private Trapezoid.Step towardsSpeed(double target, double seconds) {
         double goal = Math.max(-limits.top(), Math.min(limits.top(), target));
-        double way = 0;
+        double distance = 0;
         double now = speed;
         double left = seconds;
         while (now != goal) {
@@ -116,12 +116,12 @@ final class Axis {
             double needed = (milestone - now) / rate;
             if (needed >= left) {
                 double end = now + rate * left;
-                return new Trapezoid.Stretch(way + (now + end) / 2 * left, needed == left ? milestone : end);
+                return new Trapezoid.Step(distance + (now + end) / 2 * left, needed == left ? milestone : end);
             }
-            way += (now + milestone) / 2 * needed;
+            distance += (now + milestone) / 2 * needed;
             now = milestone;
             left -= needed;
         }
-        return new Trapezoid.Stretch(way + goal * left, goal + 0.0);
+        return new Trapezoid.Step(distance + goal * left, goal + 0.0);
     }
 }

@@ -1,24 +1,24 @@
 package simrobot.robot;
 
 /**
- * Three lead batteries of 12 V and 7.2 Ah, as the 2-DX carries them. Full whenever the robot is switched on, as if somebody
- * had changed them; empty they still let the robot crawl on, so that a class is not left with a dead robot.
+ * Three lead batteries of 12 V and 7.2 Ah, as in the 2-DX. They are full whenever the robot is switched on; the robot also
+ * drives with empty ones, so that a lesson can go on.
  */
 public final class Battery {
     public static final double FULL_VOLTS = 12.7;
 
-    /** Below it the robot ought to be charged (its configuration packet says so, too). */
+    /** Low-battery threshold, as in the configuration packet. */
     public static final double LOW_VOLTS = 11;
 
-    /** It tells no less. */
+    /** The lowest voltage that is reported. */
     private static final double EMPTY_VOLTS = 10.5;
 
     private static final double CAPACITY_JOULES = 3 * 12 * 7.2 * 3600;
 
-    /** Controller, sonars, modem and camera: some eleven hours of standing. */
+    /** Power of controller, sonars, modem and camera: about 11 h standing. */
     private static final double STANDING_WATTS = 24;
 
-    /** At top speed the motors take as much again, and half of it. */
+    /** Power of the motors: at top speed 1.5 times the standing power. */
     private static final double WATTS_PER_METER_PER_SECOND = 72;
 
     private static final double WATTS_PER_RADIAN_PER_SECOND = 18;
@@ -27,7 +27,7 @@ public final class Battery {
 
     Battery() {}
 
-    /** A stretch of time at these speeds of the wheels. */
+    /** Draws power for a duration at these speeds. */
     void drain(double seconds, double metersPerSecond, double radiansPerSecond) {
         double watts = STANDING_WATTS
                 + WATTS_PER_METER_PER_SECOND * Math.abs(metersPerSecond)
@@ -40,7 +40,7 @@ public final class Battery {
         volts = FULL_VOLTS;
     }
 
-    /** As a client that tests its alarms wants it; it drains on from there. */
+    /** Sets the voltage, for a client that tests its alarms; it drains from there. */
     public void setVolts(double newVolts) {
         volts = newVolts;
     }

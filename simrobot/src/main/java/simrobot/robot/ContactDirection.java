@@ -3,21 +3,21 @@ package simrobot.robot;
 import simrobot.world.Contact;
 
 /**
- * What was touched last, as the direction from there to the robot's centre.
+ * The direction from the last contact to the robot's centre.
  *
- * @param normalX with normalY a unit vector; both 0 when nothing was touched yet
+ * @param normalX with normalY a unit vector; both 0 before the first contact
  */
 record ContactDirection(double normalX, double normalY) {
     static final ContactDirection NONE = new ContactDirection(0, 0);
 
-    /** A bumper lets go within this way. */
+    /** A contact ends when the obstacle is farther away. */
     private static final double GRIP_METERS = 0.001;
 
     static ContactDirection of(Contact contact) {
         return new ContactDirection(contact.normalX(), contact.normalY());
     }
 
-    boolean isSomething() {
+    boolean exists() {
         return normalX != 0 || normalY != 0;
     }
 
@@ -25,9 +25,9 @@ record ContactDirection(double normalX, double normalY) {
         return new ContactDirection(-normalX, -normalY);
     }
 
-    /** Whether something is still there. */
-    boolean holds(SimulatedRobot robot, Floor floor) {
-        return isSomething()
+    /** Whether the obstacle is still there. */
+    boolean persists(SimulatedRobot robot, Floor floor) {
+        return exists()
                 && floor.sweep(robot, -normalX * GRIP_METERS, -normalY * GRIP_METERS)
                         .contact()
                         .touches();

@@ -1,14 +1,14 @@
 package simrobot.robot;
 
 /**
- * The robot driven directly, as a Pioneer's own controller offers it: speeds or goals for the way and for the turn, each
- * within limits that the client may set. Goals count by the wheels, so they are exact as far as the wheels grip.
+ * The motion controller that a Pioneer offers to its clients: target speeds or goals for translation and rotation, within
+ * limits that the client may set. Goals are measured by the wheels, so they are exact as far as the wheels do not slip.
  *
- * <p>Belongs to the robot, which steps it; targets are forgotten when the motors go off and when something is touched.
- * Metres, radians anticlockwise, seconds.
+ * <p>The robot steps it; targets are cleared when the motors are switched off and when an obstacle is touched. Metres,
+ * radians anticlockwise, seconds.
  */
 public final class Drive {
-    /** Limits that a client finds at first: top speeds that the 3-DX reaches, the configuration packet's accelerations. */
+    /** Initial limits: top speeds of the 3-DX, accelerations of the configuration packet. */
     public static final Trapezoid AHEAD_LIMITS = new Trapezoid(1.0, Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2);
 
     public static final Trapezoid TURN_LIMITS =
@@ -28,70 +28,70 @@ public final class Drive {
         return turn.limits();
     }
 
-    /** Limits hold from now on, for the motion under way too. */
+    /** Sets the limits, for the current motion too. */
     public void setLimits(Trapezoid aheadLimits, Trapezoid turnLimits) {
         ahead.setLimits(aheadLimits);
         turn.setLimits(turnLimits);
     }
 
-    /** Goes ahead at this speed, negative back. */
+    /** Sets the target speed ahead, negative back. */
     public void setSpeed(double metersPerSecond) {
         ahead.setSpeed(metersPerSecond);
     }
 
-    /** Turns at this speed. */
+    /** Sets the target turning speed. */
     public void setTurnSpeed(double radiansPerSecond) {
         turn.setSpeed(radiansPerSecond);
     }
 
-    /** Goes so far from here, negative back, and stands. */
+    /** Sets a goal at this distance ahead, negative back. */
     public void move(double meters) {
-        ahead.setWay(meters);
+        ahead.setGoal(meters);
     }
 
-    /** Turns so far from here and stands. */
+    /** Sets a goal at this angle. */
     public void turn(double radians) {
-        turn.setWay(radians);
+        turn.setGoal(radians);
     }
 
-    /** What is left of a turn to a goal; 0 without one. */
+    /** The angle to the goal; 0 without one. */
     public double remainingTurn() {
         return turn.remaining();
     }
 
-    /** Slows to a stand with the set deceleration and forgets all targets. */
+    /** Slows down with the set deceleration until it stands, and clears all targets. */
     public void stop() {
         ahead.setSpeed(0);
         turn.setSpeed(0);
         suspended = false;
     }
 
-    /** True: slows to a stand but keeps the targets; false: goes on towards them. */
+    /** True: slows down until it stands but keeps the targets; false: goes on towards them. */
     public void setSuspended(boolean suspend) {
         suspended = suspend;
     }
 
     // ---- for the robot -------------------------------------------------------------------------------------------
 
-    /** Forgets all targets, standing at once. */
+    /** Clears all targets and stops at once. */
     void halt() {
         ahead.halt();
         turn.halt();
         suspended = false;
     }
 
-    /** Whether it moves or wants to. */
+    /** Whether it moves or has a target. */
     boolean isActive() {
-        boolean runs = ahead.speed() != 0 || turn.speed() != 0;
-        return runs || (!suspended && (ahead.sense() != 0 || turn.sense() != 0));
+        boolean moves = ahead.speed() != 0 || turn.speed() != 0;
+        return moves || (!suspended && (ahead.direction() != 0 || turn.direction() != 0));
     }
 
-    /** Which way it is about to set out from rest: -1 back, 1 ahead, 0 not at all. */
-    double setsOut() {
-        return ahead.speed() == 0 && !suspended ? ahead.sense() : 0;
+    /** The direction in which it is about to start from rest: -1 back, 1 ahead, 0 none. */
+    double startDirection() {
+        return ahead.speed() == 0 && !suspended ? ahead.direction() : 0;
     }
 
-    void forgetWay() {
+    void haltAhead() {
         ahead.halt();
     }
 
@@ -103,11 +103,11 @@ public final class Drive {
         return turn.speed();
     }
 
-    Trapezoid.Stretch nextAhead(double seconds) {
+    Trapezoid.Step nextAhead(double seconds) {
         return suspended ? ahead.brake(seconds) : ahead.next(seconds);
     }
 
-    Trapezoid.Stretch nextTurn(double seconds) {
+    Trapezoid.Step nextTurn(double seconds) {
         return suspended ? turn.brake(seconds) : turn.next(seconds);
     }
 }

@@ -5,11 +5,11 @@ import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
 /**
- * Moves a robot as its {@link Drive} wants, along arcs, until something stops it; keeps the status machine in step: who
- * is driven is Moving, who touches something is in Collision, who comes to rest is Stopped.
+ * Moves a robot by its {@link Drive}, along arcs, until an obstacle stops it, and updates the status: Moving while it is
+ * driven, Collision when it touches something, Stopped when it comes to rest.
  */
 final class DrivenMotion {
-    /** Nearer is touching; far above the gap that a contact leaves. */
+    /** Distance below which an obstacle is touched; far above the gap that a contact leaves. */
     private static final double TOUCH_METERS = 1e-6;
 
     private final SimulatedRobot robot;
@@ -27,7 +27,7 @@ final class DrivenMotion {
         return drive;
     }
 
-    /** Stands at once, all targets forgotten. */
+    /** Stops at once and clears all targets. */
     void halt() {
         drive.halt();
         begunInCollision = false;
@@ -35,7 +35,7 @@ final class DrivenMotion {
 
     void step(double seconds, double beltX, double beltY) {
         if (drive.isActive()) {
-            forgetTheImpossible();
+            clearBlockedTargets();
         }
         if (!drive.isActive()) {
             robot.carry(beltX, beltY);
@@ -48,35 +48,35 @@ final class DrivenMotion {
             begunInCollision = robot.status() == RobotStatus.COLLISION;
             robot.change(StatusEvent.MOTION_STARTED);
         }
-        double meters = drive.nextAhead(seconds).way();
-        double radians = drive.nextTurn(seconds).way();
-        robot.runsAt(drive.speed(), drive.turnSpeed());
+        double meters = drive.nextAhead(seconds).distance();
+        double radians = drive.nextTurn(seconds).distance();
+        robot.setSpeeds(drive.speed(), drive.turnSpeed());
         if (roll(meters, radians, beltX, beltY) && !drive.isActive()) {
             rest();
         }
     }
 
-    /** Without motors nothing moves; who has collided may turn and back away, but not push on. */
-    private void forgetTheImpossible() {
+    /** Clears all targets without motors, and in Collision a distance target against the obstacle. */
+    private void clearBlockedTargets() {
         if (!robot.hasMotors()) {
             drive.halt();
         }
         boolean inCollision =
                 robot.status() == RobotStatus.COLLISION || (robot.status() == RobotStatus.MOVING && begunInCollision);
-        double sense = drive.setsOut();
-        if (inCollision && sense != 0 && !robot.isWayFree(sense * TOUCH_METERS)) {
-            drive.forgetWay();
+        double towards = drive.startDirection();
+        if (inCollision && towards != 0 && !robot.isPathFree(towards * TOUCH_METERS)) {
+            drive.haltAhead();
         }
     }
 
-    /** Goes along an arc in small chords; false when something has stopped it. */
+    /** Moves along an arc in small chords; false if an obstacle has stopped the robot. */
     private boolean roll(double meters, double radians, double beltX, double beltY) {
         int chords = Arc.chords(meters, radians);
         double wheelTurn = radians / chords;
-        double wheelWay = meters / chords;
-        double turn = wheelTurn * robot.noise().turn();
-        double way = wheelWay * robot.noise().way();
-        double chord = way * Arc.chordShare(turn);
+        double wheelDistance = meters / chords;
+        double turn = wheelTurn * robot.noise().turnFactor();
+        double distance = wheelDistance * robot.noise().distanceFactor();
+        double chord = distance * Arc.chordShare(turn);
         for (int i = 0; i < chords; i++) {
             direction.to(robot.headingRadians() + turn / 2);
             double wheelX = chord * direction.cos();
@@ -88,7 +88,7 @@ final class DrivenMotion {
             boolean stopped = contact.touches() && wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
             double share = stopped ? contact.fraction() : 1;
             robot.turnBy(turn * share);
-            robot.odometry().roll(wheelWay * share, wheelTurn * share);
+            robot.odometry().roll(wheelDistance * share, wheelTurn * share);
             robot.advance(dx, dy, contact.fraction());
             if (stopped) {
                 robot.touch(encounter);
@@ -98,11 +98,11 @@ final class DrivenMotion {
         return true;
     }
 
-    /** The robot stands; targets of a suspended drive are kept. */
+    /** The robot has come to rest; targets of a suspended drive are kept. */
     void rest() {
-        boolean blocked = begunInCollision && robot.isTouching() && robot.isWayBlocked();
+        boolean blocked = begunInCollision && robot.isTouching() && robot.isPathBlocked();
         begunInCollision = false;
-        robot.runsAt(0, 0);
+        robot.setSpeeds(0, 0);
         robot.change(blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED);
     }
 }

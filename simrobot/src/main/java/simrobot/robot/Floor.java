@@ -3,11 +3,11 @@ package simrobot.robot;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
 
-/** What surrounds a robot: walls, belts and the other robots. Implemented by the simulation. */
+/** The surroundings of a robot: walls, belts and the other robots. Implemented by the simulation. */
 public interface Floor {
-    /** What a robot meets on its way. */
+    /** The first contact on a robot's path, and the robot that is touched, null for anything else. */
     record Encounter(Contact contact, SimulatedRobot robot) {
-        /** Nothing. */
+        /** No contact. */
         public static final Encounter NONE = new Encounter(Contact.NONE, null);
 
         /** True when it is another robot that is touched. */
@@ -16,19 +16,19 @@ public interface Floor {
         }
     }
 
-    /** The first thing that this robot's circle touches on its way by (dx, dy) metres. */
+    /** The first contact of this robot's circle on a path by (dx, dy) metres. */
     Encounter sweep(SimulatedRobot robot, double dx, double dy);
 
-    /** True when the robot's circle, with its centre there, would overlap nothing. */
+    /** True if the robot's circle, with its centre there, overlaps nothing. @param robot null for a robot to be added */
     boolean isFree(SimulatedRobot robot, double xMeters, double yMeters);
 
-    /** True when the place lies within the world. */
+    /** True if the place lies within the world. */
     boolean isInside(double xMeters, double yMeters);
 
-    /** How fast the floor itself moves there, metres per second along x. */
+    /** Velocity of the floor there along x, metres per second. */
     double beltVelocityX(double xMeters, double yMeters);
 
-    /** How fast the floor itself moves there, metres per second along y. */
+    /** Velocity of the floor there along y, metres per second. */
     double beltVelocityY(double xMeters, double yMeters);
 
     /**
@@ -41,6 +41,6 @@ public interface Floor {
     /** The distance at which the cone first holds something other than this robot, or the range. */
     double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters);
 
-    /** Tells that the robot's place has changed. */
+    /** To be called when the robot's place has changed. */
     void moved(SimulatedRobot robot);
 }

@@ -4,14 +4,8 @@ import java.util.function.Consumer;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 
-/** One motion under way: its goal, how far it has come, and how long it may take. */
+/** One motion of an order: its goal, the part done so far, and its time limit. */
 final class MotionProgress {
-    /** An order that takes longer than this many times its nominal duration ... */
-    private static final int PATIENCE = 3;
-
-    /** ... and this much more, in simulated time, is an infinite loop. */
-    private static final double PATIENCE_SECONDS = 2;
-
     private static final double CENTIMETERS = 100;
 
     private final boolean forward;
@@ -46,7 +40,7 @@ final class MotionProgress {
         this.startHeading = startHeading;
         aheadX = StrictMath.cos(startHeading);
         aheadY = StrictMath.sin(startHeading);
-        limitNanos = Math.round((PATIENCE * profile.seconds(goal) + PATIENCE_SECONDS) * 1e9);
+        limitNanos = InfiniteLoopRule.limitNanos(profile, goal);
     }
 
     boolean isForward() {
@@ -73,31 +67,32 @@ final class MotionProgress {
         return aheadY;
     }
 
-    /** The wheels' next stretch, in metres or in radians clockwise. */
-    Trapezoid.Stretch next(double speed, double seconds) {
+    /** The next step, in metres or in radians clockwise. */
+    Trapezoid.Step next(double speed, double seconds) {
         return braking ? profile.brake(speed, seconds) : profile.towards(goal - done, speed, seconds);
     }
 
-    /** The true place after a step forward. */
-    void isAt(double x, double y) {
+    /** Sets the true place after a step forward. */
+    void setPlace(double x, double y) {
         done = (x - startX) * aheadX + (y - startY) * aheadY;
     }
 
-    void hasTurnedBy(double clockwiseRadians) {
+    void addTurn(double clockwiseRadians) {
         done += clockwiseRadians;
     }
 
-    /** The goal's heading, so that many turns add no rounding. */
+    /** The heading at the goal, computed from the start so that many turns add no rounding error. */
     double goalHeading() {
         return startHeading - goal;
     }
 
-    /** A tenth of a micrometre, or of a microradian: rounding, not way. */
+    /** Whether the goal is reached, to a tenth of a micrometre or microradian. */
     boolean isAtGoal() {
         return done >= goal - 1e-7;
     }
 
-    boolean isOverdueAfter(long nanos) {
+    /** Adds a step's duration; true once the motion is an infinite loop. */
+    boolean isInfiniteLoopAfter(long nanos) {
         elapsedNanos += nanos;
         return elapsedNanos >= limitNanos;
     }

@@ -3,24 +3,24 @@ package simrobot.robot;
 import java.util.SplittableRandom;
 
 /**
- * What real wheels and sonars get wrong. The wheels' tyres differ from their nominal size by a share that is drawn once and
- * slip by another that is drawn anew at each step; sonars scatter. All of it comes from a seed: wheels draw in the order of
- * steps, sonars by the step's number, so that looking at them changes nothing.
+ * Errors of wheels and sonars. The size of the tyres deviates by a share that is drawn once, their slip is drawn at each
+ * step, and sonar ranges scatter. All draws follow from a seed: those of the wheels in the order of steps, those of the
+ * sonars by the step's number, so that reading a sonar changes nothing.
  *
- * <p>Scale 1 is what MobileSim has: at most 0.75 % of the way and of the turn. Scale 0 is exact.
+ * <p>Scale 1 is MobileSim's: at most 0.75 % of distance and turn. Scale 0 is exact.
  */
 public final class Noise {
     public static final Noise NONE = new Noise(0, 0);
 
-    /** Ten times what MobileSim has. */
-    public static final double MOST = 10;
+    /** Ten times MobileSim's errors. */
+    public static final double MAX_SCALE = 10;
 
     private static final double WHEEL_SHARE = 0.0075;
 
-    /** At most so much of a range ... */
+    /** Maximum error as a share of the range ... */
     private static final double SONAR_SHARE = 0.005;
 
-    /** ... and so much more. */
+    /** ... plus this. */
     private static final double SONAR_METERS = 0.005;
 
     private final double scale;
@@ -29,10 +29,10 @@ public final class Noise {
     private final double tyres;
     private final double track;
 
-    /** @param scale 0 for none, 1 as MobileSim, at most 10 */
+    /** @param scale 0 for none, 1 for MobileSim's, at most 10 */
     public Noise(double scale, long seed) {
-        if (!(scale >= 0 && scale <= MOST)) {
-            throw new IllegalArgumentException("noise " + scale + ", expected 0 to " + MOST);
+        if (!(scale >= 0 && scale <= MAX_SCALE)) {
+            throw new IllegalArgumentException("noise " + scale + ", expected 0 to " + MAX_SCALE);
         }
         this.scale = scale;
         this.seed = seed;
@@ -45,23 +45,23 @@ public final class Noise {
         return scale == 0 ? 0 : wheels.nextDouble(-1, 1) * scale * WHEEL_SHARE / 2;
     }
 
-    /** What a metre of the wheels is in truth, in this step. */
-    double way() {
+    /** True distance per distance of the wheels, in this step. */
+    double distanceFactor() {
         return scale == 0 ? 1 : 1 + tyres + share();
     }
 
-    /** What a radian of the wheels is in truth, in this step. */
-    double turn() {
+    /** True turn per turn of the wheels, in this step. */
+    double turnFactor() {
         return scale == 0 ? 1 : 1 + track + share();
     }
 
-    /** What a sonar makes of a range; no echo stays none. */
+    /** The range that a sonar measures; without an echo it stays 5 m. */
     double sonar(double meters, int sonar, long step) {
         if (scale == 0 || meters >= Pioneer2Dx.SONAR_RANGE_METERS) {
             return meters;
         }
         double drawn = new SplittableRandom(seed ^ (step * SonarRing.COUNT + sonar)).nextDouble(-1, 1);
-        double heard = meters + drawn * scale * (SONAR_METERS + SONAR_SHARE * meters);
-        return Math.max(Pioneer2Dx.SONAR_LEAST_METERS, Math.min(Pioneer2Dx.SONAR_RANGE_METERS, heard));
+        double measured = meters + drawn * scale * (SONAR_METERS + SONAR_SHARE * meters);
+        return Math.max(Pioneer2Dx.SONAR_LEAST_METERS, Math.min(Pioneer2Dx.SONAR_RANGE_METERS, measured));
     }
 }

@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * Where the wheels say that the robot is, from where it was last set to zero. Dragging the robot, a belt under it or a
- * client that moves its true pose leave it as it is.
+ * The pose that follows from the wheels' rotation, relative to the pose at which it was last reset. Dragging the robot, a
+ * belt under it and a change of its true pose do not change it.
  */
 public final class Odometry {
     private double x;
@@ -14,7 +14,7 @@ public final class Odometry {
 
     Odometry() {}
 
-    /** The wheels roll along an arc: so far ahead while they turn the robot by so much. */
+    /** Adds an arc: a distance ahead, and the turn made meanwhile. */
     void roll(double meters, double radians) {
         double chord = meters * Arc.chordShare(radians);
         direction.to(heading + radians / 2);
@@ -26,14 +26,14 @@ public final class Odometry {
         right += meters + half;
     }
 
-    /** From here on the place is 0, 0 and the heading 0; the wheels' ways go on. */
+    /** Sets place and heading to 0; the wheels' distances go on. */
     public void reset() {
         x = 0;
         y = 0;
         heading = 0;
     }
 
-    /** Takes what it said before; for a replay. */
+    /** Sets place and heading, for a replay. */
     void restore(double xMeters, double yMeters, double headingRadians) {
         x = xMeters;
         y = yMeters;
@@ -53,12 +53,12 @@ public final class Odometry {
         return heading;
     }
 
-    /** All the way of the left wheel, back counted negative. */
+    /** Distance of the left wheel since the beginning, backward motion negative. */
     public double leftMeters() {
         return left;
     }
 
-    /** All the way of the right wheel, back counted negative. */
+    /** Distance of the right wheel since the beginning, backward motion negative. */
     public double rightMeters() {
         return right;
     }

@@ -9,12 +9,12 @@ import vericommand.MotionOutcome;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
-/** Moves a robot through the instructions of an order, one at a time; goals are judged by the true place. */
+/** Executes the instructions of an order on a robot, one at a time. Goals are judged by the true place. */
 final class OrderedMotion {
     private final SimulatedRobot robot;
     private final Floor floor;
     private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
-    private MotionProgress errand;
+    private MotionProgress motion;
     private boolean hasMoved;
 
     OrderedMotion(SimulatedRobot robot, Floor floor) {
@@ -27,60 +27,60 @@ final class OrderedMotion {
     }
 
     boolean isUnderWay() {
-        return errand != null;
+        return motion != null;
     }
 
-    void begin(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
+    void begin(Instruction.Motion instruction, Consumer<MotionOutcome> ended) {
         boolean inCollision = robot.status() == RobotStatus.COLLISION;
-        errand = new MotionProgress(
-                motion, ended, inCollision, robot.xMeters(), robot.yMeters(), robot.headingRadians());
+        motion = new MotionProgress(
+                instruction, ended, inCollision, robot.xMeters(), robot.yMeters(), robot.headingRadians());
         hasMoved = false;
         robot.change(StatusEvent.MOTION_STARTED);
     }
 
-    /** The wheels slow down from the next step on. */
+    /** Slows down from the next step on. */
     void brake() {
-        if (errand != null) {
-            errand.brake();
+        if (motion != null) {
+            motion.brake();
         }
     }
 
-    /** Ends as one that was braked; the robot stands already. */
+    /** Ends a motion of a robot that stands already, as one that was braked. */
     void endBraked() {
-        errand.brake();
+        motion.brake();
         rest();
     }
 
     void step(long nanos, double beltX, double beltY) {
         double seconds = nanos * 1e-9;
-        if (errand.isForward()) {
+        if (motion.isForward()) {
             goForward(seconds, beltX, beltY);
         } else {
             turn(seconds, beltX, beltY);
         }
-        if (errand != null) {
-            tellFirstMotion();
-            judge(nanos);
+        if (motion != null) {
+            notifyFirstMotion();
+            checkEnd(nanos);
         }
     }
 
     private void goForward(double seconds, double beltX, double beltY) {
-        MotionProgress under = errand;
-        Trapezoid.Stretch stretch = under.next(robot.speedMetersPerSecond(), seconds);
-        double wheelX = stretch.way() * under.aheadX();
-        double wheelY = stretch.way() * under.aheadY();
+        MotionProgress current = motion;
+        Trapezoid.Step step = current.next(robot.speedMetersPerSecond(), seconds);
+        double wheelX = step.distance() * current.aheadX();
+        double wheelY = step.distance() * current.aheadY();
         Floor.Encounter encounter = floor.sweep(robot, wheelX + beltX, wheelY + beltY);
         Contact contact = encounter.contact();
         robot.advance(wheelX + beltX, wheelY + beltY, contact.fraction());
-        under.isAt(robot.xMeters(), robot.yMeters());
-        robot.runsAt(stretch.speed(), robot.turnRadiansPerSecond());
-        boolean wheelsPush = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
-        boolean stopped = contact.touches() && wheelsPush;
+        current.setPlace(robot.xMeters(), robot.yMeters());
+        robot.setSpeeds(step.speed(), robot.turnRadiansPerSecond());
+        boolean isPushing = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
+        boolean stopped = contact.touches() && isPushing;
         robot.odometry()
                 .roll(
-                        stretch.way()
+                        step.distance()
                                 * (stopped ? contact.fraction() : 1)
-                                / robot.noise().way(),
+                                / robot.noise().distanceFactor(),
                         0);
         if (stopped) {
             robot.touch(encounter);
@@ -88,53 +88,53 @@ final class OrderedMotion {
     }
 
     private void turn(double seconds, double beltX, double beltY) {
-        Trapezoid.Stretch stretch = errand.next(0 - robot.turnRadiansPerSecond(), seconds);
-        errand.hasTurnedBy(stretch.way());
-        robot.odometry().roll(0, -stretch.way() / robot.noise().turn());
-        if (stretch.speed() == 0 && errand.isAtGoal()) {
-            robot.turnTo(errand.goalHeading());
+        Trapezoid.Step step = motion.next(0 - robot.turnRadiansPerSecond(), seconds);
+        motion.addTurn(step.distance());
+        robot.odometry().roll(0, -step.distance() / robot.noise().turnFactor());
+        if (step.speed() == 0 && motion.isAtGoal()) {
+            robot.turnTo(motion.goalHeading());
         } else {
-            robot.turnBy(-stretch.way());
+            robot.turnBy(-step.distance());
         }
-        robot.runsAt(robot.speedMetersPerSecond(), 0 - stretch.speed());
+        robot.setSpeeds(robot.speedMetersPerSecond(), 0 - step.speed());
         robot.carry(beltX, beltY);
     }
 
-    private boolean stands() {
+    private boolean isStanding() {
         return robot.speedMetersPerSecond() == 0 && robot.turnRadiansPerSecond() == 0;
     }
 
-    private void tellFirstMotion() {
-        if (!hasMoved && !stands()) {
+    private void notifyFirstMotion() {
+        if (!hasMoved && !isStanding()) {
             hasMoved = true;
             firstMotionListeners.forEach(Runnable::run);
         }
     }
 
-    private void judge(long nanos) {
-        if (stands() && (errand.isAtGoal() || errand.isBraking())) {
+    private void checkEnd(long nanos) {
+        if (isStanding() && (motion.isAtGoal() || motion.isBraking())) {
             rest();
-        } else if (errand.isOverdueAfter(nanos)) {
+        } else if (motion.isInfiniteLoopAfter(nanos)) {
             finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP);
         }
     }
 
     private void rest() {
-        boolean blocked = errand.begunInCollision() && robot.isWayBlocked();
-        MotionOutcome.Ending well = errand.isAtGoal() ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
+        boolean blocked = motion.begunInCollision() && robot.isPathBlocked();
+        MotionOutcome.Ending unblocked = motion.isAtGoal() ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
                 blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
-                blocked && well == MotionOutcome.Ending.DONE ? MotionOutcome.Ending.COLLISION : well);
+                blocked && unblocked == MotionOutcome.Ending.DONE ? MotionOutcome.Ending.COLLISION : unblocked);
     }
 
-    /** The robot stands; the status changes, then the order hears of it. */
+    /** Stops the robot, changes its status, then reports the end of the motion. */
     void finish(StatusEvent event, MotionOutcome.Ending kind) {
-        MotionProgress over = errand;
-        errand = null;
+        MotionProgress ended = motion;
+        motion = null;
         robot.stand();
         robot.change(event);
-        if (over != null) {
-            over.end(kind);
+        if (ended != null) {
+            ended.end(kind);
         }
     }
 }

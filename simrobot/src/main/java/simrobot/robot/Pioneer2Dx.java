@@ -1,9 +1,9 @@
 package simrobot.robot;
 
 /**
- * The robot's numbers, all of them here. Metres, seconds, radians.
+ * The robot's dimensions and limits. Metres, seconds, radians.
  *
- * <p>The centre of rotation, between the driven wheels, is the pose's place; x points ahead, y to the left.
+ * <p>The pose is that of the centre of rotation, between the driven wheels; x points ahead, y to the left.
  */
 public final class Pioneer2Dx {
     /** Top speed ahead: Stage's limit for Pioneers (pioneer.inc). */
@@ -26,7 +26,7 @@ public final class Pioneer2Dx {
 
     public static final double WIDTH_METERS = 0.38;
 
-    /** The body's middle lies this far behind the centre of rotation (Stage, AMRISim). */
+    /** The body's middle, behind the centre of rotation (Stage, AMRISim). */
     public static final double BODY_MIDDLE_X_METERS = -0.04;
 
     public static final double WHEEL_DIAMETER_METERS = 0.165;
@@ -35,13 +35,13 @@ public final class Pioneer2Dx {
     /** Between the wheels' middles. */
     public static final double TRACK_METERS = 0.317;
 
-    /** What the wheels' speeds mean for the turn: 2 / DiffConvFactor 0.0056 of ARIA's p2dx.p, tyres slipping included. */
+    /** Track by which wheel speeds give the turn, slip included: 2 / DiffConvFactor 0.0056 mm of ARIA's p2dx.p. */
     public static final double EFFECTIVE_TRACK_METERS = 2 / 0.0056 / 1000;
 
-    /** No echo within this distance: the sonar says so. */
+    /** Maximum range of a sonar, also reported without an echo. */
     public static final double SONAR_RANGE_METERS = 5;
 
-    /** Nearer things are told as this far: the disc still rings from its own ping. */
+    /** Minimum range of a sonar: nearer, the transducer still rings from its own ping. */
     public static final double SONAR_LEAST_METERS = 0.1;
 
     /** The 2-DX's cone (Stage's pioneer2dx sonar). */

@@ -1,13 +1,13 @@
 package simrobot.robot;
 
-/** What became of an attempt to put a robot somewhere by hand. */
+/** The result of moving a robot by hand. */
 public enum Placement {
     DONE("placed"),
-    /** A wall, a box, a point or another robot is there. */
+    /** A wall, a box, a point or another robot is in the way. */
     OCCUPIED("something is in the way there"),
-    /** Beyond all that the world holds; a robot would drive there for ever. */
+    /** Outside the bounds of the world. */
     OUTSIDE("outside the world"),
-    /** A moving robot stays on its way. */
+    /** The robot is moving, and is not moved by hand. */
     MOVING("the robot is moving");
 
     private final String text;

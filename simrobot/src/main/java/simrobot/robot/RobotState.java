@@ -5,12 +5,12 @@ import simrobot.behaviour.BehaviourKind;
 import vericommand.RobotStatus;
 
 /**
- * What can be seen of a robot at one instant, to the last bit.
+ * The observable state of a robot at one instant, to the last bit.
  *
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param speedMetersPerSecond ahead, of the wheels
  * @param turnRadiansPerSecond anticlockwise, of the wheels
- * @param odometryXMeters with the next two where the wheels say that it is
+ * @param odometryXMeters with the next two the pose by odometry
  */
 public record RobotState(
         double xMeters,

@@ -14,14 +14,14 @@ import vericommand.StatusMachine;
 import vericommand.StatusRules;
 
 /**
- * A Pioneer 2-DX on a floor. It moves only in {@link #step}; everything happens on the simulation's owner thread.
+ * A simulated Pioneer 2-DX. It moves only in {@link #step}; owned by the simulation's thread.
  *
- * <p>A step takes the wheels' stretch of way from the motion's profile and the belt's from the floor, sweeps the robot's
- * circle along both, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
+ * <p>A step takes the wheels' distance from the motion's profile and the belt's from the floor, sweeps the robot's circle along
+ * their sum, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
  */
 public final class SimulatedRobot implements Pioneer {
-    /** A turn made in Collision frees the robot when this much of the way ahead is free. */
-    private static final double FREE_WAY_METERS = 0.01;
+    /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
+    private static final double FREE_PATH_METERS = 0.01;
 
     private final String name;
     private final int number;
@@ -53,7 +53,7 @@ public final class SimulatedRobot implements Pioneer {
     /**
      * A robot that stands there with power and motors on.
      *
-     * @param number no other robot of the floor has it; they count from 0 in the order in which they came
+     * @param number unique on the floor, from 0 in the order in which the robots were added
      */
     public SimulatedRobot(String name, int number, Floor floor, double xMeters, double yMeters, double headingRadians) {
         this.name = Objects.requireNonNull(name);
@@ -73,7 +73,7 @@ public final class SimulatedRobot implements Pioneer {
         return name;
     }
 
-    /** From 0 in the order in which the robots came to their floor. */
+    /** From 0, in the order in which the robots were added. */
     public int number() {
         return number;
     }
@@ -83,19 +83,17 @@ public final class SimulatedRobot implements Pioneer {
         return machine.status();
     }
 
-    /** Told the new status at every change, on the owner thread, before a motion's outcome. */
     @Override
     public void addStatusListener(Consumer<RobotStatus> listener) {
         statusListeners.add(listener);
     }
 
-    /** Told at the end of the step in which the wheels first move for a motion, on the owner thread. */
     @Override
     public void addFirstMotionListener(Runnable listener) {
         ordered.addFirstMotionListener(listener);
     }
 
-    /** Throws the power switch; on leaves the motors off. Off ends a motion at once. */
+    /** Switches the power; on leaves the motors off. Off ends a motion at once. */
     @Override
     public void setPower(boolean on) {
         if (on != isPowered()) {
@@ -104,7 +102,6 @@ public final class SimulatedRobot implements Pioneer {
         }
     }
 
-    /** Throws the motors' switch; without power nothing happens. Off ends a motion at once. */
     @Override
     public void setMotors(boolean on) {
         if (isPowered() && on != hasMotors()) {
@@ -136,7 +133,7 @@ public final class SimulatedRobot implements Pioneer {
         driven.drive().stop();
     }
 
-    /** Stands still at once, without slowing down; an order under way ends as one that was braked. */
+    /** Stops at once, without deceleration; a motion of an order ends as one that was braked. */
     public void brakeAtOnce() {
         autonomy.end();
         stand();
@@ -147,17 +144,17 @@ public final class SimulatedRobot implements Pioneer {
         }
     }
 
-    /** True while it executes an instruction or comes to a stand for one: its drive is not to be touched. */
+    /** True while it executes an instruction or slows down for one: its drive must not be used. */
     public boolean isUnderOrder() {
         return ordered.isUnderWay() || autonomy.isAwaited();
     }
 
-    /** For whoever steers directly: targets hold from the next step, if it has motors and is under no order. */
+    /** The drive, for direct control: targets take effect in the next step, with motors on and without an order. */
     public Drive drive() {
         return driven.drive();
     }
 
-    /** The autonomous process in it. */
+    /** Its autonomous process. */
     public Autonomy autonomy() {
         return autonomy;
     }
@@ -189,7 +186,7 @@ public final class SimulatedRobot implements Pioneer {
         }
     }
 
-    /** The belt takes the robot along until something stops it; that is no collision of the robot's own making. */
+    /** Moves the robot with a belt until an obstacle stops it; that is no collision of the robot. */
     void carry(double dx, double dy) {
         if (dx != 0 || dy != 0) {
             advance(dx, dy, floor.sweep(this, dx, dy).contact().fraction());
@@ -210,7 +207,7 @@ public final class SimulatedRobot implements Pioneer {
         floor.moved(this);
     }
 
-    /** A moving robot that touches something stands still at once. */
+    /** Stops a moving robot that touches something. */
     private void touch(ContactDirection here) {
         touch = here;
         if (ordered.isUnderWay()) {
@@ -227,14 +224,14 @@ public final class SimulatedRobot implements Pioneer {
         turnSpeed = 0;
     }
 
-    /** A gap of exactly the free way, less the gap that contact leaves, counts as free. */
-    boolean isWayBlocked() {
-        return !isWayFree(FREE_WAY_METERS - 1e-6);
+    /** Whether the path ahead is free over less than 1 cm, the gap that a contact leaves not counted. */
+    boolean isPathBlocked() {
+        return !isPathFree(FREE_PATH_METERS - 1e-6);
     }
 
-    boolean isWayFree(double way) {
+    boolean isPathFree(double distance) {
         direction.to(heading);
-        return !floor.sweep(this, way * direction.cos(), way * direction.sin())
+        return !floor.sweep(this, distance * direction.cos(), distance * direction.sin())
                 .contact()
                 .touches();
     }
@@ -247,14 +244,14 @@ public final class SimulatedRobot implements Pioneer {
         heading = radians;
     }
 
-    void runsAt(double metersPerSecond, double radiansPerSecond) {
+    void setSpeeds(double metersPerSecond, double radiansPerSecond) {
         speed = metersPerSecond;
         turnSpeed = 0 - radiansPerSecond;
     }
 
-    /** Whether what was touched last is still there. */
+    /** Whether the obstacle that was touched last is still there. */
     boolean isTouching() {
-        return touch.holds(this, floor);
+        return touch.persists(this, floor);
     }
 
     void change(StatusEvent event) {
@@ -262,7 +259,7 @@ public final class SimulatedRobot implements Pioneer {
         statusListeners.forEach(listener -> listener.accept(status));
     }
 
-    /** Stands still at once, the motion under way aborted; for a world that changes under the wheels. */
+    /** Stops at once and aborts the motion; for a change of the world. */
     public void halt() {
         if (ordered.isUnderWay()) {
             ordered.finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.ABORTED);
@@ -273,8 +270,7 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     /**
-     * Puts the robot there by hand, standing. In Collision it comes free when the way ahead of it is free there, by the
-     * rule that holds for a turn.
+     * Moves the robot there by hand. In Collision it becomes Stopped if the path ahead is free there, by the rule for turns.
      */
     @Override
     public Placement place(double xMeters, double yMeters, double headingRadians) {
@@ -292,24 +288,24 @@ public final class SimulatedRobot implements Pioneer {
         heading = headingRadians;
         floor.moved(this);
         trail.lift();
-        if (status() == RobotStatus.COLLISION && !isWayBlocked()) {
+        if (status() == RobotStatus.COLLISION && !isPathBlocked()) {
             machine.apply(StatusEvent.MOTION_STARTED);
             change(StatusEvent.MOTION_ENDED);
         }
         return Placement.DONE;
     }
 
-    /** All that can be seen of it, to the last bit. */
+    /** Its observable state, to the last bit. */
     public RobotState state() {
         return RobotState.of(this);
     }
 
-    /** Makes it look as it did, for a replay: nothing is judged, nobody is told, and it does not go on by itself. */
+    /** Sets its state, for a replay: no listener is called, and it does not move by itself. */
     public SimulatedRobot restore(RobotState state) {
         x = state.xMeters();
         y = state.yMeters();
         heading = state.headingRadians();
-        runsAt(state.speedMetersPerSecond(), state.turnRadiansPerSecond());
+        setSpeeds(state.speedMetersPerSecond(), state.turnRadiansPerSecond());
         machine = new StatusMachine(state.status());
         autonomy.show(state.behaviour());
         odometry.restore(state.odometryXMeters(), state.odometryYMeters(), state.odometryHeadingRadians());
@@ -330,34 +326,34 @@ public final class SimulatedRobot implements Pioneer {
         return heading;
     }
 
-    /** Metres per second ahead, as the wheels have it. */
+    /** Speed of the wheels, metres per second ahead. */
     public double speedMetersPerSecond() {
         return speed;
     }
 
-    /** Anticlockwise, as the wheels have it. */
+    /** Turning speed of the wheels, anticlockwise. */
     public double turnRadiansPerSecond() {
         return 0 - turnSpeed;
     }
 
-    /** The true pose, its heading in [0, 360); rounding dust below a nanometre and a nanodegree is wiped off. */
+    /** The true pose, its heading in [0, 360), rounded to 1 nm and 1e-9 degrees. */
     @Override
     public Pose pose() {
         return PoseRounding.pose(x, y, heading);
     }
 
-    /** Where its wheels say that it is. */
+    /** The pose by its wheels. */
     public Odometry odometry() {
         return odometry;
     }
 
-    /** From here on the wheels count from 0. */
+    /** Sets the odometry to 0. */
     public void resetOdometry() {
         odometry.reset();
         odometryZero = pose();
     }
 
-    /** What presses on its body. */
+    /** The bumpers that are pressed. */
     public Bumpers bumpers() {
         return Bumpers.pressed(this, floor, touch);
     }
@@ -366,7 +362,7 @@ public final class SimulatedRobot implements Pioneer {
         return battery;
     }
 
-    /** What its controller knows of itself. */
+    /** What its controller measures. */
     public Condition condition() {
         return new Condition(
                 battery.volts(),
@@ -381,17 +377,17 @@ public final class SimulatedRobot implements Pioneer {
         return noise;
     }
 
-    /** From now on wheels and sonars err so. */
+    /** Sets the errors of wheels and sonars. */
     public void setNoise(Noise newNoise) {
         noise = newNoise;
     }
 
-    /** The way that it has come, for drawing. */
+    /** Its path, for drawing. */
     public Trail trail() {
         return trail;
     }
 
-    /** What the sixteen sonars hear now, metres, sonar 0 first. */
+    /** The ranges of the sixteen sonars now, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {
         double[] ranges = new double[SonarRing.COUNT];
         for (int i = 0; i < ranges.length; i++) {
@@ -405,7 +401,7 @@ public final class SimulatedRobot implements Pioneer {
         return noise.sonar(Sonars.rangeMeters(this, direction.to(heading), floor, sonar), sonar, steps);
     }
 
-    /** The same in whole millimetres, 100 to 5000. */
+    /** The same in whole millimetres. */
     @Override
     public int[] sonarRangesMillimeters() {
         return Arrays.stream(sonarRangesMeters())

@@ -1,6 +1,6 @@
 package simrobot.robot;
 
-/** The sixteen sonars: where they sit and look (ARIA's p2dx.p), sonar 0 first, clockwise round the robot. */
+/** Places and directions of the sixteen sonars (ARIA's p2dx.p), sonar 0 first, clockwise round the robot. */
 public final class SonarRing {
     public static final int COUNT = 16;
 

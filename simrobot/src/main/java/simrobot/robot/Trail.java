@@ -2,12 +2,12 @@ package simrobot.robot;
 
 import java.util.Arrays;
 
-/** Breadcrumbs: where a robot has been. Old ones make room, so a robot may run for weeks. */
+/** The places where a robot has been, every 2 cm; at most 4000, the oldest are dropped. */
 public final class Trail {
-    /** Points that are kept; at their spacing 80 m of way. */
+    /** Maximum number of points; at their spacing, 80 m of path. */
     public static final int CAPACITY = 4000;
 
-    private static final int FIRST_ROOM = 16;
+    private static final int INITIAL_SIZE = 16;
     private static final double SPACING_METERS = 0.02;
 
     /**
@@ -24,20 +24,20 @@ public final class Trail {
         }
     }
 
-    /** A ring that grows until it holds the most; most robots of a crowd never come so far. */
-    private double[] xs = new double[FIRST_ROOM];
+    /** A ring buffer that grows up to the capacity. */
+    private double[] xs = new double[INITIAL_SIZE];
 
-    private double[] ys = new double[FIRST_ROOM];
-    private long[] times = new long[FIRST_ROOM];
+    private double[] ys = new double[INITIAL_SIZE];
+    private long[] times = new long[INITIAL_SIZE];
     private int count;
     private int next;
     private Points published = Points.NONE;
     private boolean changed;
 
-    /** No points yet. */
+    /** A trail without points. */
     public Trail() {}
 
-    /** Drops a point when the robot has come a point's spacing from the last one. */
+    /** Adds a point if the robot is 2 cm or more from the last one. */
     public void pass(double x, double y, long timeNanos) {
         if (count == 0 || !isNear(x - xs[last()], y - ys[last()])) {
             add(x, y, timeNanos);
@@ -48,7 +48,7 @@ public final class Trail {
         return dx * dx + dy * dy < SPACING_METERS * SPACING_METERS;
     }
 
-    /** The robot leaves the floor: no line leads from here to the next point. */
+    /** The robot is lifted: no line connects this point to the next. */
     void lift() {
         if (count > 0 && !Double.isNaN(xs[last()])) {
             add(Double.NaN, Double.NaN, times[last()]);
@@ -65,7 +65,7 @@ public final class Trail {
         return (next + xs.length - 1) % xs.length;
     }
 
-    /** A ring that is not full size yet has never gone round. */
+    /** A ring below its capacity has not wrapped around yet. */
     private void grow() {
         int room = Math.min(CAPACITY, 4 * xs.length);
         xs = Arrays.copyOf(xs, room);
@@ -86,7 +86,7 @@ public final class Trail {
         changed = true;
     }
 
-    /** The points so far; the same object as long as nothing has changed. */
+    /** The points so far; the same object as long as there is no new one. */
     public Points points() {
         if (changed) {
             double[] xy = new double[2 * count];

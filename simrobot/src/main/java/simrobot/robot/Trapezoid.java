@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * The fastest way to come to rest exactly at a goal under a limit of speed and one of acceleration: up, along, down. In
- * closed form over any stretch of time, so steps add up to the profile without drift.
+ * The velocity trapezoid: the fastest motion that comes to rest exactly at a goal under limits of speed, acceleration and
+ * deceleration. Computed in closed form over any duration, so steps add up to the profile without drift.
  *
  * <pre>
  *   speed   ____________          ____
@@ -10,11 +10,9 @@ package simrobot.robot;
  *         /              \      /      \                  /  \
  * </pre>
  *
- * The unit of way is free: metres here, radians there.
+ * The unit of distance is metres or radians.
  *
- * @param top the greatest speed
- * @param acceleration of gaining speed
- * @param deceleration of losing speed
+ * @param top maximum speed
  */
 public record Trapezoid(double top, double acceleration, double deceleration) {
     public static final Trapezoid FORWARD =
@@ -22,7 +20,7 @@ public record Trapezoid(double top, double acceleration, double deceleration) {
     public static final Trapezoid TURN =
             new Trapezoid(Pioneer2Dx.TOP_TURN_RADIANS_PER_SECOND, Pioneer2Dx.TURN_ACCELERATION_RADIANS_PER_SECOND2);
 
-    /** Rounding may ask for this much more than the acceleration to land on the goal; beyond it the goal is overrun. */
+    /** Deceleration beyond the limit that rounding may require to stop at the goal; with more, the goal is overrun. */
     private static final double LANDING_TOLERANCE = 1.001;
 
     public Trapezoid {
@@ -32,35 +30,35 @@ public record Trapezoid(double top, double acceleration, double deceleration) {
         }
     }
 
-    /** One limit for gaining and for losing speed. */
+    /** The same limit for acceleration and deceleration. */
     public Trapezoid(double top, double acceleration) {
         this(top, acceleration, acceleration);
     }
 
-    /** Where a stretch of time leads: the way made and the speed at its end. */
-    public record Stretch(double way, double speed) {}
+    /** The distance covered in a step of time, and the speed at its end. */
+    public record Step(double distance, double speed) {}
 
-    /** From rest to rest over this way, in seconds. */
-    public double seconds(double way) {
+    /** Duration from rest to rest over this distance, in seconds. */
+    public double seconds(double distance) {
         double slope = (1 / acceleration + 1 / deceleration) / 2;
         double ramps = top * top * slope;
-        return way < ramps ? 2 * Math.sqrt(way * slope) : way / top + top * slope;
+        return distance < ramps ? 2 * Math.sqrt(distance * slope) : distance / top + top * slope;
     }
 
     /**
-     * The next stretch towards a goal.
+     * The next step towards a goal.
      *
-     * @param speed now, 0 or more; above the top it is first brought down to it
-     * @param remaining way to the goal; 0 or less brakes
-     * @param dt seconds
+     * @param remaining distance to the goal; brakes if it is 0 or less
+     * @param speed at the beginning, 0 or more; above the top speed it is first reduced to it
+     * @param dt duration of the step in seconds
      */
-    public Stretch towards(double remaining, double speed, double dt) {
+    public Step towards(double remaining, double speed, double dt) {
         double needed = remaining > 0 ? speed * speed / (2 * remaining) : Double.POSITIVE_INFINITY;
         if (speed > 0 && needed >= deceleration / LANDING_TOLERANCE) {
             return needed <= deceleration * LANDING_TOLERANCE ? land(remaining, speed, needed, dt) : brake(speed, dt);
         }
         if (remaining <= 0) {
-            return new Stretch(0, 0);
+            return new Step(0, 0);
         }
         if (speed > top) {
             return slowToTop(remaining, speed, dt);
@@ -68,48 +66,48 @@ public record Trapezoid(double top, double acceleration, double deceleration) {
         double peak = Math.min(top, peak(remaining, speed));
         double rampUp = Math.max(0, (peak - speed) / acceleration);
         if (dt <= rampUp) {
-            return new Stretch((speed + acceleration * dt / 2) * dt, speed + acceleration * dt);
+            return new Step((speed + acceleration * dt / 2) * dt, speed + acceleration * dt);
         }
-        double upWay = (speed + peak) / 2 * rampUp;
-        double downWay = peak * peak / (2 * deceleration);
-        double cruise = Math.max(0, (remaining - upWay - downWay) / peak);
+        double upDistance = (speed + peak) / 2 * rampUp;
+        double downDistance = peak * peak / (2 * deceleration);
+        double cruise = Math.max(0, (remaining - upDistance - downDistance) / peak);
         if (dt <= rampUp + cruise) {
-            return new Stretch(upWay + peak * (dt - rampUp), peak);
+            return new Step(upDistance + peak * (dt - rampUp), peak);
         }
-        double before = upWay + peak * cruise;
-        Stretch down = land(remaining - before, peak, deceleration, dt - rampUp - cruise);
-        return down.speed() == 0 ? new Stretch(remaining, 0) : new Stretch(before + down.way(), down.speed());
+        double before = upDistance + peak * cruise;
+        Step down = land(remaining - before, peak, deceleration, dt - rampUp - cruise);
+        return down.speed() == 0 ? new Step(remaining, 0) : new Step(before + down.distance(), down.speed());
     }
 
-    /** The speed at which gaining must turn into losing to land on the goal. */
+    /** The speed at which acceleration must end to stop at the goal. */
     private double peak(double remaining, double speed) {
         return acceleration == deceleration
                 ? Math.sqrt(acceleration * remaining + speed * speed / 2)
                 : Math.sqrt((2 * remaining + speed * speed / acceleration) / (1 / acceleration + 1 / deceleration));
     }
 
-    private Stretch slowToTop(double remaining, double speed, double dt) {
+    private Step slowToTop(double remaining, double speed, double dt) {
         double seconds = (speed - top) / deceleration;
         if (dt <= seconds) {
-            return new Stretch((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
+            return new Step((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
         }
-        double way = (speed + top) / 2 * seconds;
-        Stretch rest = towards(remaining - way, top, dt - seconds);
-        return new Stretch(way + rest.way(), rest.speed());
+        double distance = (speed + top) / 2 * seconds;
+        Step rest = towards(remaining - distance, top, dt - seconds);
+        return new Step(distance + rest.distance(), rest.speed());
     }
 
-    /** Loses speed as fast as it may. */
-    public Stretch brake(double speed, double dt) {
+    /** Decelerates at the limit. */
+    public Step brake(double speed, double dt) {
         double seconds = speed / deceleration;
         return dt >= seconds
-                ? new Stretch(speed * seconds / 2, 0)
-                : new Stretch((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
+                ? new Step(speed * seconds / 2, 0)
+                : new Step((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
     }
 
-    private static Stretch land(double remaining, double speed, double deceleration, double dt) {
-        // times below a nanosecond are rounding, not motion
+    private static Step land(double remaining, double speed, double deceleration, double dt) {
+        // durations below a nanosecond are rounding error
         return dt >= speed / deceleration - 1e-9
-                ? new Stretch(remaining, 0)
-                : new Stretch((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
+                ? new Step(remaining, 0)
+                : new Step((speed - deceleration * dt / 2) * dt, speed - deceleration * dt);
     }
 }

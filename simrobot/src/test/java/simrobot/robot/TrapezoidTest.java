@@ -35,12 +35,12 @@ class TrapezoidTest {
         double speed = 0;
         int steps = 0;
         do {
-            Trapezoid.Stretch stretch = Trapezoid.FORWARD.towards(way - done, speed, STEP);
-            assertTrue(stretch.way() >= 0);
+            Trapezoid.Step stretch = Trapezoid.FORWARD.towards(way - done, speed, STEP);
+            assertTrue(stretch.distance() >= 0);
             assertTrue(stretch.speed() <= 0.5 + 1e-12);
             assertTrue(Math.abs(stretch.speed() - speed) <= 0.3 * STEP * 1.002 + 1e-12, "at step " + steps);
-            assertTrue(stretch.way() <= 0.5 * STEP + 1e-12);
-            done += stretch.way();
+            assertTrue(stretch.distance() <= 0.5 * STEP + 1e-12);
+            done += stretch.distance();
             speed = stretch.speed();
             steps++;
         } while (speed > 0);
@@ -58,8 +58,8 @@ class TrapezoidTest {
         double done = 0;
         double speed = 0;
         for (int i = 0; i < steps; i++) {
-            Trapezoid.Stretch stretch = Trapezoid.FORWARD.towards(0.3 - done, speed, seconds / steps);
-            done += stretch.way();
+            Trapezoid.Step stretch = Trapezoid.FORWARD.towards(0.3 - done, speed, seconds / steps);
+            done += stretch.distance();
             speed = stretch.speed();
         }
         return done;
@@ -71,8 +71,8 @@ class TrapezoidTest {
         double speed = 0.5;
         int steps = 0;
         while (speed > 0) {
-            Trapezoid.Stretch stretch = Trapezoid.FORWARD.brake(speed, STEP);
-            way += stretch.way();
+            Trapezoid.Step stretch = Trapezoid.FORWARD.brake(speed, STEP);
+            way += stretch.distance();
             speed = stretch.speed();
             steps++;
         }
@@ -82,10 +82,10 @@ class TrapezoidTest {
 
     @Test
     void aGoalTooNearToStopAtIsOverrunWithTheUsualDeceleration() {
-        Trapezoid.Stretch stretch = Trapezoid.FORWARD.towards(0.01, 0.5, STEP);
+        Trapezoid.Step stretch = Trapezoid.FORWARD.towards(0.01, 0.5, STEP);
         assertEquals(0.5 - 0.3 * STEP, stretch.speed(), 1e-12);
         assertEquals(0.497, Trapezoid.FORWARD.towards(-1, 0.5, STEP).speed(), 1e-12);
-        assertEquals(0, Trapezoid.FORWARD.towards(-1, 0, STEP).way());
+        assertEquals(0, Trapezoid.FORWARD.towards(-1, 0, STEP).distance());
     }
 
     @Test

@@ -29,13 +29,13 @@ final class OdometryCard extends JPanel {
 
     void show(RobotSnapshot robot) {
         Pose told = robot.condition().odometry();
-        Pose believed = robot.condition().believed();
+        Pose estimated = robot.condition().estimated();
         x.show(NumberTexts.meters(told.xMeters()));
         y.show(NumberTexts.meters(told.yMeters()));
         heading.show(NumberTexts.degrees(Math.toRadians(told.headingDegrees())));
         error.show(NumberTexts.meters(
-                Math.hypot(believed.xMeters() - robot.xMeters(), believed.yMeters() - robot.yMeters())));
+                Math.hypot(estimated.xMeters() - robot.xMeters(), estimated.yMeters() - robot.yMeters())));
         turned.show(NumberTexts.fixed(
-                Math.IEEEremainder(believed.headingDegrees() - Math.toDegrees(robot.headingRadians()), 360), 1));
+                Math.IEEEremainder(estimated.headingDegrees() - Math.toDegrees(robot.headingRadians()), 360), 1));
     }
 }
