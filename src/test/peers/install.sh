@@ -15,7 +15,7 @@ have cc || packages+=(gcc libc6-dev)
 have python3 || packages+=(python3)
 python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)
 have npm || packages+=(nodejs npm)
-[ -e /usr/include/spandsp.h ] || packages+=(libspandsp-dev)
+[ -n "$(find /usr/include -maxdepth 2 -name spandsp.h 2>/dev/null)" ] || packages+=(libspandsp-dev)
 if [ ${#packages[@]} -gt 0 ]; then
     echo "== installing ${packages[*]}"
     apt-get update -qq
