@@ -7,8 +7,8 @@ import java.util.regex.PatternSyntaxException;
 import simgsm.air.Msisdn;
 
 /**
- * The numbers that an application serves (5.2.7): one number, as {@code 5550300}; all that begin alike, as {@code 5553*}
- * or {@code ^5553}; or a regular expression of the POSIX kind for the whole number, as {@code 555[0-9]{4}}.
+ * The numbers that an application serves (5.2.7): one number, as {@code 5550300}; a prefix, as {@code 5553*} or {@code
+ * ^5553}; or a POSIX regular expression for the whole number, as {@code 555[0-9]{4}}.
  */
 final class AddressRange {
     private static final Pattern PREFIX = Pattern.compile("\\^?\\+?([0-9]+)(\\.?\\*)?");
@@ -26,7 +26,7 @@ final class AddressRange {
         this.pattern = pattern;
     }
 
-    /** IllegalArgumentException for a text that names no numbers. */
+    /** @throws IllegalArgumentException if the text is none of the three forms */
     static AddressRange parse(String text) {
         String plain = text.startsWith("+") ? text.substring(1) : text;
         if (plain.matches("[0-9]{1," + Msisdn.MAX_DIGITS + "}")) {
@@ -48,7 +48,7 @@ final class AddressRange {
         }
     }
 
-    /** What every number must begin with, as far as it can be told from the text. */
+    /** The literal digits at the start of a pattern. */
     private static String leadingDigits(String pattern) {
         int from = pattern.startsWith("^") ? 1 : 0;
         int to = from;
@@ -59,7 +59,7 @@ final class AddressRange {
         return pattern.indexOf('|') >= 0 ? "" : pattern.substring(from, Math.max(from, to - (lastIsOptional ? 1 : 0)));
     }
 
-    /** The only number served; empty if there may be several. */
+    /** The only number of the range; empty for a prefix or pattern. */
     Optional<Msisdn> exact() {
         return exact;
     }
@@ -72,7 +72,7 @@ final class AddressRange {
                         : pattern.matcher(number.digits()).matches();
     }
 
-    /** The greater, the closer to one single number; the closest range gets the message. */
+    /** Length of the common prefix; the range with the longest one gets the message. */
     int closeness() {
         return exact.isPresent() ? Integer.MAX_VALUE : prefix.length();
     }

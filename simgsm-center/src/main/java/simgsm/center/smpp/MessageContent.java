@@ -14,8 +14,8 @@ import simgsm.sms.GsmAlphabet;
 import simgsm.sms.UserData;
 
 /**
- * User parts from what SMPP calls a short message, and back. SMPP has one septet in each octet where a mobile has them
- * packed, and knows more codings.
+ * Converts the content of SMPP messages to the user data of mobiles and back. SMPP has unpacked septets, one per octet, and
+ * further data codings.
  */
 final class MessageContent {
     private static final int DEFAULT_ALPHABET = 0;
@@ -24,21 +24,21 @@ final class MessageContent {
     private static final int LATIN_1 = 3;
     private static final int MORE_OCTETS = 4;
     private static final int UCS2 = 8;
-    /** From here on the octet is a data coding scheme of mobiles (5.2.19). */
+    /** Values from here on are data coding schemes of TS 23.038 (5.2.19). */
     private static final int FIRST_OF_MOBILES = 0x10;
 
     private static final int ESCAPE = 0x1b;
     private static final int MAX_PARTS = 255;
 
-    /** @param dataCoding as SMPP has it */
+    /** @param dataCoding of SMPP */
     record Translated(int dataCoding, boolean hasHeader, OctetString octets) {}
 
     private MessageContent() {}
 
     /**
-     * The parts that a mobile gets; more than one only where the message has no header of its own.
+     * The parts for a mobile; more than one only for a message without a header.
      *
-     * @param reference joins the parts, 0 to 255
+     * @param reference of the concatenated parts, 0 to 255
      */
     static List<UserData> parts(SmppMessage message, int reference) throws SmppViolation {
         byte[] octets = message.content().toArray();
@@ -84,7 +84,7 @@ final class MessageContent {
         return Arrays.copyOf(octets, length);
     }
 
-    /** A header for a part that says what it is by sar_ parameters (5.3.2.22 to 24); else none. */
+    /** The header of a part with sar_ parameters (5.3.2.22 to 24); else empty. */
     private static byte[] sarHeader(SmppMessage message) {
         if (message.parameters().size() < 3) {
             return new byte[0];
@@ -117,7 +117,7 @@ final class MessageContent {
             return List.of(part(header, text, scheme));
         }
         if (header.length > 0) {
-            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "the text does not fit behind its header");
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "header and text are too long for one part");
         }
         List<byte[]> pieces = pieces(text, alphabet);
         if (pieces.size() > MAX_PARTS) {
@@ -146,7 +146,7 @@ final class MessageContent {
         }
     }
 
-    /** Septets, or octets. */
+    /** The length in septets or octets. */
     private static int units(byte[] header, byte[] text, Alphabet alphabet) {
         return alphabet == Alphabet.GSM_7BIT ? headerSeptets(header.length) + text.length : header.length + text.length;
     }
@@ -170,7 +170,7 @@ final class MessageContent {
         return new UserData(header.length > 0, scheme, headerSeptets + text.length, OctetString.of(out.toArray()));
     }
 
-    /** Never between an escape and its code, or inside a surrogate pair. */
+    /** Splits a text, but not between an escape and its code nor inside a surrogate pair. */
     private static List<byte[]> pieces(byte[] text, Alphabet alphabet) {
         int most = alphabet.unitsInEachOfMany() * octetsInUnit(alphabet);
         List<byte[]> pieces = new ArrayList<>();
@@ -188,9 +188,9 @@ final class MessageContent {
     }
 
     /**
-     * A user part for an application.
+     * The content for an application.
      *
-     * @param submittedAs the coding of the application that sent it; -1 for a mobile
+     * @param submittedAs the data_coding of the sending application; -1 for a mobile
      */
     static Translated translate(UserData part, int submittedAs) {
         DataCodingScheme scheme = part.coding();

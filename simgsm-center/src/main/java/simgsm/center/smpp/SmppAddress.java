@@ -22,7 +22,7 @@ public record SmppAddress(int ton, int npi, String value) {
         return new SmppAddress(address.type(), address.plan(), address.value());
     }
 
-    /** The telephone number; empty if it is none. */
+    /** The telephone number; empty if the address is not one. */
     Optional<Msisdn> number() {
         String digits = value.startsWith("+") ? value.substring(1) : value;
         if (ton == LETTERS || digits.isEmpty() || digits.length() > Msisdn.MAX_DIGITS || !isDigits(digits)) {
@@ -31,7 +31,7 @@ public record SmppAddress(int ton, int npi, String value) {
         return Optional.of(new Msisdn(digits));
     }
 
-    /** The same for mobiles: a number, or up to 11 letters whatever the type says; empty if it is neither. */
+    /** The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. */
     Optional<SmsAddress> forMobiles() {
         if (ton < 0 || ton > MAX_TON || npi > MAX_NPI || value.isEmpty()) {
             return Optional.empty();

@@ -3,7 +3,7 @@ package simgsm.center.smpp;
 import java.util.Optional;
 import simgsm.octets.OctetString;
 
-/** PDUs from octets; {@link SmppEncoder} goes the other way. */
+/** Decodes PDUs; {@link SmppEncoder} encodes them. */
 public final class SmppCodec {
     /** Length, command id, status, sequence number, 4 octets each (3.2). */
     public static final int HEADER_LENGTH = 16;
@@ -21,9 +21,9 @@ public final class SmppCodec {
     private SmppCodec() {}
 
     /**
-     * The PDU in these octets.
+     * Decodes one PDU.
      *
-     * @throws SmppViolation with the answer, if it cannot be read
+     * @throws SmppViolation with the response, if the PDU is invalid
      */
     public static SmppPdu decode(byte[] octets) throws SmppViolation {
         return decode(octets, 0, octets.length);
@@ -58,7 +58,7 @@ public final class SmppCodec {
         }
     }
 
-    /** The answer to a request that is not fulfilled: all but the status is left out (4.4.2 and others). */
+    /** The response that refuses a request: without a body (4.4.2 and others). */
     static SmppPdu refusal(SmppCommand command, int status, int sequence) {
         return new SmppPdu.PlainResponse(command, status, sequence);
     }
@@ -162,7 +162,7 @@ public final class SmppCodec {
         return new SmppAddress(ton, npi, value);
     }
 
-    /** Peers leave bodies out when they refuse, and some when they do not. */
+    /** The body is optional: peers omit it in refusals, some in all responses. */
     private static SmppPdu response(SmppCommand command, int status, int sequence, SmppReader in) throws SmppViolation {
         return switch (command) {
             case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER ->
@@ -187,7 +187,7 @@ public final class SmppCodec {
         return in.hasMore() ? in.text(MAX_MESSAGE_ID, "id", SmppStatus.INVALID_COMMAND_LENGTH) : "";
     }
 
-    /** The octets of a PDU. */
+    /** Encodes one PDU. */
     public static byte[] encode(SmppPdu pdu) {
         return SmppEncoder.encode(pdu);
     }

@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** What a PDU asks for or answers (5.1.2.1); the commands that this centre knows. */
+/** Commands that the centre implements (5.1.2.1). */
 public enum SmppCommand {
     BIND_RECEIVER(0x001),
     BIND_TRANSMITTER(0x002),
@@ -17,7 +17,7 @@ public enum SmppCommand {
     ENQUIRE_LINK(0x015),
     DATA_SM(0x103);
 
-    /** Set in the command id of an answer; alone it means generic_nack. */
+    /** Set in the command_id of a response; alone it is generic_nack. */
     static final int RESPONSE = 0x8000_0000;
 
     private static final Map<Integer, SmppCommand> BY_CODE = new HashMap<>();
@@ -34,7 +34,7 @@ public enum SmppCommand {
         this.code = code;
     }
 
-    /** The command id of the request. */
+    /** The command_id of the request. */
     public int code() {
         return code;
     }

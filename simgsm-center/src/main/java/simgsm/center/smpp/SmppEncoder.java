@@ -2,7 +2,7 @@ package simgsm.center.smpp;
 
 import simgsm.octets.OctetWriter;
 
-/** PDUs to octets. */
+/** Encodes PDUs. */
 final class SmppEncoder {
     private SmppEncoder() {}
 
@@ -39,7 +39,7 @@ final class SmppEncoder {
         return withLength(out.toArray());
     }
 
-    /** What only the other side sends. */
+    /** PDUs that only applications send. */
     private static void writeOfApplications(OctetWriter out, SmppPdu pdu) {
         if (pdu instanceof SmppPdu.Bind bind) {
             request(out, bind.command(), bind.sequence());

@@ -3,9 +3,9 @@ package simgsm.center.smpp;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** Cuts a stream of octets into PDUs, however the octets come. */
+/** Splits a stream of octets into PDUs. */
 final class SmppFramer {
-    /** A whole message_payload and all that may stand beside it. */
+    /** The longest message_payload and all other fields. */
     static final int MAX_PDU = 70_000;
 
     private static final int INITIAL_CAPACITY = 1_024;
@@ -28,7 +28,7 @@ final class SmppFramer {
         end += count;
     }
 
-    /** Whether a whole PDU is there; SmppViolation with command length wrong, after which nothing can be read. */
+    /** Whether a complete PDU has arrived. @throws SmppViolation for a wrong command_length; the stream is unusable then */
     boolean hasNext() throws SmppViolation {
         if (end - start < SmppCodec.HEADER_LENGTH) {
             if (end - start >= 4) {

@@ -5,13 +5,13 @@ import java.util.Optional;
 import simgsm.octets.OctetString;
 
 /**
- * What submit_sm, deliver_sm and data_sm carry (4.4.1, 4.6.1, 4.7.1).
+ * The body of submit_sm, deliver_sm and data_sm (4.4.1, 4.6.1, 4.7.1).
  *
- * @param esmClass mode, kind of message, {@link #HAS_HEADER}, {@link #REPLY_PATH} (5.2.12)
- * @param schedule empty for at once; else 16 characters (7.1.1)
- * @param validity empty for the centre's choice; else 16 characters
- * @param registeredDelivery the lowest two bits: which receipts are wanted (5.2.17)
- * @param shortMessage at most 254 octets; more goes into the message_payload parameter
+ * @param esmClass messaging mode, message type, {@link #HAS_HEADER}, {@link #REPLY_PATH} (5.2.12)
+ * @param schedule empty: deliver at once; else 16 characters (7.1.1)
+ * @param validity empty: the centre's default; else 16 characters (7.1.1)
+ * @param registeredDelivery bits 1-0: requested receipts (5.2.17)
+ * @param shortMessage at most 254 octets; a longer one is in the message_payload parameter
  */
 public record SmppMessage(
         String serviceType,
@@ -33,7 +33,7 @@ public record SmppMessage(
     static final int REPLY_PATH = 0x80;
     static final int MAX_SHORT_MESSAGE = 254;
 
-    /** A plain message with these parts. */
+    /** A message with default values for all other fields. */
     static SmppMessage of(
             SmppAddress source,
             SmppAddress destination,
@@ -55,7 +55,7 @@ public record SmppMessage(
         return Optional.empty();
     }
 
-    /** The text, wherever it stands. */
+    /** The content of short_message or message_payload. */
     OctetString content() throws SmppViolation {
         Optional<OctetString> payload = parameter(Tlv.MESSAGE_PAYLOAD);
         if (payload.isPresent() && shortMessage.length() > 0) {

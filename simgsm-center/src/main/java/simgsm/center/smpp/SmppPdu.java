@@ -1,6 +1,6 @@
 package simgsm.center.smpp;
 
-/** One protocol data unit (4). Every record holds the sequence number that joins request and answer. */
+/** Protocol data units (4), each with the sequence_number that a response shares with its request. */
 public sealed interface SmppPdu {
     int sequence();
 
@@ -21,18 +21,18 @@ public sealed interface SmppPdu {
         }
     }
 
-    /** @param systemId of the centre; not sent with a status other than 0 */
+    /** @param systemId of the centre; sent with status 0 only */
     record BindResponse(SmppCommand command, int status, int sequence, String systemId) implements SmppPdu {}
 
     /** @param command submit_sm, deliver_sm or data_sm */
     record Message(SmppCommand command, int sequence, SmppMessage message) implements SmppPdu {}
 
-    /** @param messageId empty in the answer to deliver_sm; not sent with a status other than 0 */
+    /** @param messageId empty in deliver_sm_resp; sent with status 0 only */
     record MessageResponse(SmppCommand command, int status, int sequence, String messageId) implements SmppPdu {}
 
     record Query(int sequence, String messageId, SmppAddress source) implements SmppPdu {}
 
-    /** @param finalDate 16 characters, empty while the message is under way */
+    /** @param finalDate 16 characters; empty before the message has ended */
     record QueryResponse(int status, int sequence, String messageId, String finalDate, int state, int error)
             implements SmppPdu {}
 
@@ -41,7 +41,7 @@ public sealed interface SmppPdu {
     /** enquire_link or unbind. */
     record Plain(SmppCommand command, int sequence) implements SmppPdu {}
 
-    /** The answer to those and to cancel_sm; also any answer of which only the status is of interest. */
+    /** The response to those and to cancel_sm, and any response without a body. */
     record PlainResponse(SmppCommand command, int status, int sequence) implements SmppPdu {}
 
     record GenericNack(int status, int sequence) implements SmppPdu {}

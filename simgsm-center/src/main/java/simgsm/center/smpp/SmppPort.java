@@ -1,11 +1,11 @@
 package simgsm.center.smpp;
 
-/** A session's way out, to whatever carries its octets. */
+/** The connection of a session. */
 public interface SmppPort {
-    /** Takes a whole PDU; it may wait for others and go out together with them. */
+    /** Sends a PDU, possibly in one write with others. */
     void send(byte[] pdu);
 
-    /** Closes once everything taken before has gone. */
+    /** Closes after all PDUs so far are sent. */
     void closeWhenSent();
 
     /** Closes at once. */

@@ -1,14 +1,14 @@
 package simgsm.center.smpp;
 
-/** Values of command_status (5.1.3) that are sent or understood here. */
+/** Values of command_status (5.1.3) that the centre sends or interprets. */
 public final class SmppStatus {
     public static final int OK = 0x00;
-    /** The short message's length does not fit its content. */
+    /** The length does not match the content. */
     public static final int INVALID_MESSAGE_LENGTH = 0x01;
 
     public static final int INVALID_COMMAND_LENGTH = 0x02;
     public static final int INVALID_COMMAND_ID = 0x03;
-    /** This command is not for the present state of the session. */
+    /** The command is not permitted in the session's state. */
     public static final int INVALID_BIND_STATUS = 0x04;
 
     public static final int ALREADY_BOUND = 0x05;
@@ -28,7 +28,7 @@ public final class SmppStatus {
     public static final int THROTTLED = 0x58;
     public static final int INVALID_SCHEDULE = 0x61;
     public static final int INVALID_VALIDITY = 0x62;
-    /** An application has no room just now, or another trouble that passes. */
+    /** ESME receiver temporary application error. */
     public static final int TEMPORARY_APPLICATION_ERROR = 0x64;
 
     public static final int QUERY_FAILED = 0x67;
@@ -39,12 +39,12 @@ public final class SmppStatus {
 
     private SmppStatus() {}
 
-    /** Whether an application that answered so may take the same message later. */
+    /** Whether the same message may be accepted later. */
     static boolean mayPass(int status) {
         return isBusy(status) || status == SYSTEM_ERROR || status == TEMPORARY_APPLICATION_ERROR;
     }
 
-    /** Whether it may take it in a moment. */
+    /** Whether it may be accepted within seconds. */
     static boolean isBusy(int status) {
         return status == THROTTLED || status == QUEUE_FULL;
     }

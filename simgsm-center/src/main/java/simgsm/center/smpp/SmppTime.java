@@ -8,8 +8,8 @@ import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 
 /**
- * Times as SMPP writes them (7.1.1): {@code YYMMDDhhmmsstnnp}, t tenths of a second, nn quarters of an hour from
- * universal time, p {@code +}, {@code -}, or {@code R} for a span from now on.
+ * Times (7.1.1): {@code YYMMDDhhmmsstnnp}, t tenths of a second, nn quarters of an hour from UTC, p {@code +}, {@code -},
+ * or {@code R} for a time relative to now.
  */
 final class SmppTime {
     private static final int LENGTH = 16;
@@ -20,7 +20,7 @@ final class SmppTime {
 
     private SmppTime() {}
 
-    /** IllegalArgumentException for anything that is no time. */
+    /** @throws IllegalArgumentException if the text is not a valid time */
     static Instant parse(String text, Instant now) {
         if (text.length() != LENGTH || !text.substring(0, LENGTH - 1).chars().allMatch(c -> c >= '0' && c <= '9')) {
             throw new IllegalArgumentException("\"" + text + "\" is no time of 16 characters");
@@ -61,12 +61,12 @@ final class SmppTime {
         return OffsetDateTime.of(local, zone).toInstant();
     }
 
-    /** The 16 characters, in universal time. */
+    /** The 16 characters, in UTC. */
     static String full(Instant time) {
         return SECONDS.format(time.atOffset(ZoneOffset.UTC)) + "000+";
     }
 
-    /** YYMMDDhhmm in universal time, as receipts have it (appendix B). */
+    /** YYMMDDhhmm in UTC, for receipts (appendix B). */
     static String minutes(Instant time) {
         return MINUTES.format(time.atOffset(ZoneOffset.UTC));
     }

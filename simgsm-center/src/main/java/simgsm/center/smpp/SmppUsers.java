@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.Map;
 
-/** Which applications may bind. */
+/** Applications that may bind. */
 public final class SmppUsers {
     private static final int MAX_SYSTEM_ID = 15;
     private static final int MAX_PASSWORD = 8;
@@ -17,13 +17,13 @@ public final class SmppUsers {
         this.isOpen = isOpen;
     }
 
-    /** Any application of this machine, none of another. */
+    /** Any application on this machine, none on another. */
     public static SmppUsers anyLocal() {
         return new SmppUsers(Map.of(), true);
     }
 
     /**
-     * Only these.
+     * Only the listed applications.
      *
      * @param passwords by system id
      * @throws IllegalArgumentException for an id of over 15 or a password of over 8 characters (5.2.1, 5.2.2)
@@ -40,7 +40,7 @@ public final class SmppUsers {
         return new SmppUsers(passwords, false);
     }
 
-    /** The status that answers a bind. */
+    /** The command_status of a bind. */
     int check(String systemId, String password, boolean isLocal) {
         if (systemId.isEmpty()) {
             return SmppStatus.INVALID_SYSTEM_ID;

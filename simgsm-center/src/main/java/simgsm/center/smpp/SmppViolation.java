@@ -2,14 +2,11 @@ package simgsm.center.smpp;
 
 import java.util.Optional;
 
-/**
- * A PDU that breaks the protocol, with the answer that it gets. Without a stack trace: a peer may cause any number of
- * these.
- */
+/** A PDU that violates the protocol, with its response. Without a stack trace, because peers cause any number of them. */
 public final class SmppViolation extends Exception {
     private final int status;
 
-    /** Filled in by the decoder, which knows the header. */
+    /** Set by the decoder, which has the header. */
     private transient SmppPdu answer;
 
     /** @param status one of {@link SmppStatus} */
@@ -27,7 +24,7 @@ public final class SmppViolation extends Exception {
         return this;
     }
 
-    /** Empty where nothing must be answered, as to a broken answer. */
+    /** Empty where no response is due, as for an invalid response. */
     Optional<SmppPdu> answer() {
         return Optional.ofNullable(answer);
     }

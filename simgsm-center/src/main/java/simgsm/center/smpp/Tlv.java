@@ -6,7 +6,7 @@ import simgsm.octets.OctetString;
 /** One optional parameter (5.3). */
 public record Tlv(int tag, OctetString value) {
     static final int RECEIPTED_MESSAGE_ID = 0x001e;
-    /** Of the message, in two octets: what is delivered once more bears the same. */
+    /** The message id's lowest two octets; a repeated delivery has the same. */
     static final int USER_MESSAGE_REFERENCE = 0x0204;
 
     static final int SAR_REFERENCE = 0x020c;

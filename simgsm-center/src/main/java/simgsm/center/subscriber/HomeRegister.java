@@ -15,15 +15,14 @@ import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
 
 /**
- * Who may come, as the operator has it (TS 23.002, 4.1.1.1: HLR with its authentication centre, and EIR). A closed network
- * has the cards that are listed and no others; in an open one any SIM of the test network may come, and its IMSI says its
- * number. Immutable.
+ * HLR with authentication centre, and EIR (TS 23.002, 4.1.1.1). A closed network has the listed subscribers only; in an open
+ * one any SIM of the test network may register, and its IMSI contains its number. Immutable.
  */
 public final class HomeRegister {
-    /** Anybody may come, with any equipment. */
+    /** An open network without barred equipment. */
     public static final HomeRegister OPEN = open(Set.of());
 
-    /** The last digit is the check digit, or 0 as many phones send it. */
+    /** Without the last digit: the check digit, or 0 as many phones send it. */
     private static final int COMPARED_IMEI_DIGITS = 14;
 
     /** Null in an open network. */
@@ -60,12 +59,12 @@ public final class HomeRegister {
         return cards;
     }
 
-    /** The number behind an identity; empty if this network has no such subscriber. */
+    /** The number of an identity; empty if the network has no such subscriber. */
     public Optional<Msisdn> numberOf(Imsi imsi) {
         return isOpen() ? imsi.openNumber() : cardOf(imsi).map(SimCard::number);
     }
 
-    /** With whose key the identity has to prove itself; empty where nobody has to. */
+    /** The card that authenticates an identity; empty in an open network. */
     public Optional<SimCard> cardOf(Imsi imsi) {
         return isOpen()
                 ? Optional.empty()

@@ -6,7 +6,7 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
-/** One subscriber: the number and identity for good, the equipment and temporary identity while attached. */
+/** A subscriber with number and IMSI, and the equipment and TMSI of the latest registration. */
 public final class Subscriber {
     private final Msisdn number;
     private final Imsi imsi;
@@ -42,14 +42,14 @@ public final class Subscriber {
         return attached;
     }
 
-    /** Returns whether this is the first time. */
+    /** Marks the subscriber as known; true the first time. */
     boolean enter() {
         boolean isFirst = !entered;
         entered = true;
         return isFirst;
     }
 
-    /** Whether the mobile may call itself so: until it has confirmed a new temporary identity the one before holds too. */
+    /** Whether this is the TMSI, or the one before it while the new one is not confirmed. */
     public boolean answersTo(Tmsi candidate) {
         return candidate.equals(tmsi) || candidate.equals(formerTmsi);
     }

@@ -14,14 +14,14 @@ import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
 /**
- * The visitor register: everybody known here, and where each one stands. In an open network a subscriber once registered
- * stays known; in a closed one all whom the {@link HomeRegister} lists are known from the start, and nobody else ever is.
+ * The VLR: all known subscribers. In an open network a subscriber is known from the first registration on; in a closed one,
+ * exactly the subscribers of the {@link HomeRegister} are known.
  */
 public final class SubscriberRegister {
-    /** A subscriber costs about 300 octets; the bound keeps a flood of invented SIMs from filling the memory. */
+    /** Limits the memory that invented SIMs can fill; about 300 octets each. */
     public static final int MAX_SUBSCRIBERS = 200_000;
 
-    /** TS 23.003, 2.4: a TMSI of all ones means "none". */
+    /** All ones: no TMSI (TS 23.003, 2.4). */
     private static final int NO_TMSI = -1;
 
     private final HomeRegister home;
@@ -31,7 +31,7 @@ public final class SubscriberRegister {
     private final Map<Tmsi, Subscriber> byTmsi = new HashMap<>();
     private int attachedCount;
 
-    /** @param newcomers told of everybody who attaches for the first time ever */
+    /** @param newcomers is given each subscriber who attaches for the first time */
     public SubscriberRegister(HomeRegister home, RandomGenerator random, Consumer<Subscriber> newcomers) {
         this.home = home;
         this.random = random;
@@ -43,19 +43,19 @@ public final class SubscriberRegister {
         return home;
     }
 
-    /** Enters somebody who has attached in an earlier life of the centre, if the network is still his. */
+    /** Enters a subscriber who has attached before the centre started, if the number is still assigned to the IMSI. */
     public void restore(Msisdn number, Imsi imsi) {
         if (home.numberOf(imsi).equals(Optional.of(number))) {
             byNumber.computeIfAbsent(number, each -> new Subscriber(each, imsi)).enter();
         }
     }
 
-    /** Whether messages for this number can ever arrive: in an open network its owner may still come. */
+    /** Whether messages to this number are accepted: in an open network, any number. */
     public boolean isServed(Msisdn number) {
         return home.isOpen() || isAssigned(number);
     }
 
-    /** Whether the number is somebody's, barred ones not counted: their numbers are as good as nobody's. */
+    /** Whether the number belongs to a subscriber who is not barred. */
     public boolean isAssigned(Msisdn number) {
         Subscriber owner = byNumber.get(number);
         return owner != null && !home.isBarred(owner.imsi());
@@ -77,7 +77,7 @@ public final class SubscriberRegister {
         return Optional.ofNullable(byTmsi.get(tmsi));
     }
 
-    /** The subscriber behind an IMSI, entered now if new; empty if this network has none or no room for one. */
+    /** The subscriber of an IMSI, entered if new; empty if the network has none, or the register is full. */
     public Optional<Subscriber> admit(Imsi imsi) {
         Optional<Msisdn> number = home.numberOf(imsi);
         if (number.isEmpty()) {
@@ -91,7 +91,7 @@ public final class SubscriberRegister {
         return Optional.ofNullable(known);
     }
 
-    /** Gives a fresh temporary identity; the one before stays until it is confirmed (TS 24.008, 4.3.1.5). */
+    /** Allocates a TMSI; the one before stays valid until the new one is confirmed (TS 24.008, 4.3.1.5). */
     public Tmsi allocateTmsi(Subscriber subscriber) {
         subscriber.formerTmsi().ifPresent(byTmsi::remove);
         Tmsi fresh;
@@ -103,7 +103,7 @@ public final class SubscriberRegister {
         return fresh;
     }
 
-    /** The mobile has taken its new temporary identity. */
+    /** The mobile has confirmed its new TMSI. */
     public void confirmTmsi(Subscriber subscriber) {
         subscriber.formerTmsi().ifPresent(byTmsi::remove);
         subscriber.forgetFormerTmsi();

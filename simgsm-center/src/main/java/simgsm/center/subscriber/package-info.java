@@ -1,6 +1,5 @@
 /**
- * The registers: who belongs to the network (HLR) and how each one is known while it visits (VLR). Read
- * {@link simgsm.center.subscriber.HomeRegister},
+ * The registers: subscriptions (HLR, EIR) and known subscribers (VLR). Read {@link simgsm.center.subscriber.HomeRegister},
  * then {@link simgsm.center.subscriber.SubscriberRegister}.
  */
 package simgsm.center.subscriber;
