@@ -22,12 +22,10 @@ import simgsm.ui.window.ProgramWindow;
 
 /** Starts M3 from the command line. */
 public final class CenterMain {
-    public static final String NAME = "simgsm-center";
-
     private CenterMain() {}
 
     public static void main(String[] args) {
-        new Program(NAME, options()).runAndExit(args, CenterMain::run);
+        new Program(Center.NAME, options()).runAndExit(args, CenterMain::run);
     }
 
     private static Options options() {

@@ -11,7 +11,6 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import simgsm.center.CenterMain;
 import simgsm.center.capture.Capture;
 import simgsm.center.journal.FileDisk;
 import simgsm.center.journal.Journal;
@@ -29,6 +28,8 @@ import simgsm.console.HostPort;
 
 /** A running centre: its data directory, its port, its thread. */
 public final class Center implements AutoCloseable {
+    public static final String NAME = "simgsm-center";
+
     private static final System.Logger LOG = System.getLogger(Center.class.getName());
 
     /** Ten pictures a second are enough for an eye. */
@@ -154,8 +155,8 @@ public final class Center implements AutoCloseable {
                 listener);
         smpp.serve(exchange.shortMessages(), exchange.timers());
         exchange.restore(journal.stored());
-        store.start(cause -> FatalError.end(CenterMain.NAME, cause));
-        loop.start(exchange, cause -> FatalError.end(CenterMain.NAME, cause));
+        store.start(cause -> FatalError.end(NAME, cause));
+        loop.start(exchange, cause -> FatalError.end(NAME, cause));
     }
 
     /**

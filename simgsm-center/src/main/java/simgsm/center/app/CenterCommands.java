@@ -2,15 +2,55 @@ package simgsm.center.app;
 
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import simgsm.center.msc.Exchange;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.console.CommandException;
+import simgsm.console.CommandTable;
 import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 
 /** The centre's console commands. */
 public final class CenterCommands implements Console.Commands {
+    /** All commands, for the console and for the reference. */
+    public static final CommandTable<CenterCommands> COMMANDS = new CommandTable<CenterCommands>()
+            .add(
+                    "subscribers",
+                    "",
+                    "lists the subscribers and their states",
+                    (to, command) -> to.list(
+                            command,
+                            exchange -> exchange.subscribers().stream()
+                                    .map(subscriber ->
+                                            CenterEventPrinter.of(subscriber, exchange.isBarred(subscriber)))))
+            .add(
+                    "calls",
+                    "",
+                    "lists the calls under way",
+                    (to, command) -> to.list(
+                            command, exchange -> exchange.calls().stream().map(CenterEventPrinter::of)))
+            .add(
+                    "messages",
+                    "",
+                    "lists the short messages that wait",
+                    (to, command) -> to.list(
+                            command,
+                            exchange ->
+                                    exchange.shortMessages().waiting().stream().map(CenterEventPrinter::of)))
+            .add("message", "ID", "prints what has happened to a message", CenterCommands::message)
+            .add(
+                    "broadcast",
+                    "[lang=XX] [every=SECONDS] [times=N] [update=ID] CHANNEL TEXT",
+                    "sends a text to all attached subscribers; broadcast stop ID ends one that is repeated",
+                    (to, command) -> to.broadcasts.perform(command))
+            .add(
+                    "broadcasts",
+                    "",
+                    "lists the broadcasts that are repeated",
+                    (to, command) -> to.list(
+                            command, exchange -> exchange.broadcasts().stream().map(CenterEventPrinter::of)));
+
     private final Center center;
     private final Console console;
     private final BroadcastCommand broadcasts;
@@ -23,42 +63,15 @@ public final class CenterCommands implements Console.Commands {
 
     @Override
     public void perform(ConsoleCommand command) throws CommandException {
-        switch (command.name()) {
-            case "subscribers" ->
-                list(
-                        command,
-                        exchange -> exchange.subscribers().stream()
-                                .map(subscriber -> CenterEventPrinter.of(subscriber, exchange.isBarred(subscriber)))
-                                .toList());
-            case "calls" ->
-                list(
-                        command,
-                        exchange -> exchange.calls().stream()
-                                .map(CenterEventPrinter::of)
-                                .toList());
-            case "messages" ->
-                list(
-                        command,
-                        exchange -> exchange.shortMessages().waiting().stream()
-                                .map(CenterEventPrinter::of)
-                                .toList());
-            case "message" -> message(command);
-            case "broadcast" -> broadcasts.perform(command);
-            case "broadcasts" ->
-                list(
-                        command,
-                        exchange -> exchange.broadcasts().stream()
-                                .map(CenterEventPrinter::of)
-                                .toList());
-            default ->
-                throw new CommandException("unknown command " + command.name()
-                        + ", expected subscribers, calls, messages, message, broadcast, broadcasts, wait or quit");
+        try {
+            COMMANDS.perform(this, command);
+        } catch (IllegalStateException noAnswer) {
+            throw new CommandException(command.name() + ": " + noAnswer.getMessage());
         }
     }
 
-    private void list(ConsoleCommand command, Function<Exchange, List<Event>> question) throws CommandException {
-        command.words(0, "nothing after it");
-        List<Event> rows = center.ask(question);
+    private void list(ConsoleCommand command, Function<Exchange, Stream<Event>> question) {
+        List<Event> rows = center.ask(exchange -> question.apply(exchange).toList());
         rows.forEach(console::emit);
         console.emit(CenterEventPrinter.end(command.name(), rows.size()));
     }

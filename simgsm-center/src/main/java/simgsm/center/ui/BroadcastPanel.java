@@ -54,6 +54,7 @@ final class BroadcastPanel extends JPanel {
 
     private final TextBundle texts;
     private final CenterActions operator;
+    private final Background background;
     private final JSpinner channel = new JSpinner(new SpinnerNumberModel(FIRST_CHANNEL, 0, MAX_CHANNEL, 1));
     private final JTextArea text;
     private final JScrollPane field;
@@ -71,10 +72,11 @@ final class BroadcastPanel extends JPanel {
     /** What became of the latest broadcast, and how to stop one: only when there is something to say. */
     private final JPanel outcome;
 
-    BroadcastPanel(TextBundle texts, CenterActions operator) {
+    BroadcastPanel(TextBundle texts, CenterActions operator, Background background) {
         super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
+        this.background = background;
         setOpaque(false);
         send = new UserAction("broadcast.send", texts.of("window.broadcast.send"), this::send)
                 .described(texts.of("window.broadcast.send.why"))
@@ -176,7 +178,10 @@ final class BroadcastPanel extends JPanel {
     }
 
     private void stop() {
-        running.selected().ifPresent(chosen -> operator.stopBroadcast(chosen.id()));
+        running.selected()
+                .ifPresent(chosen -> background.run(
+                        () -> operator.stopBroadcast(chosen.id()),
+                        failure -> failure.ifPresent(cause -> showResult(cause.getMessage(), Ink.DANGER))));
     }
 
     private BroadcastOrder order() {
@@ -195,15 +200,31 @@ final class BroadcastPanel extends JPanel {
     }
 
     private void send() {
+        String written = text.getText();
+        BroadcastOrder order;
         try {
-            operator.broadcast(order());
-            result.setText(texts.of("window.broadcast.sent", String.valueOf(channel.getValue())));
-            result.setForeground(Theme.color(Ink.GOOD));
-            text.setText("");
-        } catch (IllegalArgumentException wrong) {
-            result.setText(wrong.getMessage());
-            result.setForeground(Theme.color(Ink.DANGER));
+            order = order();
+        } catch (IllegalArgumentException invalid) {
+            showResult(invalid.getMessage(), Ink.DANGER);
+            return;
         }
+        send.setEnabled(false);
+        background.run(() -> operator.broadcast(order), failure -> {
+            if (failure.isPresent()) {
+                showResult(failure.get().getMessage(), Ink.DANGER);
+            } else {
+                showResult(texts.of("window.broadcast.sent", String.valueOf(order.channel())), Ink.GOOD);
+                if (text.getText().equals(written)) {
+                    text.setText("");
+                }
+            }
+            count();
+        });
+    }
+
+    private void showResult(String words, Ink ink) {
+        result.setText(words);
+        result.setForeground(Theme.color(ink));
         showOutcome();
     }
 

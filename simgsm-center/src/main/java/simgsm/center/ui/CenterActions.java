@@ -5,36 +5,39 @@ import java.util.Optional;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeSnapshot;
 
-/** What the window may see and do. Any thread may call; nothing here blocks for long. */
+/**
+ * What the window shows and does. Any thread may call these methods; those that change something may wait up to 5 s for the
+ * centre, so the event thread must not call them, {@link #quit} aside.
+ */
 public interface CenterActions {
     /** The port on which terminals are served. */
     int port();
 
     NetworkAccess access();
 
-    /** The newest picture, at most a tenth of a second old; empty until the first one is there. */
+    /** The latest snapshot, at most 0.1 s old; empty before the first. */
     Optional<ExchangeSnapshot> snapshot();
 
     /**
-     * Sends a text to everybody who is attached, now and perhaps again.
+     * Sends a text to all attached subscribers, once or repeatedly.
      *
      * @throws IllegalArgumentException saying what is wrong with the order
      */
     void broadcast(BroadcastOrder order);
 
-    /** Ends a broadcast that is repeated; one that has ended already is left alone. */
+    /** Ends a repeated broadcast; without effect if it has ended. */
     void stopBroadcast(int id);
 
     /**
-     * Starts one more phone with a free number, as a process of its own that ends with the centre.
+     * Starts another phone with a free number, in a process that ends with the centre.
      *
      * @throws IOException saying why it could not be started
      */
     void newPhone() throws IOException;
 
-    /** Starts one more SimRobot; as {@link #newPhone}. */
+    /** Starts another SimRobot; as {@link #newPhone}. */
     void newRobot() throws IOException;
 
-    /** Ends the centre and all that it has started. */
+    /** Ends the centre and the programs that it has started. */
     void quit();
 }

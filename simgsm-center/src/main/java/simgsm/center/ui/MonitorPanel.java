@@ -3,7 +3,6 @@ package simgsm.center.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.io.IOException;
 import java.util.Comparator;
 import java.util.List;
 import javax.swing.JButton;
@@ -24,7 +23,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** M3's whole window but its frame: built without a display, shows snapshots, hands what the user does to the operator. */
+/** The content of M3's window: shows snapshots and passes the user's actions to the operator. Needs no display. */
 public final class MonitorPanel extends JPanel {
     private static final Dimension SIZE_UNITS = new Dimension(1160, 700);
     private static final int LISTS_UNITS = 484;
@@ -34,7 +33,7 @@ public final class MonitorPanel extends JPanel {
     private static final double LEFT_SHARE = 0.3;
 
     private final TextBundle texts;
-    private final CenterActions operator;
+    private final Background background;
     private final HeaderPanel header;
     private final PassingPanel passing;
     private final RowsPanel<SubscriberRow> subscribers;
@@ -47,11 +46,11 @@ public final class MonitorPanel extends JPanel {
     private double shownZoom;
     private final JLabel notice = new JLabel(" ");
 
-    /** @param texts of the centre's bundle; @param operator whom the buttons ask */
-    public MonitorPanel(TextBundle texts, CenterActions operator) {
+    /** @param texts of the centre's bundle; @param operator performs what the buttons request, by the background's worker */
+    MonitorPanel(TextBundle texts, CenterActions operator, Background background) {
         super(new BorderLayout());
         this.texts = texts;
-        this.operator = operator;
+        this.background = background;
         header = new HeaderPanel(texts, operator);
         passing = new PassingPanel(texts, operator.port());
         ladder = new LadderPanel(texts);
@@ -59,8 +58,8 @@ public final class MonitorPanel extends JPanel {
                 .onChoice(row -> ladder.choose(row.number().digits()));
         calls = Tables.calls(texts);
         messages = new MessagesPanel(texts);
-        broadcasts = new BroadcastPanel(texts, operator);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(), new Card(ladder));
+        broadcasts = new BroadcastPanel(texts, operator, background);
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(operator), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
@@ -68,7 +67,7 @@ public final class MonitorPanel extends JPanel {
         dress();
     }
 
-    private JComponent left() {
+    private JComponent left(CenterActions operator) {
         ComponentNames.name(tabs, "tabs", texts.of("window.tabs"));
         tabs.addTab(texts.of("window.subscribers"), subscribers);
         tabs.addTab(texts.of("window.calls"), calls);
@@ -118,18 +117,12 @@ public final class MonitorPanel extends JPanel {
                 .toList();
     }
 
-    private interface Start {
-        void run() throws IOException;
-    }
-
-    private void start(Start start) {
-        try {
-            start.run();
-            notice.setText(" ");
-        } catch (IOException failure) {
-            notice.setText(texts.of("window.new.failed", failure.getMessage()));
-            notice.setToolTipText(failure.getMessage());
-        }
+    private void start(Background.Action action) {
+        background.run(action, failure -> {
+            notice.setText(failure.map(cause -> texts.of("window.new.failed", cause.getMessage()))
+                    .orElse(" "));
+            notice.setToolTipText(failure.map(Exception::getMessage).orElse(null));
+        });
     }
 
     @Override

@@ -1,6 +1,9 @@
 package simgsm.center.ui;
 
 import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
@@ -9,15 +12,20 @@ import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowIcon;
 
-/** What "SMSyCT" has in its window: a {@link MonitorPanel}, kept up to date. */
+/** The content of the window "SMSyCT": a {@link MonitorPanel} that shows the latest snapshot. */
 public final class MonitorWindow {
     private static final int RATE_PERIOD_MILLIS = 1_000;
 
     private MonitorWindow() {}
 
-    /** Made on the event thread. */
+    /** To be called on the event thread. */
     public static ProgramWindow.Content content(CenterActions operator, TextBundle texts) {
-        MonitorPanel panel = new MonitorPanel(texts, operator);
+        ExecutorService worker = Executors.newSingleThreadExecutor(action -> {
+            Thread thread = new Thread(action, "window actions");
+            thread.setDaemon(true);
+            return thread;
+        });
+        MonitorPanel panel = new MonitorPanel(texts, operator, new Background(worker, SwingUtilities::invokeLater));
         SnapshotPoller<ExchangeSnapshot> newest =
                 new SnapshotPoller<>(() -> operator.snapshot().orElse(null), snapshot -> {
                     if (snapshot != null) {
@@ -37,6 +45,7 @@ public final class MonitorWindow {
                 () -> {
                     newest.stop();
                     seconds.stop();
+                    worker.shutdown();
                 });
     }
 }

@@ -10,10 +10,12 @@ import java.awt.Graphics2D;
 import java.awt.event.ActionEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.ResourceBundle;
 import java.util.function.Consumer;
 import javax.accessibility.Accessible;
@@ -219,17 +221,36 @@ class MonitorPanelTest {
 
     @Test
     void aProgramThatDoesNotStartIsToldInWords() {
-        panel = new MonitorPanel(texts("en"), new NotingOperator() {
-            @Override
-            public void newPhone() throws IOException {
-                throw new IOException("simgsm-phone.jar is missing");
-            }
-        });
+        panel = new MonitorPanel(
+                texts("en"),
+                new NotingOperator() {
+                    @Override
+                    public void newPhone() throws IOException {
+                        throw new IOException("simgsm-phone.jar is missing");
+                    }
+                },
+                Background.NONE);
         press("new.phone");
 
         assertEquals(
                 "Could not be started: simgsm-phone.jar is missing",
                 find("notice", JLabel.class).getText());
+    }
+
+    @Test
+    void theEventThreadDoesNotWaitForTheCentre() {
+        Queue<Runnable> waiting = new ArrayDeque<>();
+        panel = new MonitorPanel(texts("en"), new NotingOperator(), new Background(waiting::add, Runnable::run));
+        find("broadcast.text", JTextArea.class).setText("Hello");
+        press("new.phone");
+        press("broadcast.send");
+
+        assertEquals(List.of(), acts);
+        assertFalse(find("broadcast.send", AbstractButton.class).isEnabled());
+        assertEquals("Hello", find("broadcast.text", JTextArea.class).getText());
+        waiting.forEach(Runnable::run);
+        assertEquals(List.of("phone", "broadcast 50 Hello"), acts);
+        assertEquals("", find("broadcast.text", JTextArea.class).getText());
     }
 
     @Test
@@ -275,12 +296,15 @@ class MonitorPanelTest {
 
     @Test
     void aRefusedBroadcastKeepsItsTextAndSaysWhy() {
-        panel = new MonitorPanel(texts("en"), new NotingOperator() {
-            @Override
-            public void broadcast(BroadcastOrder order) {
-                throw new IllegalArgumentException("nobody is there");
-            }
-        });
+        panel = new MonitorPanel(
+                texts("en"),
+                new NotingOperator() {
+                    @Override
+                    public void broadcast(BroadcastOrder order) {
+                        throw new IllegalArgumentException("nobody is there");
+                    }
+                },
+                Background.NONE);
         find("broadcast.text", JTextArea.class).setText("Hello");
         press("broadcast.send");
 
@@ -356,7 +380,7 @@ class MonitorPanelTest {
     }
 
     private MonitorPanel build(String language) {
-        return new MonitorPanel(texts(language), new NotingOperator());
+        return new MonitorPanel(texts(language), new NotingOperator(), Background.NONE);
     }
 
     private static TextBundle texts(String language) {
