@@ -10,6 +10,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneShape;
 import simgsm.speech.SpeechCodec;
 import simgsm.timer.Timer;
 
@@ -40,7 +41,8 @@ public final class ToneSender {
 
     private final CallLeg leg;
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
-    private final DtmfGenerator generator = new DtmfGenerator(key -> toneLeft());
+    /** Tones without ramps, so that a tone begins and ends with its frames. */
+    private final DtmfGenerator generator = new DtmfGenerator(ToneShape.STANDARD.withRamp(0), key -> toneLeft());
     /** From START DTMF to the tone's end, the sounding one first. */
     private final Deque<SignalledKey> keys = new ArrayDeque<>();
 
