@@ -20,9 +20,9 @@ class IndexPageTest {
             compiled classes, sequences from runs of the real cores with a clock moved by hand; tests in `blackbox.uml` compare
             them. The others are written by hand. This page is printed, too.
 
-            Write all printed sources anew, then draw every SVG:
+            Write all printed sources and docs/REFERENCE.md anew, then draw every SVG:
 
-                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
+                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test,ReferenceTest' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
                 mvn -o -q -N -Puml exec:java
 
             The first command reports the SVG files that it has made stale; after the second, `mvn verify` is green. The robot's
