@@ -6,11 +6,11 @@ import simrobot.world.Position;
 import simrobot.world.World;
 import simrobot.world.WorldItem;
 
-/** Makes one world of another; nothing is changed in place. */
+/** Changes of a world, each as a new world. */
 public final class Edits {
     private Edits() {}
 
-    /** The item that comes last of its kind; it is the one that was added last. */
+    /** The last item of a kind, which is the one added last. */
     public static Item last(World world, Item.Kind kind) {
         return new Item(kind, count(world, kind) - 1);
     }
@@ -19,12 +19,12 @@ public final class Edits {
         return world.items(kind.type()).size();
     }
 
-    /** True when the world still has it. */
+    /** Whether the world has an item at the reference. */
     public static boolean has(World world, Item item) {
         return item.index() < count(world, item.kind());
     }
 
-    private static WorldItem get(World world, Item item) {
+    public static WorldItem get(World world, Item item) {
         return world.items(item.kind().type()).get(item.index());
     }
 
@@ -45,7 +45,7 @@ public final class Edits {
         return replaced(world, item, get(world, item).movedBy(dx, dy));
     }
 
-    /** A name that no home has yet. */
+    /** A name that no home has: Home1, Home2 ... */
     public static String freeHomeName(World world) {
         int number = world.homes().size() + 1;
         while (hasHome(world, "Home" + number)) {
@@ -58,16 +58,16 @@ public final class Edits {
         return world.homes().stream().anyMatch(home -> home.name().equals(name));
     }
 
-    /** Where the item is taken to change its shape. */
+    /** The handles at which the item's shape can be changed. */
     public static List<Handle> handles(World world, Item item) {
         List<Handle> handles = new ArrayList<>();
         for (Position at : get(world, item).handles()) {
-            handles.add(new Handle(item, handles.size(), at.xMeters(), at.yMeters()));
+            handles.add(new Handle(item, handles.size(), at));
         }
         return handles;
     }
 
-    /** The handle pulled to a place. */
+    /** The item with one of its handles at another place. */
     public static World pulled(World world, Handle handle, double x, double y) {
         Item item = handle.item();
         return replaced(world, item, get(world, item).pulled(handle.number(), new Position(x, y)));

@@ -1,8 +1,10 @@
 package simrobot.editor;
 
+import simrobot.world.Position;
+
 /**
- * A place by which a selected item is changed: an end of a wall, a corner of an area, the heading of a home.
+ * A place at which an item's shape is changed: an end of a wall, a corner of an area, the heading of a home.
  *
- * @param number of the item's handles, from 0
+ * @param number among the item's handles, from 0
  */
-public record Handle(Item item, int number, double xMeters, double yMeters) {}
+public record Handle(Item item, int number, Position place) {}

@@ -8,12 +8,12 @@ import simrobot.world.Treadmill;
 import simrobot.world.WorldItem;
 
 /**
- * One thing in a world that can be edited.
+ * A reference to an item of a world.
  *
- * @param index in the world's list of that kind
+ * @param index in the world's list of the kind
  */
 public record Item(Kind kind, int index) {
-    /** What can be edited; points of scans and what binds planners only stay as they are. */
+    /** What can be edited; points, forbidden lines and areas, and goals cannot. */
     public enum Kind {
         WALL(Segment.class),
         BOX(Box.class),

@@ -11,17 +11,18 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
+import simrobot.world.WorldItem;
 
-/** An item as words and numbers that can be typed: metres, degrees, metres per second. */
+/** An item as text fields: metres, degrees, metres per second. */
 public final class ItemFields {
-    /** Far beyond any floor, and far within what a map file may hold. */
+    /** Within the range of a map file. */
     private static final double MOST_METERS = 100_000;
 
     private static final double MOST_BELT_METERS_PER_SECOND = 10;
 
     private ItemFields() {}
 
-    /** What a field that cannot be understood holds. */
+    /** A field whose text cannot be read; the message is the text. */
     public static final class Refusal extends Exception {
         private final String field;
 
@@ -30,38 +31,30 @@ public final class ItemFields {
             this.field = field;
         }
 
-        /** Its key. */
+        /** The field's key. */
         public String field() {
             return field;
         }
     }
 
-    /** The item's fields by their keys, in the order in which people read them. */
-    public static Map<String, String> of(World world, Item item) {
+    /** The item's fields by their keys, in the order of the form. */
+    public static Map<String, String> of(World world, Item reference) {
+        WorldItem item = Edits.get(world, reference);
         Map<String, String> fields = new LinkedHashMap<>();
-        switch (item.kind()) {
-            case WALL -> {
-                Segment w = world.segments().get(item.index());
-                corners(fields, w.x1Meters(), w.y1Meters(), w.x2Meters(), w.y2Meters());
-            }
-            case BOX -> {
-                Box box = world.boxes().get(item.index());
-                fields.put("name", box.name());
-                corners(fields, box.area());
-            }
-            case HOME -> {
-                Home home = world.homes().get(item.index());
-                fields.put("name", home.name());
-                fields.put("x", text(home.position().xMeters()));
-                fields.put("y", text(home.position().yMeters()));
-                fields.put("heading", degrees(home.headingRadians()));
-            }
-            case TREADMILL -> {
-                Treadmill belt = world.treadmills().get(item.index());
-                fields.put("speed", text(belt.speedMetersPerSecond()));
-                fields.put("direction", degrees(belt.directionRadians()));
-                corners(fields, belt.area());
-            }
+        if (item instanceof Segment w) {
+            corners(fields, w.x1Meters(), w.y1Meters(), w.x2Meters(), w.y2Meters());
+        } else if (item instanceof Box box) {
+            fields.put("name", box.name());
+            corners(fields, box.area());
+        } else if (item instanceof Home home) {
+            fields.put("name", home.name());
+            fields.put("x", text(home.position().xMeters()));
+            fields.put("y", text(home.position().yMeters()));
+            fields.put("heading", degrees(home.headingRadians()));
+        } else if (item instanceof Treadmill belt) {
+            fields.put("speed", text(belt.speedMetersPerSecond()));
+            fields.put("direction", degrees(belt.directionRadians()));
+            corners(fields, belt.area());
         }
         return fields;
     }
@@ -77,41 +70,33 @@ public final class ItemFields {
         fields.put("y2", text(y2));
     }
 
-    /** The world with the item as the fields have it; what was not changed stays as it is to the last bit. */
-    public static World changed(World world, Item item, Map<String, String> fields) throws Refusal {
-        if (fields.equals(of(world, item))) {
-            return world;
+    /** The world with the item as the fields say; the same world when no field differs. */
+    public static World changed(World world, Item reference, Map<String, String> fields) throws Refusal {
+        return fields.equals(of(world, reference))
+                ? world
+                : Edits.replaced(world, reference, changed(Edits.get(world, reference), fields));
+    }
+
+    private static WorldItem changed(WorldItem item, Map<String, String> fields) throws Refusal {
+        if (item instanceof Segment) {
+            return Segment.between(
+                    new Position(meters(fields, "x1"), meters(fields, "y1")),
+                    new Position(meters(fields, "x2"), meters(fields, "y2")));
         }
-        return switch (item.kind()) {
-            case WALL ->
-                Edits.replaced(
-                        world,
-                        item,
-                        new Segment(
-                                meters(fields, "x1"),
-                                meters(fields, "y1"),
-                                meters(fields, "x2"),
-                                meters(fields, "y2")));
-            case BOX -> {
-                Box box = world.boxes().get(item.index());
-                yield Edits.replaced(world, item, new Box(fields.get("name").strip(), area(fields, box.area())));
-            }
-            case HOME -> {
-                Position at = new Position(meters(fields, "x"), meters(fields, "y"));
-                double heading = Math.toRadians(number(fields, "heading", 360));
-                yield Edits.replaced(world, item, new Home(fields.get("name").strip(), at, heading, Optional.empty()));
-            }
-            case TREADMILL -> {
-                Treadmill belt = world.treadmills().get(item.index());
-                yield Edits.replaced(
-                        world,
-                        item,
-                        new Treadmill(
-                                area(fields, belt.area()),
-                                number(fields, "speed", MOST_BELT_METERS_PER_SECOND),
-                                Math.toRadians(number(fields, "direction", 360))));
-            }
-        };
+        if (item instanceof Box box) {
+            return new Box(fields.get("name").strip(), area(fields, box.area()));
+        }
+        if (item instanceof Treadmill belt) {
+            return new Treadmill(
+                    area(fields, belt.area()),
+                    number(fields, "speed", MOST_BELT_METERS_PER_SECOND),
+                    Math.toRadians(number(fields, "direction", 360)));
+        }
+        return new Home(
+                fields.get("name").strip(),
+                new Position(meters(fields, "x"), meters(fields, "y")),
+                Math.toRadians(number(fields, "heading", 360)),
+                Optional.empty());
     }
 
     private static Area area(Map<String, String> fields, Area before) throws Refusal {

@@ -5,9 +5,9 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * Where a place on the floor falls that was meant roughly: on a wall's end if one is near, else on the raster.
+ * Snaps places of the mouse to the ends of walls and to a raster.
  *
- * @param stepMeters the raster; 0 for none, then to the millimetre
+ * @param stepMeters of the raster; 0 for none, then places are rounded to 1 mm
  */
 public record Snap(double stepMeters) {
     private static final double FINEST_METERS = 0.001;
@@ -18,31 +18,29 @@ public record Snap(double stepMeters) {
         }
     }
 
-    /** To the raster; free of dust, so that files hold round millimetres. */
+    /** A coordinate on the raster. */
     public double of(double meters) {
         double step = stepMeters == 0 ? FINEST_METERS : stepMeters;
-        return clean(Math.rint(meters / step) * step);
+        return rounded(Math.rint(meters / step) * step);
     }
 
-    /** @param reach how near a wall's end must be to win, metres */
+    /** The nearest end of a wall within the reach, in metres, else the place on the raster. */
     public Position of(World world, double x, double y, double reach) {
         Position nearest = null;
         double best = reach;
         for (Segment wall : world.segments()) {
-            for (int end = 0; end < 2; end++) {
-                double ex = end == 0 ? wall.x1Meters() : wall.x2Meters();
-                double ey = end == 0 ? wall.y1Meters() : wall.y2Meters();
-                double away = Math.hypot(ex - x, ey - y);
+            for (Position end : wall.handles()) {
+                double away = Math.hypot(end.xMeters() - x, end.yMeters() - y);
                 if (away < best) {
                     best = away;
-                    nearest = new Position(ex, ey);
+                    nearest = end;
                 }
             }
         }
         return nearest == null ? new Position(of(x), of(y)) : nearest;
     }
 
-    /** From a place straight along x, y or a diagonal, whichever is nearest to where it was meant. */
+    /** The place on the line from another place along x, y or a diagonal, whichever is nearest. */
     public Position straight(Position from, double x, double y) {
         double dx = x - from.xMeters();
         double dy = y - from.yMeters();
@@ -56,11 +54,11 @@ public record Snap(double stepMeters) {
         }
         double side = of((Math.abs(dx) + Math.abs(dy)) / 2);
         return new Position(
-                clean(from.xMeters() + Math.copySign(side, dx)), clean(from.yMeters() + Math.copySign(side, dy)));
+                rounded(from.xMeters() + Math.copySign(side, dx)), rounded(from.yMeters() + Math.copySign(side, dy)));
     }
 
-    /** Without the dust of the multiplication, and never minus zero. */
-    private static double clean(double meters) {
+    /** Rounded to 1 um against floating-point error, so that files hold round millimetres; never minus zero. */
+    private static double rounded(double meters) {
         return Math.rint(meters * 1e6) / 1e6 + 0.0;
     }
 }

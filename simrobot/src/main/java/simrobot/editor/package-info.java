@@ -1,5 +1,5 @@
 /**
- * Editing a world, without a window: {@link simrobot.editor.Draft} holds the world with its history and what is selected;
- * {@link simrobot.editor.Edits} makes one world of another. Read {@code Draft} first. Metres and radians.
+ * The world editor without its window. Read first {@link simrobot.editor.Draft}, the world with its history and its selected
+ * item; {@link simrobot.editor.Edits} has the changes. Metres and radians.
  */
 package simrobot.editor;

@@ -91,8 +91,8 @@ class EditsTest {
     @Test
     void aHomeIsTurnedByItsHandleInWholeDegrees() {
         Handle handle = Edits.handles(world, new Item(Item.Kind.HOME, 0)).get(0);
-        assertEquals(5, handle.xMeters(), 1e-9);
-        assertEquals(5.6, handle.yMeters(), 1e-9);
+        assertEquals(5, handle.place().xMeters(), 1e-9);
+        assertEquals(5.6, handle.place().yMeters(), 1e-9);
         Home turned = Edits.pulled(world, handle, 4, 5.001).homes().get(0);
         assertEquals(180, Math.toDegrees(turned.headingRadians()), 1e-9);
     }

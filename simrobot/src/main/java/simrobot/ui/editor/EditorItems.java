@@ -14,14 +14,15 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
+import simrobot.world.WorldItem;
 
-/** Items as the editor makes and names them. */
+/** Makes new items and describes items in words. */
 final class EditorItems {
     private static final double BELT_METERS_PER_SECOND = 0.3;
 
     private EditorItems() {}
 
-    /** The world with a new item of the tool's kind, dragged from one place to another. */
+    /** The world with a new item of the tool's kind between two places. */
     static World made(World world, EditorTool tool, double x1, double y1, double x2, double y2) {
         return switch (tool) {
             case SELECT -> world;
@@ -40,12 +41,12 @@ final class EditorItems {
         };
     }
 
-    /** In whole degrees; a mere click looks along x. */
+    /** In whole degrees; 0 when both places are the same. */
     private static double heading(double x1, double y1, double x2, double y2) {
         return Math.toRadians(Math.rint(Math.toDegrees(Math.atan2(y2 - y1, x2 - x1))));
     }
 
-    /** All items, walls last: there are most of them. */
+    /** All items; walls last, because most items are walls. */
     static List<Item> all(World world) {
         List<Item> items = new ArrayList<>();
         for (Item.Kind kind : List.of(Item.Kind.HOME, Item.Kind.BOX, Item.Kind.TREADMILL, Item.Kind.WALL)) {
@@ -56,36 +57,25 @@ final class EditorItems {
         return items;
     }
 
-    static String text(TextBundle texts, World world, Item item) {
-        return switch (item.kind()) {
-            case WALL -> {
-                Segment w = world.segments().get(item.index());
-                yield texts.of(
-                        "editor.item.wall", place(w.x1Meters(), w.y1Meters()), place(w.x2Meters(), w.y2Meters()));
-            }
-            case BOX -> {
-                Box box = world.boxes().get(item.index());
-                yield texts.of("editor.item.box", box.name(), place(box.area().center()));
-            }
-            case HOME -> {
-                Home home = world.homes().get(item.index());
-                yield texts.of("editor.item.home", home.name(), place(home.position()));
-            }
-            case TREADMILL -> {
-                Treadmill belt = world.treadmills().get(item.index());
-                yield texts.of(
-                        "editor.item.treadmill",
-                        NumberTexts.fixed(belt.speedMetersPerSecond(), 2),
-                        place(belt.area().center()));
-            }
-        };
+    static String text(TextBundle texts, WorldItem item) {
+        if (item instanceof Segment wall) {
+            return texts.of(
+                    "editor.item.wall",
+                    place(wall.handles().get(0)),
+                    place(wall.handles().get(1)));
+        }
+        if (item instanceof Box box) {
+            return texts.of("editor.item.box", box.name(), place(box.area().center()));
+        }
+        if (item instanceof Treadmill belt) {
+            String speed = NumberTexts.fixed(belt.speedMetersPerSecond(), 2);
+            return texts.of("editor.item.treadmill", speed, place(belt.area().center()));
+        }
+        Home home = (Home) item;
+        return texts.of("editor.item.home", home.name(), place(home.position()));
     }
 
     private static String place(Position at) {
-        return place(at.xMeters(), at.yMeters());
-    }
-
-    private static String place(double x, double y) {
-        return NumberTexts.fixed(x, 2) + " " + NumberTexts.fixed(y, 2);
+        return NumberTexts.fixed(at.xMeters(), 2) + " " + NumberTexts.fixed(at.yMeters(), 2);
     }
 }

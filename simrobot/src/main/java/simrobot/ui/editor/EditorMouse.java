@@ -143,8 +143,8 @@ final class EditorMouse extends MouseAdapter {
         Item item = handle.item();
         Position to = at(event);
         if (item.kind() == Item.Kind.WALL) {
-            Handle other = Edits.handles(before, item).get(1 - handle.number());
-            Position fixed = new Position(other.xMeters(), other.yMeters());
+            Position fixed =
+                    Edits.handles(before, item).get(1 - handle.number()).place();
             // without the wall itself, so that its end does not snap to where it was
             to = event.isShiftDown() ? straight(fixed, event) : snapped(event, Edits.without(before, item));
             view.point(to, measure(fixed, to));

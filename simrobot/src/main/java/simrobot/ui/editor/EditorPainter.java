@@ -13,9 +13,12 @@ import simrobot.editor.Handle;
 import simrobot.editor.Item;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.world.Box;
 import simrobot.world.Home;
 import simrobot.world.Position;
+import simrobot.world.Segment;
 import simrobot.world.World;
+import simrobot.world.WorldItem;
 
 /** Paints what the editor adds to a floor: the raster, the selected item's handles, the pointer. */
 final class EditorPainter {
@@ -28,15 +31,14 @@ final class EditorPainter {
     }
 
     /** One item by itself; treadmills are painted with all others. */
-    void item(World world, Item item) {
+    void item(WorldItem item) {
         FloorPainter floor = new FloorPainter(g, view);
-        switch (item.kind()) {
-            case WALL -> floor.walls(List.of(world.segments().get(item.index())));
-            case BOX -> floor.box(world.boxes().get(item.index()));
-            case HOME -> floor.home(world.homes().get(item.index()));
-            case TREADMILL -> {
-                // see above
-            }
+        if (item instanceof Segment wall) {
+            floor.walls(List.of(wall));
+        } else if (item instanceof Box box) {
+            floor.box(box);
+        } else if (item instanceof Home home) {
+            floor.home(home);
         }
     }
 
@@ -83,11 +85,10 @@ final class EditorPainter {
         g.pen(2.4);
         double[] xy = new double[2 * handles.size()];
         for (int i = 0; i < handles.size(); i++) {
-            xy[2 * i] = view.screenX(handles.get(i).xMeters());
-            xy[2 * i + 1] = view.screenY(handles.get(i).yMeters());
+            xy[2 * i] = view.screenX(handles.get(i).place().xMeters());
+            xy[2 * i + 1] = view.screenY(handles.get(i).place().yMeters());
         }
-        if (item.kind() == Item.Kind.HOME) {
-            Home home = world.homes().get(item.index());
+        if (Edits.get(world, item) instanceof Home home) {
             double x = view.screenX(home.position().xMeters());
             double y = view.screenY(home.position().yMeters());
             g.draw(Outline.circle(x, y, Math.max(g.px(7), 0.34 * view.pixelsPerMeter())));

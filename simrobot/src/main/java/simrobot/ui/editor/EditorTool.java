@@ -5,7 +5,7 @@ import java.util.Locale;
 import simgsm.ui.Symbol;
 import simrobot.editor.Item;
 
-/** What the mouse does on the floor of the editor. */
+/** The tools of the editor. */
 public enum EditorTool {
     SELECT(Symbol.POINTER, KeyEvent.VK_V, null),
     WALL(Symbol.WALL, KeyEvent.VK_W, Item.Kind.WALL),
@@ -27,17 +27,17 @@ public enum EditorTool {
         return symbol;
     }
 
-    /** With Alt it takes up the tool. */
+    /** The key that, with Alt, selects the tool. */
     int key() {
         return key;
     }
 
-    /** What it makes; null for the one that makes nothing. */
+    /** What it makes; null for SELECT. */
     Item.Kind kind() {
         return kind;
     }
 
-    /** As texts and components are called. */
+    /** Part of the keys of its texts and of its component's name. */
     public String id() {
         return name().toLowerCase(Locale.ROOT);
     }

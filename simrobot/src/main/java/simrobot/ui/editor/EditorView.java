@@ -164,7 +164,7 @@ final class EditorView extends FloorView {
         cache.paint(graphics, draft.background(), viewport(), Layers.ALL);
         Canvas g = new GraphicsCanvas(graphics);
         EditorPainter painter = new EditorPainter(g, viewport());
-        draft.moving().ifPresent(item -> painter.item(draft.world(), item));
+        draft.moving().ifPresent(item -> painter.item(Edits.get(draft.world(), item)));
         painter.raster(snap.stepMeters());
         new FloorPainter(g, viewport()).treadmills(draft.world(), 0);
         painter.robots(robots);
@@ -178,7 +178,8 @@ final class EditorView extends FloorView {
     protected String spoken() {
         String world = draft.world().name();
         return draft.selected()
-                .map(item -> texts.of("editor.spoken.item", world, EditorItems.text(texts, draft.world(), item)))
+                .map(item ->
+                        texts.of("editor.spoken.item", world, EditorItems.text(texts, Edits.get(draft.world(), item))))
                 .orElse(texts.of("editor.spoken", world));
     }
 }

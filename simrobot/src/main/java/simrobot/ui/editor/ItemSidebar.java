@@ -1,14 +1,15 @@
 package simrobot.ui.editor;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import javax.swing.AbstractListModel;
 import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -22,23 +23,24 @@ import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simrobot.editor.Draft;
+import simrobot.editor.Edits;
 import simrobot.editor.Item;
 import simrobot.editor.ItemFields;
 import simrobot.ui.TextLine;
 import simrobot.world.World;
 
-/** Beside the editor's floor: all items as a list, and the selected one as words and numbers that can be typed. */
+/** The fields of the selected item and the list of all items, at the right of the editor's floor. */
 final class ItemSidebar extends JPanel {
     private final TextBundle texts;
     private final EditorView floor;
-    private final Items model = new Items();
+    private final DefaultListModel<Item> model = new DefaultListModel<>();
     private final JList<Item> list = new JList<>(model);
     private final Map<String, JTextField> fields = new LinkedHashMap<>();
     private final JPanel form = Arrange.column(6);
     private final TextLine problem = new TextLine("editor.problem", Theme::small, Ink.DANGER);
     private Item shown;
     private World listed;
-    private boolean showing;
+    private boolean updating;
 
     ItemSidebar(TextBundle texts, EditorView floor) {
         super(new BorderLayout());
@@ -49,7 +51,7 @@ final class ItemSidebar extends JPanel {
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new Renderer());
         list.addListSelectionListener(event -> {
-            if (!showing && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
+            if (!updating && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
                 floor.draft().select(list.getSelectedValue());
                 floor.fireChanged();
             }
@@ -69,10 +71,11 @@ final class ItemSidebar extends JPanel {
     }
 
     void show(Draft draft) {
-        showing = true;
+        updating = true;
         if (draft.world() != listed) {
             listed = draft.world();
-            model.show(EditorItems.all(listed));
+            model.clear();
+            model.addAll(EditorItems.all(listed));
         }
         Item item = draft.selected().orElse(null);
         if (item == null) {
@@ -80,7 +83,7 @@ final class ItemSidebar extends JPanel {
         } else if (!item.equals(list.getSelectedValue())) {
             list.setSelectedValue(item, true);
         }
-        showing = false;
+        updating = false;
         showFields(draft, item);
     }
 
@@ -132,19 +135,19 @@ final class ItemSidebar extends JPanel {
     private JTextField field(String key) {
         JTextField field =
                 ComponentNames.name(new JTextField(6), "editor.field." + key, texts.of("editor.field." + key));
-        field.addActionListener(event -> take());
+        field.addActionListener(event -> applyFields());
         field.addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
-                take();
+                applyFields();
             }
         });
         fields.put(key, field);
         return field;
     }
 
-    /** What was typed becomes a step of the draft. */
-    private void take() {
+    /** Makes the typed values a step of the draft. */
+    private void applyFields() {
         Draft draft = floor.draft();
         if (shown == null || !draft.selected().filter(shown::equals).isPresent()) {
             return;
@@ -165,31 +168,11 @@ final class ItemSidebar extends JPanel {
         }
     }
 
-    private static final class Items extends AbstractListModel<Item> {
-        private List<Item> items = List.of();
-
-        void show(List<Item> newItems) {
-            int before = items.size();
-            items = newItems;
-            fireContentsChanged(this, 0, Math.max(before, items.size()));
-        }
-
-        @Override
-        public int getSize() {
-            return items.size();
-        }
-
-        @Override
-        public Item getElementAt(int index) {
-            return items.get(index);
-        }
-    }
-
     private final class Renderer extends DefaultListCellRenderer {
         @Override
-        public java.awt.Component getListCellRendererComponent(
+        public Component getListCellRendererComponent(
                 JList<?> owner, Object value, int index, boolean selected, boolean focus) {
-            String text = EditorItems.text(texts, listed, (Item) value);
+            String text = EditorItems.text(texts, Edits.get(listed, (Item) value));
             return super.getListCellRendererComponent(owner, text, index, selected, focus);
         }
     }
