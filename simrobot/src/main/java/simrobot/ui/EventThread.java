@@ -3,7 +3,7 @@ package simrobot.ui;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
-/** Brings answers that come by any thread to the event thread. */
+/** Passes answers from any thread to the event thread. */
 public final class EventThread {
     private EventThread() {}
 

@@ -3,10 +3,10 @@ package simrobot.ui;
 import java.util.Objects;
 
 /**
- * A port on which others may come.
+ * A TCP port on which the program listens.
  *
- * @param protocol as people call it: P2OS, HTTP, AT
- * @param robot whose port it is; empty when it is the whole program's
+ * @param protocol P2OS, HTTP or AT
+ * @param robot that the port belongs to; empty for a port of the whole program
  */
 public record OpenPort(String protocol, String robot, int port) {
     public OpenPort {

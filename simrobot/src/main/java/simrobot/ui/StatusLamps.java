@@ -2,6 +2,7 @@ package simrobot.ui;
 
 import java.awt.GridLayout;
 import java.util.EnumMap;
+import java.util.Locale;
 import java.util.Map;
 import javax.swing.JPanel;
 import simgsm.console.TextBundle;
@@ -10,7 +11,7 @@ import simgsm.ui.Theme;
 import simrobot.drawing.StatusLook;
 import vericommand.RobotStatus;
 
-/** The five statuses, each with its own shape and word; the present one is lit. */
+/** The five statuses, each with its own mark and word; the current one is lit. */
 public final class StatusLamps extends JPanel {
     private final Map<RobotStatus, Lamp> lamps = new EnumMap<>(RobotStatus.class);
     private final TextBundle texts;
@@ -22,7 +23,7 @@ public final class StatusLamps extends JPanel {
         setName("statuses");
         for (RobotStatus status : RobotStatus.values()) {
             Lamp lamp = new Lamp(texts.of("status.name"));
-            lamp.setName("status." + status.name().toLowerCase(java.util.Locale.ROOT));
+            lamp.setName("status." + status.name().toLowerCase(Locale.ROOT));
             lamp.show(StatusLook.mark(status), StatusLook.ink(status), word(texts, status));
             lamp.setLit(false);
             lamps.put(status, lamp);
@@ -31,13 +32,13 @@ public final class StatusLamps extends JPanel {
     }
 
     public static String word(TextBundle texts, RobotStatus status) {
-        return texts.of("status." + status.name().toLowerCase(java.util.Locale.ROOT));
+        return texts.of("status." + status.name().toLowerCase(Locale.ROOT));
     }
 
-    /** @param present null when no robot is selected */
-    public void show(RobotStatus present) {
-        lamps.forEach((status, lamp) -> lamp.setLit(status == present));
+    /** @param current null when no robot is selected */
+    public void show(RobotStatus current) {
+        lamps.forEach((status, lamp) -> lamp.setLit(status == current));
         getAccessibleContext()
-                .setAccessibleName(texts.of("status.name") + (present == null ? "" : ": " + word(texts, present)));
+                .setAccessibleName(texts.of("status.name") + (current == null ? "" : ": " + word(texts, current)));
     }
 }

@@ -7,11 +7,11 @@ import simgsm.station.StationSnapshot;
 import vericommand.VeriCommandSnapshot;
 
 /**
- * The telephone's side of one robot: its modem, what the modem hears, and what VeriCommand makes of it.
+ * A robot's modem, the tone trace of what it hears, and VeriCommand's state.
  *
  * @param robot the robot's name
  * @param number the modem's own number
- * @param tones the reply tones that have left in the present or last call, the newest last
+ * @param tones the reply tones sent in the current or last call, the newest last
  * @param audible whether a sound device plays
  */
 public record TelephoneSnapshot(
@@ -31,12 +31,12 @@ public record TelephoneSnapshot(
         Objects.requireNonNull(tones);
     }
 
-    /** Whether a call is up or being set up. */
+    /** Whether a call is active or being set up. */
     public boolean isInCall() {
         return modem.callState() != MobileCallState.NULL;
     }
 
-    /** Whether somebody commands this robot right now. */
+    /** Whether the robot is in a call or executes an order. */
     public boolean isBusy() {
         return isInCall() || orders.underWay();
     }

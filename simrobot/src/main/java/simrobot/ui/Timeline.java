@@ -4,7 +4,7 @@ import java.util.List;
 import simrobot.replay.TimelineMarker;
 
 /**
- * A recording that is played: where it begins and ends, in simulated time, and what is marked in it.
+ * Beginning and end of a recording, in simulated time, and its markers.
  *
  * @param markers in their order
  */
@@ -16,12 +16,12 @@ public record Timeline(long firstNanos, long lastNanos, List<TimelineMarker> mar
         }
     }
 
-    /** Within the recording. */
+    /** The time limited to the recording. */
     public long clamp(long nanos) {
         return Math.max(firstNanos, Math.min(lastNanos, nanos));
     }
 
-    /** The time of the next marker behind a time, or the end. */
+    /** The time of the first marker after a time, or the end. */
     public long next(long nanos) {
         return markers.stream()
                 .mapToLong(TimelineMarker::timeNanos)
@@ -30,7 +30,7 @@ public record Timeline(long firstNanos, long lastNanos, List<TimelineMarker> mar
                 .orElse(lastNanos);
     }
 
-    /** The time of the marker before a time, or the beginning. */
+    /** The time of the last marker before a time, or the beginning. */
     public long previous(long nanos) {
         long before = firstNanos;
         for (TimelineMarker marker : markers) {

@@ -8,17 +8,17 @@ import simrobot.control.LoggedEvent;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * All that the window shows, immutable.
+ * The state that the window shows; immutable.
  *
  * @param lines one for each robot that has a modem
- * @param speed simulated seconds per second; infinite is as fast as it can
- * @param worldFile the file of the present world
- * @param notice a message for the person at the window, empty when there is none
- * @param ports on which others may come
- * @param events what happened, the oldest first
- * @param timeline when this is a recording that is played; then nothing can be done to its robots
- * @param recording the file in which the session is being recorded
- * @param worldChanged whether the world's file has been changed on the disk since
+ * @param speed simulated seconds per second; infinity for as fast as the machine can
+ * @param worldFile the file of the current world
+ * @param notice a message for the user, empty for none
+ * @param ports on which the program listens
+ * @param events the log, the oldest first
+ * @param timeline of the recording that is played; empty in a running simulation
+ * @param recording the file to which the session is being recorded
+ * @param worldChanged whether the world's file has been changed on the disk since it was loaded
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,

@@ -1,4 +1,2 @@
-/**
- * The world editor's window. Read {@link simrobot.ui.editor.EditorPanel}.
- */
+/** The world editor's panel. Read first {@link simrobot.ui.editor.EditorPanel}. */
 package simrobot.ui.editor;

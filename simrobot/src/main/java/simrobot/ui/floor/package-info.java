@@ -1,4 +1,5 @@
 /**
- * The world and its robots as a picture: view, painters, mouse and keyboard, export. Read {@link simrobot.ui.floor.WorldPainter}.
+ * The floor as a component: view, mouse, placing of robots, export of pictures. Read first {@link
+ * simrobot.ui.floor.WorldView}.
  */
 package simrobot.ui.floor;

@@ -23,8 +23,8 @@ import simrobot.simulation.SimulationSnapshot;
 import vericommand.RobotStatus;
 
 /**
- * What the selected robot's camera sees. Pictures are drawn on a thread of its own, at most fifteen a second, only while
- * the view is to be seen and only when something has moved.
+ * The picture of the selected robot's camera. It is drawn on a thread of its own, at most 15 times a second, only while the
+ * view is visible and only when a robot has moved.
  */
 public final class CameraView extends PaintedComponent {
     private static final int PERIOD_MILLIS = 66;
@@ -33,16 +33,16 @@ public final class CameraView extends PaintedComponent {
     private final TextBundle texts;
     private final Timer timer = new Timer(PERIOD_MILLIS, tick -> draw());
     private final Camera camera = new Camera();
-    private ExecutorService drawer;
-    private Sight wanted;
-    private Sight drawn;
+    private ExecutorService executor;
+    private CameraScene newest;
+    private CameraScene drawn;
     private boolean drawing;
     private BufferedImage picture;
 
     /** A robot in a scene. */
-    private record Sight(SimulationSnapshot scene, RobotSnapshot robot) {
-        /** Whether the same things stand in the same places. */
-        boolean looksLike(Sight other) {
+    private record CameraScene(SimulationSnapshot scene, RobotSnapshot robot) {
+        /** Whether world and robots are in the same places. */
+        boolean looksLike(CameraScene other) {
             if (other == null || !robot.name().equals(other.robot.name()) || scene.world() != other.scene.world()) {
                 return false;
             }
@@ -50,12 +50,12 @@ public final class CameraView extends PaintedComponent {
             List<RobotSnapshot> there = other.scene.robots();
             boolean same = here.size() == there.size() && robot.powered() == other.robot.powered();
             for (int i = 0; same && i < here.size(); i++) {
-                same = isThere(here.get(i), there.get(i));
+                same = isSamePose(here.get(i), there.get(i));
             }
             return same;
         }
 
-        private static boolean isThere(RobotSnapshot one, RobotSnapshot other) {
+        private static boolean isSamePose(RobotSnapshot one, RobotSnapshot other) {
             return one.xMeters() == other.xMeters()
                     && one.yMeters() == other.yMeters()
                     && one.headingRadians() == other.headingRadians();
@@ -69,43 +69,43 @@ public final class CameraView extends PaintedComponent {
         timer.setCoalesce(true);
     }
 
-    /** To be told every newest snapshot; on the event thread. */
+    /** To be called with each new snapshot, on the event thread. */
     public void show(SimulationSnapshot scene, RobotSnapshot robot) {
-        change(() -> wanted = new Sight(scene, robot));
+        change(() -> newest = new CameraScene(scene, robot));
     }
 
     @Override
     protected String spoken() {
         String missing = missing();
-        return missing.isEmpty() ? texts.of("camera.spoken", wanted.robot().name()) : missing;
+        return missing.isEmpty() ? texts.of("camera.spoken", newest.robot().name()) : missing;
     }
 
     /** Why there is no picture; empty when there is one. */
     private String missing() {
-        if (wanted == null) {
+        if (newest == null) {
             return texts.of("camera.none");
         }
-        if (!wanted.robot().simulated()) {
+        if (!newest.robot().simulated()) {
             return texts.of("camera.real");
         }
-        return wanted.robot().status() == RobotStatus.DISCONNECTED ? texts.of("camera.off") : "";
+        return newest.robot().status() == RobotStatus.DISCONNECTED ? texts.of("camera.off") : "";
     }
 
-    /** Draws the newest sight at once, on the calling thread; for tests and for who paints without a window. */
+    /** Draws the newest picture on the calling thread; for tests. */
     void drawNow() {
-        if (wanted != null) {
-            drawn = wanted;
+        if (newest != null) {
+            drawn = newest;
             picture = camera.picture(drawn.scene(), drawn.robot());
         }
     }
 
     private void draw() {
-        if (drawing || !missing().isEmpty() || !isShowing() || getVisibleRect().isEmpty() || wanted.looksLike(drawn)) {
+        if (drawing || !missing().isEmpty() || !isShowing() || getVisibleRect().isEmpty() || newest.looksLike(drawn)) {
             return;
         }
-        Sight sight = wanted;
+        CameraScene sight = newest;
         drawing = true;
-        drawer.execute(() -> {
+        executor.execute(() -> {
             BufferedImage seen = camera.picture(sight.scene(), sight.robot());
             SwingUtilities.invokeLater(() -> {
                 drawing = false;
@@ -120,7 +120,7 @@ public final class CameraView extends PaintedComponent {
     public void addNotify() {
         super.addNotify();
         drawing = false;
-        drawer = Executors.newSingleThreadExecutor(work -> {
+        executor = Executors.newSingleThreadExecutor(work -> {
             Thread thread = new Thread(work, "camera");
             thread.setDaemon(true);
             return thread;
@@ -131,8 +131,8 @@ public final class CameraView extends PaintedComponent {
     @Override
     public void removeNotify() {
         timer.stop();
-        if (drawer != null) {
-            drawer.shutdown();
+        if (executor != null) {
+            executor.shutdown();
         }
         super.removeNotify();
     }

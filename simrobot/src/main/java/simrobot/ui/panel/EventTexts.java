@@ -6,7 +6,7 @@ import simrobot.control.RobotEvent;
 import simrobot.drawing.NumberTexts;
 import simrobot.ui.StatusLamps;
 
-/** Logged events as people read them. */
+/** Logged events in words. */
 final class EventTexts {
     private final TextBundle texts;
 
@@ -51,7 +51,7 @@ final class EventTexts {
         };
     }
 
-    /** A line for other programs: time, robot, text. */
+    /** A line for the clipboard: time, robot and text, separated by tabs. */
     String line(LoggedEvent event) {
         return NumberTexts.clock(event.timeNanos()) + "\t" + event.robot() + "\t" + of(event.event());
     }

@@ -77,8 +77,10 @@ final class Inspector extends JPanel {
 
     private static JScrollPane scrolled(JPanel content) {
         JScrollPane all = new ColumnScrollPane(new ScrolledColumn(content));
-        all.setBorder(null);
-        all.setViewportBorder(null);
+        Theme.styled(all, pane -> {
+            pane.setBorder(null);
+            pane.setViewportBorder(null);
+        });
         all.setOpaque(false);
         all.getViewport().setOpaque(false);
         all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);

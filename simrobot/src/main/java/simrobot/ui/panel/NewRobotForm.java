@@ -31,6 +31,8 @@ import vericommand.Pose;
  * one the robot is put on the first free home.
  */
 final class NewRobotForm extends JPanel {
+    private static final String FIRST_NUMBER = "5550200";
+
     private final TextBundle texts;
     private final OperatorActions operator;
     private final WorldView view;
@@ -92,8 +94,8 @@ final class NewRobotForm extends JPanel {
             close();
             return;
         }
-        name.setText(NewRobot.freeName(names));
-        number.setText(NewRobot.freeNumber(numbers));
+        name.setText(freeName(names));
+        number.setText(freeNumber(numbers));
         x.setText("");
         y.setText("");
         heading.setText("");
@@ -114,7 +116,7 @@ final class NewRobotForm extends JPanel {
 
     private void add() {
         try {
-            Optional<Pose> place = NewRobot.place(x.getText(), y.getText(), heading.getText());
+            Optional<Pose> place = place();
             addedName = name.getText().strip();
             operator.addRobot(addedName, number.getText().strip(), place, EventThread.onEventThread(this::answered));
         } catch (IllegalArgumentException notANumber) {
@@ -134,5 +136,47 @@ final class NewRobotForm extends JPanel {
         setVisible(false);
         view.choosePlace(null);
         view.requestFocusInWindow();
+    }
+
+    // ---- values ----------------------------------------------------------------------------------------------------
+
+    private static String freeName(List<String> taken) {
+        int count = taken.size() + 1;
+        while (taken.contains("robot" + count)) {
+            count++;
+        }
+        return "robot" + count;
+    }
+
+    /** The number after the highest. */
+    private static String freeNumber(List<String> taken) {
+        return taken.stream()
+                .filter(number -> number.matches("[0-9]{1,15}"))
+                .map(Long::parseLong)
+                .max(Long::compare)
+                .map(highest -> String.valueOf(highest + 1))
+                .orElse(FIRST_NUMBER);
+    }
+
+    /**
+     * The typed place in metres and degrees; empty when all fields are; the heading is 0 when its field is empty.
+     *
+     * @throws IllegalArgumentException with a text that is not a number
+     */
+    private Optional<Pose> place() {
+        if ((x.getText() + y.getText() + heading.getText()).isBlank()) {
+            return Optional.empty();
+        }
+        return Optional.of(new Pose(number(x), number(y), heading.getText().isBlank() ? 0 : number(heading)));
+    }
+
+    /** A decimal with a dot or a comma. */
+    private static double number(JTextField field) {
+        String word = field.getText().strip();
+        String text = word.replace(',', '.');
+        if (!text.matches("[-+]?([0-9]{1,7}(\\.[0-9]*)?|\\.[0-9]+)")) {
+            throw new IllegalArgumentException(word.isEmpty() ? "\"\"" : word);
+        }
+        return Double.parseDouble(text);
     }
 }

@@ -10,7 +10,7 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.ValueRow;
 import vericommand.Pose;
 
-/** Where the wheels say that the robot is, and how far that is from the truth. */
+/** The pose by odometry, and its error against the true pose. */
 final class OdometryCard extends JPanel {
     private final ValueRow x = new ValueRow("odometry.x", "x", "m");
     private final ValueRow y = new ValueRow("odometry.y", "y", "m");

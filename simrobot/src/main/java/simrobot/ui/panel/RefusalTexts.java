@@ -15,7 +15,7 @@ import simrobot.ui.StatusLamps;
 import simrobot.world.WorldFormatException;
 import vericommand.RobotStatus;
 
-/** Why something was not done, in the language of the window; logs and consoles have it in English. */
+/** Reasons for refusals and errors, in the window's language; logs and consoles have them in English. */
 public final class RefusalTexts {
     private final TextBundle texts;
 
@@ -54,7 +54,7 @@ public final class RefusalTexts {
         return texts.of("refused.process", robot, RobotsCard.word(texts, kind), StatusLamps.word(texts, status));
     }
 
-    /** Of a robot that is real or in a recording, or for any act that only a running session knows. */
+    /** For actions that a recording does not have. */
     public String onlyLookedAt() {
         return texts.of("refused.recording");
     }
@@ -65,7 +65,7 @@ public final class RefusalTexts {
         return texts.of("refused.small", world);
     }
 
-    /** @param where file and place of the damage, in the recording's own words */
+    /** @param where file and place of the damage */
     public String damaged(String where) {
         return texts.of("refused.damaged", where);
     }
@@ -113,9 +113,9 @@ public final class RefusalTexts {
         return texts.of("refused.file.other", file, reason(why));
     }
 
-    /** The operating system's own words, without the file's name in front. */
+    /** The operating system's message without the file's name. */
     private static String reason(IOException why) {
-        boolean told = why instanceof FileSystemException system && system.getReason() != null;
-        return told ? ((FileSystemException) why).getReason() : String.valueOf(why.getMessage());
+        boolean hasReason = why instanceof FileSystemException system && system.getReason() != null;
+        return hasReason ? ((FileSystemException) why).getReason() : String.valueOf(why.getMessage());
     }
 }

@@ -23,7 +23,7 @@ import simrobot.drawing.StatusLook;
 import simrobot.ui.StatusLamps;
 import vericommand.RobotStatus;
 
-/** All robots with their status and number; the selected one is what the rest of the window shows. */
+/** The list of all robots with their statuses and numbers. */
 final class RobotList {
     /**
      * A robot in the list.
@@ -56,7 +56,7 @@ final class RobotList {
         return list;
     }
 
-    /** Selects a neighbour; after the last comes the first. */
+    /** Selects the next or the previous robot; the first follows the last. */
     void step(int by) {
         if (!model.isEmpty()) {
             list.setSelectedIndex(Math.floorMod(list.getSelectedIndex() + by, model.size()));
@@ -115,7 +115,7 @@ final class RobotList {
 
         @Override
         public Dimension getPreferredSize() {
-            // The list gives a row all its width; asking for more would put the number under the scroll bar.
+            // the list gives each row its full width; a larger preference would put the number under the scroll bar
             return new Dimension(Theme.px(120), Theme.px(26));
         }
 

@@ -11,7 +11,7 @@ import simgsm.ui.window.WindowIcon;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.WindowSnapshot;
 
-/** What SimRobot has in its window: {@link SimRobotPanel}, kept up to date. */
+/** The content of SimRobot's window: {@link SimRobotPanel} with a poller of snapshots. */
 public final class SimRobotWindow {
     private static final Dimension SIZE = new Dimension(1120, 800);
     private static final Dimension LEAST = new Dimension(640, 480);
@@ -21,7 +21,7 @@ public final class SimRobotWindow {
     /**
      * Made on the event thread.
      *
-     * @param snapshots asked by the event thread; the same object as long as nothing has changed
+     * @param snapshots read by the event thread; the same object until something changes
      */
     public static ProgramWindow.Content content(
             String title, Locale language, Supplier<WindowSnapshot> snapshots, OperatorActions operator) {

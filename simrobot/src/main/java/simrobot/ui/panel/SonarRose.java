@@ -2,14 +2,15 @@ package simrobot.ui.panel;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.geom.Arc2D;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
 import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
 import simgsm.draw.Ink;
-import simgsm.ui.Drawing;
+import simgsm.draw.Outline;
+import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simrobot.drawing.NumberTexts;
@@ -17,13 +18,14 @@ import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
 
 /**
- * The sixteen sonars seen from above, ahead is up: a sector as long as the way is free. Distances run with their square
- * root, so that the near ones, which matter, have room. Near ones are hatched in colour and named by number.
+ * The ranges of the sixteen sonars from above, ahead is up: a sector as long as the free distance, on a square-root scale, which
+ * gives near distances more space. Echoes nearer than 0.5 m have another colour and a thicker arc.
  */
 final class SonarRose extends PaintedComponent {
     private static final double NEAR_METERS = 0.5;
     private static final double[] RINGS_METERS = {1, 2, 5};
-    private static final double SECTOR_DEGREES = 17;
+    private static final double SECTOR_RADIANS = Math.toRadians(17);
+    private static final int ARC_STEPS = 6;
 
     private final TextBundle texts;
     private double[] ranges = new double[0];
@@ -71,76 +73,62 @@ final class SonarRose extends PaintedComponent {
     }
 
     @Override
-    protected void paint(Graphics2D g, double width, double height) {
-        double caption = Theme.exact(18);
-        double radius = Math.min(width, height - caption) / 2 - Theme.exact(8);
-        double x = width / 2;
-        double y = (height - caption) / 2;
-        rings(g, x, y, radius);
-        for (int i = 0; i < ranges.length; i++) {
-            sector(g, x, y, radius, i);
-        }
-        robot(g, x, y, radius);
-        g.setColor(Theme.color(Ink.QUIET));
-        Drawing.centred(g, spoken(), Theme.small(), x, height - caption / 2);
+    protected void paint(Graphics2D graphics, double width, double height) {
+        Canvas g = new GraphicsCanvas(graphics);
+        double caption = g.px(18);
+        double radius = Math.min(width, height - caption) / 2 - g.px(8);
+        g.moved(width / 2, (height - caption) / 2, 0, () -> {
+            g.ink(Ink.LINE);
+            g.pen(1);
+            for (double meters : RINGS_METERS) {
+                g.draw(Outline.circle(0, 0, length(meters, radius)));
+            }
+            for (int i = 0; i < ranges.length; i++) {
+                sector(g, radius, i);
+            }
+            robot(g, radius);
+        });
+        g.ink(Ink.QUIET);
+        g.text(spoken(), Face.SMALL, width / 2, height - caption / 2);
     }
 
-    private static double reach(double meters, double radius) {
+    private static double length(double meters, double radius) {
         return radius * Math.sqrt(Math.min(1, meters / Pioneer2Dx.SONAR_RANGE_METERS));
     }
 
-    private static void rings(Graphics2D g, double x, double y, double radius) {
-        for (double meters : RINGS_METERS) {
-            double r = reach(meters, radius);
-            g.setColor(Theme.color(Ink.LINE));
-            g.setStroke(Theme.hairline());
-            g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
-        }
-    }
-
-    private void sector(Graphics2D g, double x, double y, double radius, int sonar) {
-        // from the middle of the robot, so that a near echo lies just outside its body
+    private void sector(Canvas g, double radius, int sonar) {
+        // from the robot's centre, so that a near echo lies just outside its body
         double mouth = Math.hypot(SonarRing.mountX(sonar), SonarRing.mountY(sonar));
-        double r = reach(mouth + ranges[sonar], radius);
+        double r = length(mouth + ranges[sonar], radius);
         boolean echo = ranges[sonar] < Pioneer2Dx.SONAR_RANGE_METERS;
-        Ink ink = !echo ? Ink.QUIET : ranges[sonar] < NEAR_METERS ? Ink.DANGER : Ink.RAY;
-        double middle = 90 + Math.toDegrees(SonarRing.directionRadians(sonar));
-        Arc2D sector =
-                new Arc2D.Double(x - r, y - r, 2 * r, 2 * r, middle - SECTOR_DEGREES / 2, SECTOR_DEGREES, Arc2D.PIE);
-        g.setColor(Theme.color(ink, echo ? 0.16 : 0.05));
-        g.fill(sector);
+        boolean near = ranges[sonar] < NEAR_METERS;
+        double[] arc = new double[2 * (ARC_STEPS + 1)];
+        for (int k = 0; k <= ARC_STEPS; k++) {
+            double angle = SonarRing.directionRadians(sonar) + SECTOR_RADIANS * ((double) k / ARC_STEPS - 0.5);
+            arc[2 * k] = -r * Math.sin(angle);
+            arc[2 * k + 1] = -r * Math.cos(angle);
+        }
+        Ink ink = !echo ? Ink.QUIET : near ? Ink.DANGER : Ink.RAY;
+        g.ink(ink, echo ? 0.16 : 0.05);
+        g.fill(Outline.polyline(arc).line(0, 0).close());
         if (echo) {
-            sector.setArcType(Arc2D.OPEN);
-            g.setColor(Theme.color(ink));
-            g.setStroke(Theme.stroke(ranges[sonar] < NEAR_METERS ? 2.6 : 1.6));
-            g.draw(sector);
+            g.ink(ink);
+            g.pen(near ? 2.6 : 1.6);
+            g.draw(Outline.polyline(arc));
         }
     }
 
-    private static void robot(Graphics2D g, double x, double y, double radius) {
-        double scale = reach(Pioneer2Dx.RADIUS_METERS, radius) / Pioneer2Dx.RADIUS_METERS;
-        Path2D body = new Path2D.Double();
-        for (double[] corner : Pioneer2Dx.octagon()) {
-            double px = x - corner[1] * scale * 0.9;
-            double py = y - (corner[0] - Pioneer2Dx.BODY_MIDDLE_X_METERS) * scale * 0.9;
-            if (body.getCurrentPoint() == null) {
-                body.moveTo(px, py);
-            } else {
-                body.lineTo(px, py);
-            }
-        }
-        body.closePath();
-        g.setColor(Theme.color(Ink.CARD));
-        g.fill(body);
-        g.setColor(Theme.color(Ink.ROBOT));
-        g.setStroke(Theme.stroke(1.6));
-        g.draw(body);
-        double tip = 0.12 * scale;
-        Path2D nose = new Path2D.Double();
-        nose.moveTo(x, y - tip);
-        nose.lineTo(x + tip * 0.5, y);
-        nose.lineTo(x - tip * 0.5, y);
-        nose.closePath();
-        g.fill(nose);
+    private static void robot(Canvas g, double radius) {
+        double scale = length(Pioneer2Dx.RADIUS_METERS, radius) / Pioneer2Dx.RADIUS_METERS;
+        double[] body = Arrays.stream(Pioneer2Dx.octagon())
+                .flatMapToDouble(corner -> DoubleStream.of(-corner[1], Pioneer2Dx.BODY_MIDDLE_X_METERS - corner[0]))
+                .toArray();
+        Outline outline = Outline.polygon(body).placed(0, 0, 0.9 * scale);
+        g.ink(Ink.CARD);
+        g.fill(outline);
+        g.ink(Ink.ROBOT);
+        g.pen(1.6);
+        g.draw(outline);
+        g.fill(Outline.polygon(0, -0.12, 0.06, 0, -0.06, 0).placed(0, 0, scale));
     }
 }

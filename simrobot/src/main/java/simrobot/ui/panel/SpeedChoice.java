@@ -6,9 +6,9 @@ import simgsm.console.TextBundle;
 import simgsm.ui.ComponentNames;
 import simrobot.ui.OperatorActions;
 
-/** How fast simulated time runs; a pace that came from the command line is listed, too. */
+/** The speed of simulated time; a speed from the command line is added to the list. */
 final class SpeedChoice {
-    private static final double[] PACES = {0.1, 0.25, 0.5, 1, 2, 5, 10, 50, Double.POSITIVE_INFINITY};
+    private static final double[] SPEEDS = {0.1, 0.25, 0.5, 1, 2, 5, 10, 50, Double.POSITIVE_INFINITY};
 
     private final TextBundle texts;
     private final OperatorActions operator;
@@ -19,8 +19,8 @@ final class SpeedChoice {
     SpeedChoice(TextBundle texts, OperatorActions operator) {
         this.texts = texts;
         this.operator = operator;
-        for (double pace : PACES) {
-            box.addItem(word(pace));
+        for (double speed : SPEEDS) {
+            box.addItem(word(speed));
         }
         box.setSelectedItem(word(shown));
         box.addActionListener(this::chosen);
@@ -46,25 +46,25 @@ final class SpeedChoice {
 
     private void chosen(ActionEvent event) {
         int index = box.getSelectedIndex();
-        if (!showing && index >= 0 && index < PACES.length) {
-            operator.setSpeed(PACES[index]);
+        if (!showing && index >= 0 && index < SPEEDS.length) {
+            operator.setSpeed(SPEEDS[index]);
         }
     }
 
     private static int index(double speed) {
-        for (int i = 0; i < PACES.length; i++) {
-            if (PACES[i] == speed) {
+        for (int i = 0; i < SPEEDS.length; i++) {
+            if (SPEEDS[i] == speed) {
                 return i;
             }
         }
         return -1;
     }
 
-    private String word(double pace) {
-        if (Double.isInfinite(pace)) {
+    private String word(double speed) {
+        if (Double.isInfinite(speed)) {
             return "\u00d7 " + texts.of("tool.speed.max");
         }
-        String number = pace == Math.rint(pace) ? String.valueOf((long) pace) : String.valueOf(pace);
+        String number = speed == Math.rint(speed) ? String.valueOf((long) speed) : String.valueOf(speed);
         return "\u00d7 " + number;
     }
 }

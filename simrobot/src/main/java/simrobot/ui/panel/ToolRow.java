@@ -31,7 +31,7 @@ import simrobot.ui.ToolButtons;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
-/** The row above the floor: world, link, switches, time, and what the floor shows. */
+/** The row above the floor: world, link, switches, time, and the tools of the floor. */
 final class ToolRow extends JPanel {
     private final TextBundle texts;
     private final Locale language;

@@ -17,7 +17,7 @@ import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 import vericommand.VeriCommandSnapshot;
 
-/** VeriCommand at work: the keys as they come, the order in words, the verdict, the replies. */
+/** VeriCommand's state: the keys received, the order in words, the verdict, the replies. */
 final class VeriCommandPanel extends JPanel {
     private static final int WIDTH_UNITS = 340;
 
@@ -42,7 +42,7 @@ final class VeriCommandPanel extends JPanel {
         add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
     }
 
-    /** Wide enough for an order's keys; the scope beside it takes the rest. */
+    /** Wide enough for an order's keys; the tone scope gets the rest of the row. */
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
@@ -84,7 +84,7 @@ final class VeriCommandPanel extends JPanel {
         }
     }
 
-    /** In a call the tones that have left are the answer, one chip each. */
+    /** In a call each reply tone is one label. */
     private static List<String> tones(String digits) {
         return digits.chars().mapToObj(digit -> String.valueOf((char) digit)).toList();
     }

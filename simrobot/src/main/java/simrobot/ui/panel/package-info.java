@@ -1,4 +1,4 @@
 /**
- * The cards, rows and panels beside the floor, and the whole window. Read {@link simrobot.ui.panel.SimRobotPanel}.
+ * The whole window, and the cards, rows and panels around its floor. Read first {@link simrobot.ui.panel.SimRobotPanel}.
  */
 package simrobot.ui.panel;

@@ -1,4 +1,2 @@
-/**
- * The timeline of a recording that is played. Read {@link simrobot.ui.replay.TimelinePanel}.
- */
+/** The timeline of a recording. Read first {@link simrobot.ui.replay.TimelinePanel}. */
 package simrobot.ui.replay;
