@@ -10,7 +10,7 @@ import simgsm.center.msc.Exchange;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.station.MobileStation;
-import simgsm.station.Uplink;
+import simgsm.station.context.Uplink;
 
 /** One station's connection to the exchange without a socket; it can be made to lose what the station sends. */
 final class VirtualLink {

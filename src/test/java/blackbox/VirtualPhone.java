@@ -6,18 +6,17 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
-import simgsm.phone.handset.HandsetListener;
+import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.handset.KeyMode;
-import simgsm.phone.handset.StationSide;
 import simgsm.speech.AudioOutput;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /** A phone of a {@link VirtualSuite}: the real handset on the real station. */
 public final class VirtualPhone {
@@ -37,9 +36,10 @@ public final class VirtualPhone {
 
     VirtualPhone(VirtualSuite suite, StationIdentity identity, Sim sim) {
         this.suite = suite;
-        handset = new Handset(identity.number(), KeyMode.IN_BAND, new Ears(), AudioOutput.SILENT, () -> Instant.EPOCH);
-        station = new MobileStation(identity, sim, StationOptions.STANDARD, handset.mouth(), handset.ears());
-        handset.attach(StationSide.of(station));
+        handset = new Handset(identity.number(), KeyMode.IN_BAND, this::note, AudioOutput.SILENT, () -> Instant.EPOCH);
+        station = new MobileStation(
+                identity, sim, StationOptions.STANDARD, handset::fillFrame, handset::accept);
+        handset.attach(station);
     }
 
     public MobileStation station() {
@@ -73,25 +73,15 @@ public final class VirtualPhone {
         return String.join("", tones);
     }
 
-    private final class Ears implements HandsetListener {
-        @Override
-        public void toneHeard(DtmfKey key) {
-            tones.add("" + key.symbol());
-        }
-
-        @Override
-        public void released(Cause cause) {
-            releaseCauses.add(cause.code());
-        }
-
-        @Override
-        public void messageSent(Msisdn to, int parts, int id) {
+    private void note(StationEvent event) {
+        if (event instanceof HandsetEvent.ToneHeard heard) {
+            tones.add("" + heard.key().symbol());
+        } else if (event instanceof StationEvent.Released released) {
+            releaseCauses.add(released.cause().code());
+        } else if (event instanceof StationEvent.MessageSent) {
             sentCount++;
-        }
-
-        @Override
-        public void messageReceived(String from, String text) {
-            messages.add(text);
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            messages.add(message.text());
         }
     }
 }

@@ -6,4 +6,8 @@ module simgsm.station {
 
     exports simgsm.modem;
     exports simgsm.station;
+    exports simgsm.station.call;
+    exports simgsm.station.context;
+    exports simgsm.station.mobility;
+    exports simgsm.station.sms;
 }

@@ -3,11 +3,15 @@ package simgsm.phone;
 import java.util.function.Function;
 import simgsm.phone.handset.Handset;
 
-/** How the console reaches the handset, which another thread owns. */
+/** The console's access to the handset, which another thread owns. */
 interface HandsetAccess {
-    /** Has the owner thread do something and waits for its result. */
-    <T> T ask(Function<Handset, T> act) throws InterruptedException;
+    /**
+     * Runs an action on the owner thread and waits for its result.
+     *
+     * @throws IllegalStateException if the action fails or has not ended within 5 s
+     */
+    <T> T ask(Function<Handset, T> action) throws InterruptedException;
 
-    /** Waits until queued keys have left and messages are acknowledged, but no longer than that. */
-    void settle(long boundNanos) throws InterruptedException;
+    /** Waits until queued keys are sent and messages acknowledged, but no longer than the limit. */
+    void settle(long limitNanos) throws InterruptedException;
 }

@@ -1,28 +1,31 @@
 package simgsm.phone;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.InstantSource;
-import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import simgsm.console.FatalError;
 import simgsm.phone.handset.Handset;
-import simgsm.phone.handset.HandsetListener;
-import simgsm.phone.handset.StationSide;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
+import simgsm.station.context.StationEvent;
 
-/** A phone at work: handset, station and the thread that owns both. */
+/** A running phone: handset, station and the thread that owns both. */
 final class Phone implements HandsetAccess, AutoCloseable {
-    /** An act takes microseconds; if it takes this long the thread has ended. */
-    private static final long ACT_SECONDS = 5;
+    private static final System.Logger LOG = System.getLogger(Phone.class.getName());
+    /** An action takes microseconds; after this time the thread has ended. */
+    private static final long ANSWER_SECONDS = 5;
 
     private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
     private final AudioOutput output;
@@ -30,8 +33,8 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final Handset handset;
     private final MobileStation station;
 
-    /** @throws IOException if its calls are to be recorded where nothing can be written */
-    Phone(PhoneSettings settings, HandsetListener listener, AudioOutput output) throws IOException {
+    /** @throws IOException if the file for its recording cannot be written */
+    Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
         this.output = output;
         recorder = settings.recording().isPresent()
                 ? CallRecorder.open(settings.recording().get())
@@ -46,60 +49,52 @@ final class Phone implements HandsetAccess, AutoCloseable {
         station = new MobileStation(
                 settings.identity(),
                 settings.sim(),
-                new StationOptions(settings.codec(), recorder),
-                handset.mouth(),
-                handset.ears());
-        handset.attach(StationSide.of(station));
-        handset.wantBroadcasts(settings.channels());
+                new StationOptions(settings.codec(), recorder, true),
+                handset::fillFrame,
+                handset::accept);
+        handset.attach(station);
+        handset.setChannels(settings.channels());
     }
 
-    /** Begins to look for the centre. */
+    /** Connects to the centre, again and again until it succeeds. */
     void start(InetSocketAddress center) {
         thread.add(station, center);
         thread.start();
     }
 
-    /** For its snapshots only; everything else goes through {@link #execute}. */
+    /** Its snapshot may be read from any thread; all else goes through {@link #execute}. */
     Handset handset() {
         return handset;
     }
 
-    /** Has the owner thread do something. */
-    void execute(Runnable act) {
-        thread.execute(act);
+    /** Runs an action on the owner thread. */
+    void execute(Runnable action) {
+        thread.execute(action);
     }
 
     @Override
-    public <T> T ask(Function<Handset, T> act) throws InterruptedException {
-        CompletableFuture<T> result = new CompletableFuture<>();
-        thread.execute(() -> {
-            try {
-                result.complete(act.apply(handset));
-            } catch (RuntimeException e) {
-                result.completeExceptionally(e);
-            }
-        });
+    public <T> T ask(Function<Handset, T> action) throws InterruptedException {
+        FutureTask<T> task = new FutureTask<>(() -> action.apply(handset));
+        thread.execute(task);
         try {
-            return result.get(ACT_SECONDS, TimeUnit.SECONDS);
-        } catch (ExecutionException | TimeoutException e) {
-            throw new IllegalStateException("the phone did not do it: " + e.getMessage(), e);
+            return task.get(ANSWER_SECONDS, TimeUnit.SECONDS);
+        } catch (TimeoutException e) {
+            throw new IllegalStateException("the phone has not answered within " + ANSWER_SECONDS + " s", e);
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("the phone has failed: " + e.getCause(), e);
         }
     }
 
     @Override
-    public void settle(long boundNanos) throws InterruptedException {
-        CompletableFuture<Boolean> settled = new CompletableFuture<>();
-        thread.execute(() -> handset.whenSettled(() -> settled.complete(true)));
-        try {
-            settled.get(boundNanos, TimeUnit.NANOSECONDS);
-        } catch (TimeoutException late) {
-            // What the network does not take in time stays undone.
-        } catch (ExecutionException impossible) {
-            throw new IllegalStateException(impossible);
+    public void settle(long limitNanos) throws InterruptedException {
+        CountDownLatch settled = new CountDownLatch(1);
+        thread.execute(() -> handset.whenSettled(settled::countDown));
+        if (!settled.await(limitNanos, TimeUnit.NANOSECONDS)) {
+            LOG.log(Level.WARNING, "the network has not acknowledged everything");
         }
     }
 
-    /** Hangs up, detaches, ends the thread. */
+    /** Ends the call, detaches and ends the thread. */
     @Override
     public void close() {
         thread.close();

@@ -3,9 +3,12 @@ package simgsm.phone;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import simgsm.air.Msisdn;
 import simgsm.console.CommandException;
+import simgsm.console.CommandTable;
 import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
@@ -17,8 +20,39 @@ import simgsm.sms.ChannelList;
 
 /** The console's commands. Each is done by the owner thread before the next is read, so errors stand in their order. */
 final class PhoneCommands implements Console.Commands {
-    /** So long the end waits for acknowledgements. */
-    private static final long PATIENCE_SECONDS = 10;
+    static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>()
+            .add("dial", "NUMBER", "calls a number", PhoneCommands::dial)
+            .add("answer", "", "answers the ringing call", (phone, command) -> phone.perform(command, Handset::answer))
+            .add(
+                    "hangup",
+                    "",
+                    "ends the call, or rejects the ringing one; drops keys that are not sent yet",
+                    (phone, command) -> phone.perform(command, Handset::hangUp))
+            .add(
+                    "press",
+                    "KEYS",
+                    "sends keys of 0-9*#ABCD in the call, 100 ms each; blanks are ignored",
+                    PhoneCommands::press)
+            .add(
+                    "sms",
+                    "NUMBER TEXT",
+                    "sends a text: the rest of the line, or one double-quoted string with JSON escapes",
+                    PhoneCommands::sms)
+            .add("inbox", "", "lists the received messages and marks them as read", (phone, command) -> phone.inbox())
+            .add(
+                    "channels",
+                    "LIST",
+                    "the broadcast channels that are shown, as 50,919,4370-4399; all or none",
+                    PhoneCommands::channels)
+            .add(
+                    "memory",
+                    "full|free",
+                    "whether there is room for messages; without it the network keeps them",
+                    PhoneCommands::memory)
+            .add("power", "on|off", "switches the phone on or off", PhoneCommands::power);
+
+    /** How long the end of the program waits for acknowledgements, queued keys aside. */
+    private static final long SETTLE_SECONDS = 10;
     /** A queued key takes 100 ms of tone and 100 ms of pause, or two answers of the network. */
     private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
 
@@ -33,48 +67,25 @@ final class PhoneCommands implements Console.Commands {
 
     @Override
     public void perform(ConsoleCommand command) throws CommandException {
-        switch (command.name()) {
-            case "dial" -> dial(command);
-            case "answer" -> plain(command, Handset::answer);
-            case "hangup" -> plain(command, Handset::hangUp);
-            case "press" -> press(command);
-            case "sms" -> sms(command);
-            case "inbox" -> inbox(command);
-            case "channels" -> channels(command);
-            case "memory" -> memory(command);
-            case "power" -> power(command);
-            default ->
-                throw new CommandException("unknown command " + command.name()
-                        + ", expected dial, answer, hangup, press, sms, inbox, channels, memory, wait, power or quit");
-        }
+        TABLE.perform(this, command);
     }
 
-    /** Ends what was begun: queued keys leave, messages are acknowledged, but not for longer than is reasonable. */
+    /** Lets queued keys be sent and messages be acknowledged, within a limit. */
     void finish() throws InterruptedException {
-        phone.settle(TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS) + keysPressed * KEY_NANOS);
+        phone.settle(TimeUnit.SECONDS.toNanos(SETTLE_SECONDS) + keysPressed * KEY_NANOS);
     }
 
     private void dial(ConsoleCommand command) throws CommandException {
-        Msisdn number = number("dial", command.words(1, "dial NUMBER").get(0));
-        act("dial", handset -> handset.dial(number));
-    }
-
-    private void plain(ConsoleCommand command, Function<Handset, Optional<Refusal>> act) throws CommandException {
-        command.words(0, command.name() + " and nothing after it");
-        act(command.name(), act);
+        Msisdn number = number(command, command.words(1, "dial NUMBER").get(0));
+        perform(command, handset -> handset.dial(number));
     }
 
     private void press(ConsoleCommand command) throws CommandException {
-        List<DtmfKey> keys;
-        try {
-            keys = DtmfKey.sequence(command.rest());
-        } catch (IllegalArgumentException e) {
-            throw new CommandException("press: " + e.getMessage());
-        }
+        List<DtmfKey> keys = parsed(command, () -> DtmfKey.sequence(command.rest()));
         if (keys.isEmpty()) {
             throw new CommandException("press: expected press KEYS, found nothing after it");
         }
-        act("press", handset -> handset.press(keys));
+        perform(command, handset -> handset.press(keys));
         keysPressed += keys.size();
     }
 
@@ -83,7 +94,7 @@ final class PhoneCommands implements Console.Commands {
         if (tail.name().isEmpty()) {
             throw new CommandException("sms: expected sms NUMBER TEXT, found nothing after it");
         }
-        Msisdn to = number("sms", tail.name());
+        Msisdn to = number(command, tail.name());
         if (tail.rest().isEmpty()) {
             throw new CommandException("sms: expected sms NUMBER TEXT, found no text");
         }
@@ -93,13 +104,12 @@ final class PhoneCommands implements Console.Commands {
         } catch (CommandException e) {
             throw new CommandException("sms: " + e.getMessage());
         }
-        act("sms", handset -> handset.sendMessage(to, text));
+        perform(command, handset -> handset.sendMessage(to, text));
     }
 
-    private void inbox(ConsoleCommand command) throws CommandException {
-        command.words(0, "inbox and nothing after it");
-        // Printed by the owner thread, so that a message that comes meanwhile does not stand in the list's middle.
-        ask(handset -> {
+    private void inbox() throws CommandException {
+        // Printed by the owner thread, so that a message that arrives meanwhile does not stand within the list.
+        run(handset -> {
             List<StoredMessage> messages = handset.readInbox();
             for (StoredMessage message : messages) {
                 console.emit(Event.of("message")
@@ -108,64 +118,67 @@ final class PhoneCommands implements Console.Commands {
                         .with("read", message.read()));
             }
             console.emit(Event.of("end").with("of", "inbox").with("count", messages.size()));
-            return Optional.empty();
         });
     }
 
     private void power(ConsoleCommand command) throws CommandException {
-        String state = command.words(1, "power on or power off").get(0);
-        switch (state) {
-            case "on" -> run(Handset::powerOn);
-            case "off" -> run(Handset::powerOff);
-            default -> throw new CommandException("power: expected on or off, found " + state);
-        }
+        run(isFirst(command, "on", "off") ? Handset::powerOn : Handset::powerOff);
     }
 
     private void channels(ConsoleCommand command) throws CommandException {
-        ChannelList channels;
-        try {
-            channels = ChannelList.parse(command.rest());
-        } catch (IllegalArgumentException e) {
-            throw new CommandException("channels: " + e.getMessage());
-        }
-        run(handset -> handset.wantBroadcasts(channels));
+        ChannelList channels = parsed(command, () -> ChannelList.parse(command.rest()));
+        run(handset -> handset.setChannels(channels));
     }
 
-    /** For who wants to see what the network does with a phone that has no room. */
     private void memory(ConsoleCommand command) throws CommandException {
-        String state = command.words(1, "memory full or memory free").get(0);
-        if (!state.equals("full") && !state.equals("free")) {
-            throw new CommandException("memory: expected full or free, found " + state);
-        }
-        run(handset -> handset.memory(state.equals("free")));
+        boolean available = !isFirst(command, "full", "free");
+        run(handset -> handset.setMemoryAvailable(available));
     }
 
-    private static Msisdn number(String command, String text) throws CommandException {
+    private static boolean isFirst(ConsoleCommand command, String first, String second) throws CommandException {
+        String name = command.name();
+        String word = command.words(1, name + " " + first + " or " + name + " " + second)
+                .get(0);
+        if (!word.equals(first) && !word.equals(second)) {
+            throw new CommandException(name + ": expected " + first + " or " + second + ", found " + word);
+        }
+        return word.equals(first);
+    }
+
+    private static Msisdn number(ConsoleCommand command, String text) throws CommandException {
         try {
             return Msisdn.parse(text);
         } catch (IllegalArgumentException e) {
-            throw new CommandException(
-                    command + ": expected a telephone number of 1 to " + Msisdn.MAX_DIGITS + " digits, found " + text);
+            throw new CommandException(command.name() + ": expected a telephone number of 1 to " + Msisdn.MAX_DIGITS
+                    + " digits, found " + text);
         }
     }
 
-    private void run(java.util.function.Consumer<Handset> act) throws CommandException {
+    private static <T> T parsed(ConsoleCommand command, Supplier<T> parser) throws CommandException {
+        try {
+            return parser.get();
+        } catch (IllegalArgumentException e) {
+            throw new CommandException(command.name() + ": " + e.getMessage());
+        }
+    }
+
+    private void run(Consumer<Handset> action) throws CommandException {
         ask(handset -> {
-            act.accept(handset);
+            action.accept(handset);
             return Optional.empty();
         });
     }
 
-    private void act(String name, Function<Handset, Optional<Refusal>> act) throws CommandException {
-        Optional<Refusal> refusal = ask(act);
+    private void perform(ConsoleCommand command, Function<Handset, Optional<Refusal>> action) throws CommandException {
+        Optional<Refusal> refusal = ask(action);
         if (refusal.isPresent()) {
-            throw new CommandException(name + ": " + refusal.get().words());
+            throw new CommandException(command.name() + ": " + refusal.get().words());
         }
     }
 
-    private Optional<Refusal> ask(Function<Handset, Optional<Refusal>> act) throws CommandException {
+    private Optional<Refusal> ask(Function<Handset, Optional<Refusal>> action) throws CommandException {
         try {
-            return phone.ask(act);
+            return phone.ask(action);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CommandException("interrupted");

@@ -1,20 +1,18 @@
 package simgsm.phone;
 
 import java.util.Optional;
-import simgsm.air.Cause;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
-import simgsm.air.RejectCause;
-import simgsm.air.RpCause;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
-import simgsm.dtmf.DtmfKey;
-import simgsm.phone.handset.HandsetListener;
+import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
+import simgsm.station.context.StationEvent;
 
-/** Prints what the handset tells, field by field as the console's contract has it. */
-final class PhoneEventPrinter implements HandsetListener {
+/** Prints the events of the handset and its station as the console's contract has them; some are not printed. */
+final class PhoneEventPrinter implements Consumer<StationEvent> {
     private final Console console;
     private final TextBundle texts;
 
@@ -24,111 +22,87 @@ final class PhoneEventPrinter implements HandsetListener {
     }
 
     @Override
-    public void registered(Msisdn number) {
-        console.emit(Event.of("registered").with("number", number));
+    public void accept(StationEvent event) {
+        if (event instanceof StationEvent.Registered registered) {
+            console.emit(Event.of("registered").with("number", registered.number()));
+        } else if (event instanceof StationEvent.Unregistered unregistered) {
+            Event line = Event.of("unregistered");
+            console.emit(unregistered
+                    .cause()
+                    .map(cause -> line.with("cause", cause.code()))
+                    .orElse(line));
+        } else if (event instanceof StationEvent.OfCall ofCall) {
+            print(ofCall);
+        } else if (event instanceof StationEvent.OfSubmittedMessage message) {
+            print(message);
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            console.emit(Event.of("sms").with("from", message.from()).with("text", message.text()));
+        } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
+            console.emit(Event.of("broadcast")
+                    .with("channel", broadcast.channel())
+                    .with("pages", broadcast.pages())
+                    .with("text", broadcast.text()));
+        } else if (event instanceof HandsetEvent ofHandset) {
+            print(ofHandset);
+        }
     }
 
-    @Override
-    public void unregistered(Optional<RejectCause> cause) {
-        Event event = Event.of("unregistered");
-        console.emit(cause.isPresent() ? event.with("cause", cause.get().code()) : event);
-    }
-
-    @Override
-    public void calling(Msisdn number) {
-        console.emit(Event.of("calling").with("number", number));
-    }
-
-    @Override
-    public void alerting() {
-        console.emit(Event.of("alerting"));
-    }
-
-    @Override
-    public void ringing(Optional<Msisdn> from) {
-        console.emit(Event.of("ringing").with("from", digits(from)));
-    }
-
-    @Override
-    public void waiting(Optional<Msisdn> from) {
-        console.emit(Event.of("waiting").with("from", digits(from)));
-    }
-
-    @Override
-    public void waitingOver() {
-        console.emit(Event.of("waiting-over"));
-    }
-
-    @Override
-    public void connected(Optional<Msisdn> peer) {
-        console.emit(Event.of("connected").with("number", digits(peer)));
+    private void print(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling calling) {
+            console.emit(Event.of("calling").with("number", calling.number()));
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
+            console.emit(Event.of("alerting"));
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            console.emit(Event.of("ringing").with("from", digits(ringing.from())));
+        } else if (event instanceof StationEvent.CallWaits waiting) {
+            console.emit(Event.of("waiting").with("from", digits(waiting.from())));
+        } else if (event instanceof StationEvent.WaitingCallEnded) {
+            console.emit(Event.of("waiting-over"));
+        } else if (event instanceof StationEvent.Connected connected) {
+            console.emit(Event.of("connected").with("number", digits(connected.peer())));
+        } else if (event instanceof StationEvent.Released released) {
+            console.emit(Event.of("released")
+                    .with("cause", released.cause().code())
+                    .with("text", released.cause().title()));
+        }
     }
 
     private static String digits(Optional<Msisdn> number) {
         return number.map(Msisdn::digits).orElse("");
     }
 
-    @Override
-    public void sent(String keys) {
-        console.emit(Event.of("sent").with("keys", keys));
+    private void print(StationEvent.OfSubmittedMessage event) {
+        if (event instanceof StationEvent.MessageSent sent) {
+            console.emit(Event.of("sms-sent")
+                    .with("to", sent.to())
+                    .with("parts", sent.parts())
+                    .with("id", sent.reference()));
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            console.emit(Event.of("sms-failed")
+                    .with("to", failed.to())
+                    .with("cause", failed.cause().code())
+                    .with("text", failed.cause().title()));
+        } else if (event instanceof StationEvent.MessageDelivered delivered) {
+            console.emit(Event.of("sms-delivered").with("to", delivered.to()).with("id", delivered.reference()));
+        } else if (event instanceof StationEvent.MessageUndelivered undelivered) {
+            console.emit(Event.of("sms-undelivered")
+                    .with("to", undelivered.to())
+                    .with("id", undelivered.reference())
+                    .with("status", undelivered.status())
+                    .with("text", DeliveryStatus.title(undelivered.status())));
+        }
     }
 
-    @Override
-    public void keysRefused(String keys, Cause cause) {
-        console.error("press: the network refuses the keys " + keys + ", cause " + cause.code() + ", " + cause.title());
-    }
-
-    @Override
-    public void toneHeard(DtmfKey key) {
-        console.emit(Event.of("tone")
-                .with("key", key.symbol())
-                .with(
-                        "meaning",
-                        ToneMeaning.textKey(key).map(name -> texts.of(name)).orElse("")));
-    }
-
-    @Override
-    public void released(Cause cause) {
-        console.emit(Event.of("released").with("cause", cause.code()).with("text", cause.title()));
-    }
-
-    @Override
-    public void messageSent(Msisdn to, int parts, int id) {
-        console.emit(Event.of("sms-sent").with("to", to).with("parts", parts).with("id", id));
-    }
-
-    @Override
-    public void messageFailed(Msisdn to, RpCause cause) {
-        console.emit(Event.of("sms-failed")
-                .with("to", to)
-                .with("cause", cause.code())
-                .with("text", cause.title()));
-    }
-
-    @Override
-    public void messageDelivered(Msisdn to, int id) {
-        console.emit(Event.of("sms-delivered").with("to", to).with("id", id));
-    }
-
-    @Override
-    public void messageUndelivered(Msisdn to, int id, int status) {
-        console.emit(Event.of("sms-undelivered")
-                .with("to", to)
-                .with("id", id)
-                .with("status", status)
-                .with("text", DeliveryStatus.title(status)));
-    }
-
-    @Override
-    public void messageReceived(String from, String text) {
-        console.emit(Event.of("sms").with("from", from).with("text", text));
-    }
-
-    @Override
-    public void broadcastReceived(int channel, int pages, String text) {
-        console.emit(Event.of("broadcast")
-                .with("channel", channel)
-                .with("pages", pages)
-                .with("text", text));
+    private void print(HandsetEvent event) {
+        if (event instanceof HandsetEvent.KeysSent sent) {
+            console.emit(Event.of("sent").with("keys", sent.keys()));
+        } else if (event instanceof HandsetEvent.KeysNotSent refused) {
+            console.error("press: the network refuses the keys " + refused.keys() + ", cause "
+                    + refused.cause().code() + ", " + refused.cause().title());
+        } else if (event instanceof HandsetEvent.ToneHeard heard) {
+            String meaning =
+                    ToneMeaning.textKey(heard.key()).map(key -> texts.of(key)).orElse("");
+            console.emit(Event.of("tone").with("key", heard.key().symbol()).with("meaning", meaning));
+        }
     }
 }

@@ -15,7 +15,6 @@ import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
-import simgsm.phone.handset.HandsetListener;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
 import simgsm.ui.window.ProgramWindow;
@@ -74,7 +73,7 @@ public final class PhoneMain {
         return new InetSocketAddress(center.host(), center.port());
     }
 
-    /** A window says whether there is a device, a console does not care before something sounds. */
+    /** A window shows whether there is a device, so it opens one at once; a console when the first sound is played. */
     private static AudioOutput sound(Arguments arguments) {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
@@ -86,7 +85,7 @@ public final class PhoneMain {
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         Locale language = arguments.language();
-        Phone phone = new Phone(settings, new HandsetListener() {}, sound(arguments));
+        Phone phone = new Phone(settings, event -> {}, sound(arguments));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
         window.show(() -> HandsetWindow.content(

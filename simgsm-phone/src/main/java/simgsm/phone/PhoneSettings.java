@@ -14,8 +14,8 @@ import simgsm.sim.SimCard;
 import simgsm.sim.SimSlot;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /**
  * What a command line makes of a phone.

@@ -7,8 +7,6 @@ import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.air.RejectCause;
-import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
@@ -16,17 +14,18 @@ import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.modem.CallDecision;
 import simgsm.modem.Modem;
-import simgsm.modem.ModemListener;
-import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
+import simgsm.modem.ModemEvent;
 import simgsm.station.StationOptions;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 import vericommand.ReplyTone;
 
 /**
  * A robot's modem as its control sees it, and the control as the modem sees it. What the modem tells comes on the stations'
  * thread and is posted to the simulation's; what the control asks goes the other way.
  */
-final class ModemLink implements ModemListener, ModemPort {
+final class ModemLink implements ModemPort {
     private static final Logger LOG = System.getLogger(ModemLink.class.getName());
     private static final double NANOS_PER_SAMPLE = 1e9 / 8000;
     /** A key is decided in the speech frame that has just come: 20 ms. */
@@ -53,7 +52,7 @@ final class ModemLink implements ModemListener, ModemPort {
         stations = drivers.stations();
         simulation = drivers.simulation();
         clockNanos = drivers.clockNanos();
-        modem = new Modem(identity, sim, options, this);
+        modem = new Modem(identity, sim, options, this::decide, this::accept);
     }
 
     /** To be told once, before the modem has a link. */
@@ -79,19 +78,56 @@ final class ModemLink implements ModemListener, ModemPort {
 
     // ---- from the modem, on the stations' thread -------------------------------------------------------------------
 
-    @Override
-    public void registered(Msisdn number) {
-        simulation.execute(() -> control.tell(new RobotEvent.Registered(number.digits())));
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.SpeechReceived speech) {
+            tracer.accept(speech.samples());
+            trace = tracer.newest();
+        } else if (event instanceof ModemEvent ofModem) {
+            accept(ofModem);
+        } else if (event instanceof StationEvent.Registered registered) {
+            RobotEvent reported = new RobotEvent.Registered(registered.number().digits());
+            simulation.execute(() -> control.tell(reported));
+        } else if (event instanceof StationEvent.Unregistered unregistered) {
+            String code = unregistered
+                    .cause()
+                    .map(reject -> Integer.toString(reject.code()))
+                    .orElse("");
+            simulation.execute(() -> control.tell(new RobotEvent.Unregistered(code)));
+        } else if (event instanceof StationEvent.Connected connected) {
+            String caller = digits(connected.peer());
+            long number = callNumber;
+            simulation.execute(() -> control.callBegan(number, caller));
+        } else if (event instanceof StationEvent.Released released) {
+            callEnded(released.cause());
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            // as operators are listed: without the plus sign of an international number
+            String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
+            simulation.execute(() -> control.message(sender, message.text()));
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            LOG.log(
+                    Level.WARNING,
+                    "reply SMS to " + failed.to() + " was not taken: cause "
+                            + failed.cause().code());
+        }
     }
 
-    @Override
-    public void unregistered(Optional<RejectCause> cause) {
-        String code = cause.map(reject -> Integer.toString(reject.code())).orElse("");
-        simulation.execute(() -> control.tell(new RobotEvent.Unregistered(code)));
+    private void accept(ModemEvent event) {
+        if (event instanceof ModemEvent.KeyDecided decided) {
+            DtmfDigit digit = decided.digit();
+            char key = digit.key().symbol();
+            long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
+            simulation.execute(() -> control.key(key, began));
+        } else if (event instanceof ModemEvent.SpeechProcessed speech) {
+            heardSamples += speech.samples();
+            simulation.execute(() -> control.speech(speech.samples()));
+        } else if (event instanceof ModemEvent.ToneSent sent) {
+            simulation.execute(() -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
+            tonesToLeave = Math.max(0, tonesToLeave - 1);
+            clearIfSilent();
+        }
     }
 
-    @Override
-    public CallDecision call(Optional<Msisdn> from) {
+    private CallDecision decide(Optional<Msisdn> from) {
         String caller = digits(from);
         ReplyTone tone = control.admission(caller);
         callNumber++;
@@ -105,66 +141,20 @@ final class ModemLink implements ModemListener, ModemPort {
         return new CallDecision(accepted, key(tone));
     }
 
-    @Override
-    public void connected(Optional<Msisdn> from) {
-        String caller = digits(from);
-        long number = callNumber;
-        simulation.execute(() -> control.callBegan(number, caller));
-    }
-
-    @Override
-    public void heard(short[] samples) {
-        tracer.accept(samples);
-        trace = tracer.newest();
-    }
-
-    @Override
-    public void key(DtmfDigit digit) {
-        char key = digit.key().symbol();
-        long began = clockNanos.getAsLong() - Math.round(samplesSinceItBegan(digit) * NANOS_PER_SAMPLE);
-        simulation.execute(() -> control.key(key, began));
-    }
-
-    /** The frame has just come whole, so now is its end: some samples behind the one at which the key was decided. */
-    private long samplesSinceItBegan(DtmfDigit digit) {
+    /** The current frame has arrived whole, so now is its end: later than the sample at which the key was decided. */
+    private long samplesSinceStart(DtmfDigit digit) {
         long now = heardSamples + FRAME_SAMPLES;
         boolean sameCount = now >= digit.decidedAtSample() && now - digit.decidedAtSample() <= FRAME_SAMPLES;
         return Math.max(0, (sameCount ? now : digit.decidedAtSample()) - digit.startedAtSample());
     }
 
-    @Override
-    public void speechTime(int samples) {
-        heardSamples += samples;
-        simulation.execute(() -> control.speech(samples));
-    }
-
-    @Override
-    public void toneSent(DtmfKey key) {
-        simulation.execute(() -> control.tell(new RobotEvent.ToneSent(key.symbol())));
-        tonesToLeave = Math.max(0, tonesToLeave - 1);
-        clearIfSilent();
-    }
-
-    @Override
-    public void callEnded(Cause cause) {
+    private void callEnded(Cause cause) {
         tracer.rest();
         trace = tracer.newest();
         accepted = false;
         tonesToLeave = 0;
         clearWhenSilent = false;
         simulation.execute(() -> control.callEnded(cause.code()));
-    }
-
-    @Override
-    public void sms(String from, String text) {
-        // as operators are listed: without the plus sign of an international number
-        String sender = from.matches("\\+[0-9]+") ? from.substring(1) : from;
-        simulation.execute(() -> control.message(sender, text));
-    }
-
-    @Override
-    public void smsFailed(int id, Msisdn to, RpCause cause) {
-        LOG.log(Level.WARNING, "reply SMS " + id + " to " + to + " was not taken: cause " + cause.code());
     }
 
     // ---- to the modem ----------------------------------------------------------------------------------------------

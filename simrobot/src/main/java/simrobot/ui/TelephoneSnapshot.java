@@ -2,8 +2,8 @@ package simrobot.ui;
 
 import java.util.Objects;
 import simgsm.dtmf.ToneTrace;
-import simgsm.station.MobileCallState;
 import simgsm.station.StationSnapshot;
+import simgsm.station.call.MobileCallState;
 import vericommand.VeriCommandSnapshot;
 
 /**

@@ -5,7 +5,6 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
@@ -18,20 +17,20 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.sim.SimCard;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
-import simgsm.station.Uplink;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.Sim;
 
 /** A real station core whose frames travel when chance says so, in order. */
-final class SimulatedPhone implements StationListener {
+final class SimulatedPhone {
     final Msisdn number;
     final MobileStation station;
     private final Account account;
-    /** Under each message reference, oldest first, what is not yet acknowledged. */
-    private final Map<Integer, Deque<Account.Key>> sending = new HashMap<>();
+    /** By id, what is not yet acknowledged. */
+    private final Map<Integer, Account.Key> sending = new HashMap<>();
 
     private final Set<String> broadcasts = new HashSet<>();
     /** Null while there is no connection. */
@@ -89,22 +88,31 @@ final class SimulatedPhone implements StationListener {
                 sim,
                 StationOptions.STANDARD,
                 SpeechSource.SILENCE,
-                this,
+                this::accept,
                 random);
     }
 
-    /** A refusal may pass; that of a card would not. */
-    @Override
-    public void unregistered(Optional<RejectCause> cause) {
-        Invariant.holds(!station.snapshot().cardRefused(), () -> number + " has its card refused");
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.Unregistered) {
+            // A refusal may be temporary; that of a card would not be.
+            Invariant.holds(!station.snapshot().cardRefused(), () -> number + " has its card refused");
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            account.shown(new Account.Key(message.from(), number.digits(), message.text()));
+        } else if (event instanceof StationEvent.MessageSent sent) {
+            account.acknowledged(sending.remove(sent.id()));
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            sending.remove(failed.id());
+        } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
+            String text = broadcast.text();
+            Invariant.holds(broadcasts.add(text), () -> "broadcast \"" + text + "\" is shown twice");
+        }
     }
 
     void write(Msisdn to, String text) {
         if (station.snapshot().powered()) {
             Account.Key key = new Account.Key(number.digits(), to.digits(), text);
             account.written(key);
-            sending.computeIfAbsent(station.sendMessage(to, text), id -> new ArrayDeque<>())
-                    .add(key);
+            sending.put(station.sendMessage(to, text), key);
         }
     }
 
@@ -116,25 +124,5 @@ final class SimulatedPhone implements StationListener {
     void disconnected(long nowNanos) {
         wire = null;
         station.linkDown(nowNanos);
-    }
-
-    @Override
-    public void messageReceived(String from, String text) {
-        account.shown(new Account.Key(from, number.digits(), text));
-    }
-
-    @Override
-    public void messageSent(int id, Msisdn to, int parts) {
-        account.acknowledged(sending.get(id).remove());
-    }
-
-    @Override
-    public void messageFailed(int id, Msisdn to, RpCause cause) {
-        sending.get(id).remove();
-    }
-
-    @Override
-    public void broadcastReceived(int channel, int pages, String text) {
-        Invariant.holds(broadcasts.add(text), () -> "broadcast \"" + text + "\" is shown twice");
     }
 }

@@ -17,7 +17,7 @@ import simgsm.octets.OctetString;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
-import simgsm.station.Sim;
+import simgsm.station.mobility.Sim;
 
 /**
  * Exchange core, journal, disk, phones and an application under one clock and one seed: phones call, text, fill up, vanish
@@ -140,8 +140,8 @@ final class Simulation {
             case VANISH -> vanish(phone);
             case VANISH_UNNOTICED -> vanishUnnoticed(phone);
             case NOTICE -> noticeOne();
-            case MEMORY_FULL -> phone.station.memoryFull();
-            case MEMORY_FREE -> phone.station.memoryAvailable();
+            case MEMORY_FULL -> phone.station.setMemoryAvailable(false);
+            case MEMORY_FREE -> phone.station.setMemoryAvailable(true);
             case BROADCAST -> broadcast();
             case APPLICATION_BINDS -> application.bind(center.exchange(), center.smpp(), center.ownNanos());
             case APPLICATION_SUBMITS -> application.submit(phone.number.digits(), UNIQUE + texts++);
@@ -319,7 +319,7 @@ final class Simulation {
         connect(phone);
         phone.station.powerOn();
         phone.station.hangUp();
-        phone.station.memoryAvailable();
+        phone.station.setMemoryAvailable(true);
     }
 
     private boolean allAreRegistered() {

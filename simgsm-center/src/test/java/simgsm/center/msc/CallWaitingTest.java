@@ -12,19 +12,20 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.IpaFrame;
-import simgsm.air.Cause;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.center.subscriber.HomeRegister;
+import simgsm.speech.CallAudioListener;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
-import simgsm.station.Uplink;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.Sim;
 
 /** Three real station cores and an exchange with call waiting, under a clock moved by hand. */
 class CallWaitingTest {
@@ -33,23 +34,21 @@ class CallWaitingTest {
     private static final String CAROL = "5550102";
     private static final long MILLI = 1_000_000;
 
-    private final class Phone implements StationListener {
+    private final class Phone {
         final MobileStation station;
         final List<String> told = new ArrayList<>();
         final Deque<IpaFrame> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
-        final boolean takesWaiting;
         final Link link;
 
         Phone(String number, boolean takesWaiting) {
-            this.takesWaiting = takesWaiting;
             station = new MobileStation(
                     StationIdentity.ofOpenNumber(
                             new Msisdn(number), Imei.of("00101753", Integer.parseInt(number) % 1_000_000), "test"),
                     Sim.WITHOUT_KEY,
-                    StationOptions.STANDARD,
+                    new StationOptions(SpeechCodec.Kind.A_LAW, CallAudioListener.NONE, takesWaiting),
                     SpeechSource.SILENCE,
-                    this,
+                    this::note,
                     new SplittableRandom(1));
             link = exchange.linkOpened(
                     nowNanos,
@@ -82,39 +81,20 @@ class CallWaitingTest {
             settle();
         }
 
-        @Override
-        public boolean takesWaitingCalls() {
-            return takesWaiting;
-        }
-
-        @Override
-        public void ringing(Optional<Msisdn> from) {
-            told.add("ringing " + from.orElseThrow());
-        }
-
-        @Override
-        public void waiting(Optional<Msisdn> from) {
-            told.add("waiting " + from.orElseThrow());
-        }
-
-        @Override
-        public void waitingOver() {
-            told.add("waiting over");
-        }
-
-        @Override
-        public void alerting() {
-            told.add("alerting");
-        }
-
-        @Override
-        public void connected(Optional<Msisdn> peer) {
-            told.add("connected " + peer.orElseThrow());
-        }
-
-        @Override
-        public void released(Cause cause) {
-            told.add("released " + cause.code());
+        private void note(StationEvent event) {
+            if (event instanceof StationEvent.Ringing ringing) {
+                told.add("ringing " + ringing.from().orElseThrow());
+            } else if (event instanceof StationEvent.CallWaits waiting) {
+                told.add("waiting " + waiting.from().orElseThrow());
+            } else if (event instanceof StationEvent.WaitingCallEnded) {
+                told.add("waiting over");
+            } else if (event instanceof StationEvent.CalledPartyAlerted) {
+                told.add("alerting");
+            } else if (event instanceof StationEvent.Connected connected) {
+                told.add("connected " + connected.peer().orElseThrow());
+            } else if (event instanceof StationEvent.Released released) {
+                told.add("released " + released.cause().code());
+            }
         }
 
         void dial(String number) {

@@ -16,12 +16,12 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.octets.OctetString;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /**
  * Measures a centre from outside: an application hands messages in by SMPP, real stations over TCP take them with all of
@@ -52,17 +52,13 @@ public final class SmppToPhonesBench {
         room = new Semaphore(underWay);
     }
 
-    private final class Phone implements StationListener {
-        @Override
-        public void registered(Msisdn number) {
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.Registered) {
             attached.countDown();
-        }
-
-        @Override
-        public void messageReceived(String from, String text) {
+        } else if (event instanceof StationEvent.MessageReceived message) {
             int count = shown;
             if (count < MAX_SAMPLES) {
-                String stamp = text.substring(text.length() - STAMP_LENGTH);
+                String stamp = message.text().substring(message.text().length() - STAMP_LENGTH);
                 latencies[count] = System.nanoTime() - Long.parseLong(stamp, Character.MAX_RADIX);
             }
             shown = count + 1;
@@ -77,7 +73,7 @@ public final class SmppToPhonesBench {
                     new Msisdn(String.valueOf(FIRST_NUMBER + i)), Imei.of("00101752", i), "SimGSM bench");
             thread.add(
                     new MobileStation(
-                            identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, SpeechSource.SILENCE, this.new Phone()),
+                            identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, SpeechSource.SILENCE, this::accept),
                     new InetSocketAddress(HOST, port));
         }
         attached.await();

@@ -3,32 +3,31 @@ package simgsm.modem;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.air.RejectCause;
-import simgsm.air.RpCause;
-import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /**
- * M2 as a deterministic core: it owns a station and speaks for it. It alerts and connects every call at once, clears it with
- * cause 16 after 60 s without a key while no order is under way, and with cause 41 after 2 s without a speech frame. It
- * measures all of this in speech: by the frames that it hears, and silence by those that it sends.
+ * M2 as a deterministic core: a station that alerts and connects every call at once, clears it with cause 16 after 60 s
+ * without a key while no order is being executed, and with cause 41 after 2 s without a speech frame. Time is counted in
+ * speech: keys by the frames received, silence by the frames sent.
  */
 public final class Modem {
     static final int TONE_MILLIS = 150;
     static final int PAUSE_MILLIS = 70;
     /** 60 s of speech. */
     static final int IDLE_SAMPLES = 60 * 8000;
-    /** 2 s in frames of our own. */
+    /** 2 s, in frames sent. */
     static final int SILENT_FRAMES = 100;
 
     private enum Phase {
@@ -38,29 +37,53 @@ public final class Modem {
     }
 
     private final MobileStation station;
-    private final ModemListener listener;
+    private final Function<Optional<Msisdn>, CallDecision> admission;
+    private final Consumer<StationEvent> listener;
     private final Replies replies;
-    private final DtmfGenerator generator = new DtmfGenerator(this::toneLeft);
-    private final DtmfReceiver receiver = new DtmfReceiver(this::keyDecided);
-    /** Tones whose last sample is in the frame that goes out now: they have left once the next frame is asked for. */
-    private final Queue<DtmfKey> leaving = new ArrayDeque<>();
+    private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
+    private final DtmfReceiver receiver;
+    /** Tones whose last sample is in the frame that was filled last; sent once the next frame is requested. */
+    private final Queue<DtmfKey> generated = new ArrayDeque<>();
 
     private Phase phase = Phase.NONE;
     private boolean connected;
     private DtmfKey greeting;
-    private boolean orderUnderWay;
+    private boolean orderActive;
     private int idleSamples;
     private int framesSinceHeard;
 
-    public Modem(StationIdentity identity, Sim sim, StationOptions options, ModemListener listener) {
-        this(identity, sim, options, listener, RandomGenerator.getDefault());
+    /** As below, with random numbers of its own. */
+    public Modem(
+            StationIdentity identity,
+            Sim sim,
+            StationOptions options,
+            Function<Optional<Msisdn>, CallDecision> admission,
+            Consumer<StationEvent> listener) {
+        this(identity, sim, options, admission, listener, RandomGenerator.getDefault());
     }
 
-    /** @param random as for {@link MobileStation} */
+    /**
+     * A modem without a link.
+     *
+     * @param admission decides about a call by its caller's number, which is empty if the network does not send it
+     * @param listener receives the station's events and {@link ModemEvent}s on the owner thread, and may call the modem; of
+     *     a denied call it receives the release only
+     * @param random as for {@link MobileStation}
+     */
     public Modem(
-            StationIdentity identity, Sim sim, StationOptions options, ModemListener listener, RandomGenerator random) {
+            StationIdentity identity,
+            Sim sim,
+            StationOptions options,
+            Function<Optional<Msisdn>, CallDecision> admission,
+            Consumer<StationEvent> listener,
+            RandomGenerator random) {
+        this.admission = admission;
         this.listener = listener;
-        station = new MobileStation(identity, sim, options, this::speak, new Ears(), random);
+        receiver = new DtmfReceiver(digit -> {
+            idleSamples = 0;
+            listener.accept(new ModemEvent.KeyDecided(digit));
+        });
+        station = new MobileStation(identity, sim, options, this::fillFrame, this::accept, random);
         replies = new Replies(station, listener);
     }
 
@@ -70,9 +93,9 @@ public final class Modem {
     }
 
     /**
-     * Queues a reply tone of 150 ms, 70 ms from its neighbours.
+     * Queues a reply tone of 150 ms, 70 ms from the next.
      *
-     * @return false if it was dropped, for want of an accepted call that is up
+     * @return false if there is no accepted and connected call
      */
     public boolean sendTone(DtmfKey key) {
         boolean heard = phase == Phase.ACCEPTED && connected;
@@ -82,22 +105,22 @@ public final class Modem {
         return heard;
     }
 
-    /** @return the message reference of the first part */
+    /** @return the message's id, as in {@link MobileStation#sendMessage} */
     public int sendSms(Msisdn to, String text) {
         return station.sendMessage(to, text);
     }
 
     /**
-     * As {@link #sendSms}, but a message that finds no service, or a network that is congested, is tried again for ten
-     * minutes before it fails; of more than twenty that wait the oldest fails.
+     * As {@link #sendSms}, but a message that finds no service or a congested network is sent again for 10 minutes before
+     * it fails; of more than 20 such messages the oldest fails.
      */
     public int reply(Msisdn to, String text) {
         return replies.send(to, text);
     }
 
-    /** While an order is under way the count of 60 s stands still; it starts again at every reply tone. */
-    public void setOrderUnderWay(boolean underWay) {
-        orderUnderWay = underWay;
+    /** While an order is being executed the count of 60 s stands still; every reply tone starts it again. */
+    public void setOrderUnderWay(boolean active) {
+        orderActive = active;
     }
 
     /** Ends the call with cause 16. @return false if there is none */
@@ -110,43 +133,57 @@ public final class Modem {
         generator.enqueue(key, TONE_MILLIS, PAUSE_MILLIS);
     }
 
-    private void toneLeft(DtmfKey key) {
-        leaving.add(key);
+    private void toneGenerated(DtmfKey key) {
+        generated.add(key);
     }
 
-    private void keyDecided(DtmfDigit digit) {
-        idleSamples = 0;
-        listener.key(digit);
-    }
-
-    /** The station asks for the next frame, every 20 ms: the modem's clock. */
-    private void speak(short[] frame) {
-        tellTonesSent();
+    /** Requested by the station every 20 ms: the modem's clock. */
+    private void fillFrame(short[] frame) {
+        reportTonesSent();
         if (phase != Phase.NONE && ++framesSinceHeard > SILENT_FRAMES) {
             station.clear(Cause.TEMPORARY_FAILURE);
         }
         generator.read(frame);
     }
 
-    private void tellTonesSent() {
-        for (DtmfKey key = leaving.poll(); key != null; key = leaving.poll()) {
+    private void reportTonesSent() {
+        for (DtmfKey key = generated.poll(); key != null; key = generated.poll()) {
             idleSamples = 0;
-            listener.toneSent(key);
+            listener.accept(new ModemEvent.ToneSent(key));
             if (phase == Phase.DENIED) {
                 station.clear(Cause.NORMAL_CALL_CLEARING);
             }
         }
     }
 
-    private void hear(short[] samples) {
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.SpeechReceived speech) {
+            hear(speech);
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            begin(admission.apply(ringing.from()));
+        } else if (event instanceof StationEvent.Connected) {
+            connected = true;
+            queue(greeting);
+            if (phase == Phase.ACCEPTED) {
+                listener.accept(event);
+            }
+        } else if (event instanceof StationEvent.Released) {
+            end(event);
+        } else {
+            replies.accept(event);
+        }
+    }
+
+    private void hear(StationEvent.SpeechReceived speech) {
         framesSinceHeard = 0;
         if (phase != Phase.ACCEPTED) {
             return;
         }
-        listener.heard(samples);
-        receiver.accept(samples);
-        listener.speechTime(samples.length);
-        idleSamples += orderUnderWay ? 0 : samples.length;
+        listener.accept(speech);
+        receiver.accept(speech.samples());
+        int count = speech.samples().length;
+        listener.accept(new ModemEvent.SpeechProcessed(count));
+        idleSamples += orderActive ? 0 : count;
         if (idleSamples >= IDLE_SAMPLES) {
             station.clear(Cause.NORMAL_CALL_CLEARING);
         }
@@ -156,79 +193,21 @@ public final class Modem {
         phase = decision.accepted() ? Phase.ACCEPTED : Phase.DENIED;
         greeting = decision.tone();
         connected = false;
-        orderUnderWay = false;
+        orderActive = false;
         idleSamples = 0;
         framesSinceHeard = 0;
         receiver.reset();
         station.answer();
     }
 
-    private void end(Cause cause) {
+    private void end(StationEvent released) {
         if (phase == Phase.NONE) {
             return;
         }
-        tellTonesSent();
+        reportTonesSent();
         phase = Phase.NONE;
         connected = false;
         generator.drop();
-        listener.callEnded(cause);
-    }
-
-    /** What the station tells. */
-    private final class Ears implements StationListener {
-        @Override
-        public void registered(Msisdn number) {
-            listener.registered(number);
-            replies.registered();
-        }
-
-        @Override
-        public void unregistered(Optional<RejectCause> cause) {
-            listener.unregistered(cause);
-        }
-
-        @Override
-        public void ringing(Optional<Msisdn> from) {
-            begin(listener.call(from));
-        }
-
-        @Override
-        public void connected(Optional<Msisdn> peer) {
-            connected = true;
-            queue(greeting);
-            if (phase == Phase.ACCEPTED) {
-                listener.connected(peer);
-            }
-        }
-
-        @Override
-        public void released(Cause cause) {
-            end(cause);
-        }
-
-        @Override
-        public void speechReceived(short[] samples) {
-            hear(samples);
-        }
-
-        @Override
-        public void messageReceived(String from, String text) {
-            listener.sms(from, text);
-        }
-
-        @Override
-        public void messageSent(int id, Msisdn to, int parts) {
-            replies.sent(id, to, parts);
-        }
-
-        @Override
-        public void messageFailed(int id, Msisdn to, RpCause cause) {
-            replies.failed(id, to, cause);
-        }
-
-        @Override
-        public void reminded() {
-            replies.reminded();
-        }
+        listener.accept(released);
     }
 }

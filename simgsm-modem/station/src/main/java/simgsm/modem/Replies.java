@@ -8,86 +8,105 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.station.MobileStation;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationEvent.MessageFailed;
+import simgsm.station.context.StationEvent.MessageSent;
 
 /**
- * Short messages that somebody waits for. The station gives one up that finds no service for 40 s; here it is kept and sent
- * anew as soon as there is service, or half a minute later where the network was there but refused for the time being. A
- * reply whose first dialogue broke off before its answer may come twice, which is better than never.
+ * Replies to short messages. A reply that fails for lack of service is kept and sent again at the next registration; one
+ * that a congested network refuses, after 30 s. If the first attempt was lost before its acknowledgement, the receiver may
+ * get the reply twice.
  */
 final class Replies {
-    /** So many are kept; of more the oldest is given up. */
-    static final int MOST_KEPT = 20;
-    /** Nobody waits longer. */
-    static final long PATIENCE_NANOS = TimeUnit.MINUTES.toNanos(10);
+    /** Of more replies that are kept the oldest fails. */
+    static final int MAX_KEPT = 20;
+    /** After this time a kept reply fails. */
+    static final long MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10);
 
-    /** What passes, of the temporary network failures in TS 24.011, table 8.4; 41 may mean that the message was taken. */
-    private static final Set<RpCause> PASSING =
+    /** Temporary network failures (TS 24.011, table 8.4) without 41, after which the message may have been taken. */
+    private static final Set<RpCause> TEMPORARY =
             EnumSet.of(RpCause.NETWORK_OUT_OF_ORDER, RpCause.CONGESTION, RpCause.RESOURCES_UNAVAILABLE);
 
+    /** @param id of the first attempt */
     private record Reply(int id, Msisdn to, String text, long sinceNanos) {}
 
     private final MobileStation station;
-    private final ModemListener listener;
-    /** By the reference of the present attempt. */
-    private final Map<Integer, Reply> underWay = new HashMap<>();
+    private final Consumer<StationEvent> listener;
+    /** By the id of the current attempt. */
+    private final Map<Integer, Reply> sending = new HashMap<>();
 
     private final Deque<Reply> kept = new ArrayDeque<>();
 
-    Replies(MobileStation station, ModemListener listener) {
+    /** @param listener receives the outcome under the id of the first attempt, and all other events */
+    Replies(MobileStation station, Consumer<StationEvent> listener) {
         this.station = station;
         this.listener = listener;
     }
 
-    /** @return the message reference of the first attempt, by which the reply is known to the listener */
+    /** @return the id of the first attempt */
     int send(Msisdn to, String text) {
         int id = station.sendMessage(to, text);
-        underWay.put(id, new Reply(id, to, text, station.nowNanos()));
+        sending.put(id, new Reply(id, to, text, station.nowNanos()));
         return id;
     }
 
-    void sent(int attempt, Msisdn to, int parts) {
-        Reply reply = underWay.remove(attempt);
-        listener.smsSent(reply == null ? attempt : reply.id(), to, parts);
+    void accept(StationEvent event) {
+        if (event instanceof MessageSent sent) {
+            Reply reply = sending.remove(sent.id());
+            listener.accept(reply == null ? sent : new MessageSent(reply.id(), sent.to(), sent.parts()));
+        } else if (event instanceof MessageFailed failed) {
+            failed(failed);
+        } else {
+            listener.accept(event);
+            if (event instanceof StationEvent.Registered) {
+                sendKept();
+            } else if (event instanceof StationEvent.ReminderDue) {
+                reminded();
+            }
+        }
     }
 
-    void failed(int attempt, Msisdn to, RpCause cause) {
-        Reply reply = underWay.remove(attempt);
-        if (reply != null && PASSING.contains(cause) && station.snapshot().powered()) {
+    private void failed(MessageFailed failure) {
+        Reply reply = sending.remove(failure.id());
+        if (reply == null) {
+            listener.accept(failure);
+        } else if (TEMPORARY.contains(failure.cause()) && station.snapshot().powered()) {
             keep(reply);
         } else {
-            listener.smsFailed(reply == null ? attempt : reply.id(), to, cause);
+            fail(reply, failure.cause());
         }
     }
 
     private void keep(Reply reply) {
-        if (kept.size() == MOST_KEPT) {
-            giveUp(kept.remove());
+        if (kept.size() == MAX_KEPT) {
+            fail(kept.remove(), RpCause.NETWORK_OUT_OF_ORDER);
         }
         kept.add(reply);
         station.remind();
     }
 
-    private void giveUp(Reply reply) {
-        listener.smsFailed(reply.id(), reply.to(), RpCause.NETWORK_OUT_OF_ORDER);
+    private void fail(Reply reply, RpCause cause) {
+        listener.accept(new MessageFailed(reply.id(), reply.to(), cause));
     }
 
-    void registered() {
+    private void sendKept() {
         List<Reply> all = List.copyOf(kept);
         kept.clear();
         for (Reply reply : all) {
-            underWay.put(station.sendMessage(reply.to(), reply.text()), reply);
+            sending.put(station.sendMessage(reply.to(), reply.text()), reply);
         }
     }
 
-    void reminded() {
-        while (!kept.isEmpty() && station.nowNanos() - kept.element().sinceNanos() >= PATIENCE_NANOS) {
-            giveUp(kept.remove());
+    private void reminded() {
+        while (!kept.isEmpty() && station.nowNanos() - kept.element().sinceNanos() >= MAX_AGE_NANOS) {
+            fail(kept.remove(), RpCause.NETWORK_OUT_OF_ORDER);
         }
         if (station.snapshot().registered()) {
-            registered();
+            sendKept();
         } else if (!kept.isEmpty()) {
             station.remind();
         }

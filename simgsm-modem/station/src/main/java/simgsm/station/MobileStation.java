@@ -1,6 +1,7 @@
 package simgsm.station;
 
 import java.lang.System.Logger.Level;
+import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Cause;
@@ -8,18 +9,34 @@ import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.sms.ChannelList;
+import simgsm.station.call.KeySignalling;
+import simgsm.station.call.MobileCall;
+import simgsm.station.call.MobileCallState;
+import simgsm.station.call.SpeechPath;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.StationTimer;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.MobileRegistration;
+import simgsm.station.mobility.MobileRegistrationEvent;
+import simgsm.station.mobility.MobilityMessages;
+import simgsm.station.mobility.ServiceRequests;
+import simgsm.station.mobility.Sim;
+import simgsm.station.sms.ShortMessages;
 
 /**
- * A mobile station as a deterministic core: frames, acts and time in; frames and {@link StationListener} calls out. It has
- * no thread, clock or socket of its own. One owner calls everything except {@link #snapshot}; acts happen at the time that
- * the owner told last.
+ * A mobile station as a deterministic core: frames, commands and time in; frames and {@link StationEvent}s out. It has no
+ * thread, clock or socket. One owner thread calls everything except {@link #snapshot}; commands happen at the time of the
+ * last call that carried one.
  */
-public final class MobileStation {
+public final class MobileStation implements StationCommands {
     /** {@link #nextDeadlineNanos} of a station that waits for nothing. */
     public static final long NO_DEADLINE = Long.MAX_VALUE;
 
-    private final StationParts parts;
-    private final StationKeepAlive keepAlive;
+    private final StationContext context;
+    private final ConnectionControl control;
     private final MobileRegistration registration;
     private final ServiceRequests services;
     private final MobilityMessages mobility;
@@ -27,62 +44,64 @@ public final class MobileStation {
     private final KeySignalling keys;
     private final MobileCall call;
     private final ShortMessages messages;
-    private final Dispatcher dispatcher;
+    private final MessageDispatcher dispatcher;
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
 
     /** A station that is switched on and has no link yet. */
     public MobileStation(
-            StationIdentity identity, Sim sim, StationOptions options, SpeechSource speech, StationListener listener) {
+            StationIdentity identity,
+            Sim sim,
+            StationOptions options,
+            SpeechSource speech,
+            Consumer<StationEvent> listener) {
         this(identity, sim, options, speech, listener, RandomGenerator.getDefault());
     }
 
-    /** @param random gives the first message reference and the speech stream its number */
+    /** @param random gives the first message reference and the synchronisation source of the speech stream */
     public MobileStation(
             StationIdentity identity,
             Sim sim,
             StationOptions options,
             SpeechSource speech,
-            StationListener listener,
+            Consumer<StationEvent> listener,
             RandomGenerator random) {
-        parts = new StationParts(identity, listener);
-        registration = new MobileRegistration(parts);
-        keepAlive = new StationKeepAlive(parts, registration::cellFound);
-        services = new ServiceRequests(parts, registration);
-        mobility = new MobilityMessages(parts, registration, services, sim);
-        this.speech = new SpeechPath(parts, options, speech, random.nextInt());
-        keys = new KeySignalling(parts);
-        call = new MobileCall(parts, services, this.speech, keys);
-        messages = new ShortMessages(parts, services, random.nextInt(256));
+        context = StationContext.of(identity, listener, this::settle);
+        registration = new MobileRegistration(context);
+        control = new ConnectionControl(context, registration::cellFound);
+        services = new ServiceRequests(context, registration);
+        mobility = new MobilityMessages(context, registration, services, sim);
+        this.speech = new SpeechPath(context, options.codec(), options.recorder(), speech, random.nextInt());
+        keys = new KeySignalling(context);
+        call = new MobileCall(context, services, this.speech, keys, options.callWaiting());
+        messages = new ShortMessages(context, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
-        dispatcher = new Dispatcher(parts, registration, services, mobility, call, keys, messages);
-        snapshot = present();
+        dispatcher = new MessageDispatcher(context, registration, services, mobility, call, keys, messages);
+        snapshot = current();
     }
 
     public StationIdentity identity() {
-        return parts.identity();
+        return context.identity();
     }
 
-    /** A connection to the centre is there. */
+    /** There is a connection to the centre. */
     public void linkUp(Uplink uplink, long nowNanos) {
         timePassed(nowNanos);
         linkUp = true;
-        parts.radio().linkUp(uplink);
-        speech.setUplink(uplink);
-        keepAlive.linkUp(uplink);
+        context.radio().setUplink(uplink);
+        control.linkUp();
         settle();
     }
 
-    /** The connection is lost, or could not be made. */
+    /** The connection is lost, or an attempt to connect has failed. */
     public void linkDown(long nowNanos) {
         timePassed(nowNanos);
         linkUp = false;
-        parts.radio().linkDown();
-        speech.setUplink(Uplink.DISCONNECTED);
-        keepAlive.linkDown();
+        context.radio().setUplink(Uplink.DISCONNECTED);
+        control.linkDown();
         mobility.forgetNetwork();
-        // A call that the link took with it is released before the loss of service is told.
+        // The end of a call is reported before the loss of service.
         call.lost();
         registration.linkLost();
         messages.linkLost();
@@ -92,38 +111,33 @@ public final class MobileStation {
 
     public void frameArrived(IpaFrame frame, long nowNanos) {
         timePassed(nowNanos);
-        keepAlive.heard();
+        control.heard();
         switch (frame.stream()) {
             case IpaFrame.RSL -> dispatcher.arrived(frame.payload());
             case IpaFrame.SPEECH -> speech.arrived(frame.payload());
-            case IpaFrame.CCM -> keepAlive.arrived(frame.payload());
-            default -> parts.log().trace(Level.DEBUG, "a frame of stream {0} dropped", frame.stream());
+            case IpaFrame.CCM -> control.arrived(frame.payload());
+            default -> context.log().trace(Level.DEBUG, "a frame of stream {0} dropped", frame.stream());
         }
         settle();
     }
 
-    /** Does what is due; calling it early or often is harmless. */
+    /** Runs the timers that have expired; may be called at any time. */
     public void timePassed(long nowNanos) {
-        parts.timers().advanceTo(nowNanos);
-        for (var timer = parts.timers().expired();
-                timer.isPresent();
-                timer = parts.timers().expired()) {
-            expired(timer.get());
-            settle();
-        }
+        context.timers().advanceTo(nowNanos);
     }
 
     /** When {@link #timePassed} is to be called next, or {@link #NO_DEADLINE}. */
     public long nextDeadlineNanos() {
-        return parts.timers().nextDeadlineNanos();
+        return context.timers().nextDeadlineNanos().orElse(NO_DEADLINE);
     }
 
+    @Override
     public void powerOn() {
-        registration.powerOn();
+        registration.fire(MobileRegistrationEvent.POWER_ON);
         settle();
     }
 
-    /** Ends a call with cause 16, detaches and says unregistered. */
+    @Override
     public void powerOff() {
         if (registration.isPowered()) {
             call.powerOff();
@@ -133,66 +147,45 @@ public final class MobileStation {
         }
     }
 
-    /** Calls a number; without service the call waits for it some seconds. @return false if a call is already under way or the station is off, and nothing happens */
+    @Override
     public boolean dial(Msisdn number) {
-        boolean dialled = registration.isPowered() && call.dial(number);
-        settle();
-        return dialled;
+        return settled(registration.isPowered() && call.dial(number));
     }
 
-    /** Takes the ringing call. @return false if none rings */
+    @Override
     public boolean answer() {
-        boolean answered = call.answer();
-        settle();
-        return answered;
+        return settled(call.answer());
     }
 
-    /**
-     * Ends the call: {@link StationListener#released} says 16. The caller of a call that rings hears that it was rejected
-     * (21). @return false if there is none
-     */
+    @Override
     public boolean hangUp() {
-        boolean cleared = call.hangUp();
-        settle();
-        return cleared;
+        return settled(call.hangUp());
     }
 
     /** Ends the call with this cause. @return false if there is none */
     public boolean clear(Cause cause) {
-        boolean cleared = call.clear(cause);
-        settle();
-        return cleared;
+        return settled(call.clear(cause));
     }
 
-    /**
-     * Signals a key to the network (START DTMF, STOP DTMF), which makes its sound for the far end: after those that wait, and
-     * not before the call is active.
-     *
-     * @param millis how long it sounds; 70 at least
-     */
+    @Override
     public void signalKey(DtmfKey key, int millis) {
         keys.press(key, millis);
         settle();
     }
 
-    /** Signals a key that sounds until {@link #letGoKey}; one that is still held is let go. */
+    @Override
     public void holdKey(DtmfKey key) {
         keys.hold(key);
         settle();
     }
 
-    /** The key that is held goes up; does nothing when none is. */
-    public void letGoKey() {
+    @Override
+    public void releaseKey() {
         keys.letGo();
         settle();
     }
 
-    /**
-     * Queues a text, cut into as many parts as it needs; a status report is asked for. Without service it waits for a while.
-     *
-     * @return the message reference of the first part, 0 to 255
-     * @throws IllegalArgumentException for a text of more than 255 parts
-     */
+    @Override
     public int sendMessage(Msisdn to, String text) {
         int id = messages.send(to, text);
         if (!registration.isPowered()) {
@@ -202,104 +195,74 @@ public final class MobileStation {
         return id;
     }
 
-    /** No room for messages: the network is told so (RP cause 22) when it brings one, and keeps it. */
-    public void memoryFull() {
-        messages.memoryFull();
-    }
-
-    /** Room again: if the network has been refused, it is told (RP-SMMA) and brings what it has kept. */
-    public void memoryAvailable() {
-        messages.memoryAvailable();
+    @Override
+    public void setMemoryAvailable(boolean available) {
+        messages.setMemoryAvailable(available);
         settle();
     }
 
-    /** Broadcasts on other channels are discarded from now on; at first all are wanted. */
-    public void wantBroadcasts(ChannelList channels) {
-        messages.wantBroadcasts(channels);
+    @Override
+    public void setChannels(ChannelList channels) {
+        messages.setChannels(channels);
     }
 
-    /** The time that the owner told last. */
+    /** The time of the last call that carried one. */
     public long nowNanos() {
-        return parts.timers().nowNanos();
+        return context.timers().nowNanos();
     }
 
-    /** Asks for one {@link StationListener#reminded} in half a minute; one that is asked for already comes instead. */
+    /** Requests one {@link StationEvent.ReminderDue} in 30 s, unless one is due already. */
     public void remind() {
-        if (!parts.timers().isRunning(StationTimer.REMINDER)) {
-            parts.timers().start(StationTimer.REMINDER);
+        if (!context.timers().isRunning(StationTimer.REMINDER)) {
+            context.timers().start(StationTimer.REMINDER, () -> context.events().add(new StationEvent.ReminderDue()));
         }
     }
 
-    /** The newest state; any thread may ask. */
+    @Override
     public StationSnapshot snapshot() {
         return snapshot;
     }
 
-    /** Whether nothing is under way that a link should stay for: no call, no detaching. */
+    /** Whether the link may be closed: there is none, or the station is off and detached. */
     boolean isDetached() {
-        return registration.state() == MobileRegistrationState.NULL || !linkUp;
-    }
-
-    private void expired(StationTimer timer) {
-        switch (timer) {
-            case T3210 -> registration.t3210Expired();
-            case T3211 -> registration.t3211Expired();
-            case T3220 -> registration.t3220Expired();
-            case T3230 -> services.t3230Expired();
-            case T3240 -> leaveIdleChannel();
-            case CALL_WAIT -> call.waitExpired();
-            case T303 -> call.expired(MobileCallEvent.T303_EXPIRED);
-            case T305 -> call.expired(MobileCallEvent.T305_EXPIRED);
-            case T308 -> call.t308Expired();
-            case T310 -> call.expired(MobileCallEvent.T310_EXPIRED);
-            case T313 -> call.expired(MobileCallEvent.T313_EXPIRED);
-            case TC1_OUTGOING, TC1_INCOMING, TR1M, MESSAGE_WAIT -> messages.expired(timer);
-            case T336, T337, KEY -> keys.expired(timer);
-            case SPEECH -> speak();
-            case REMINDER -> parts.notifications().add(StationListener::reminded);
-            case PING -> keepAlive.pingDue();
-            case IDENTITY -> keepAlive.identityExpired();
-        }
+        return registration.isOff() || !linkUp;
     }
 
     private void leaveIdleChannel() {
-        parts.radio().release();
+        context.radio().release();
         services.channelLeft();
     }
 
-    /** A call in which nothing comes any more is dead, even if nobody says so. */
-    private void speak() {
-        speech.frameDue();
-        if (speech.isDead() && call.expectsSpeech()) {
-            call.clear(Cause.TEMPORARY_FAILURE);
-        }
+    private boolean settled(boolean result) {
+        settle();
+        return result;
     }
 
-    /** The state is whole again: look after the idle channel, publish, tell. */
+    /** Follows each change: supervises the idle channel, publishes the snapshot, delivers the events. */
     private void settle() {
-        call.lookAtService();
-        watchIdleChannel();
-        StationSnapshot now = present();
+        call.checkService();
+        superviseIdleChannel();
+        StationSnapshot now = current();
         if (!now.equals(snapshot)) {
             snapshot = now;
-            parts.notifications().add(listener -> listener.stateChanged(now));
+            context.events().add(new StationEvent.StationChanged());
         }
-        parts.notifications().deliver();
+        context.events().deliver();
     }
 
-    private void watchIdleChannel() {
-        boolean idle = parts.radio().isOpen()
+    private void superviseIdleChannel() {
+        boolean idle = context.radio().isOpen()
                 && !registration.needsRadio()
                 && (services.isAborting()
                         || services.isIdle() && call.state() == MobileCallState.NULL && !messages.isBusy());
         if (!idle) {
-            parts.timers().stop(StationTimer.T3240);
-        } else if (!parts.timers().isRunning(StationTimer.T3240)) {
-            parts.timers().start(StationTimer.T3240);
+            context.timers().stop(StationTimer.T3240);
+        } else if (!context.timers().isRunning(StationTimer.T3240)) {
+            context.timers().start(StationTimer.T3240, this::leaveIdleChannel);
         }
     }
 
-    private StationSnapshot present() {
+    private StationSnapshot current() {
         return new StationSnapshot(
                 registration.isPowered(),
                 linkUp,

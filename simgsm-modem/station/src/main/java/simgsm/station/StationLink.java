@@ -8,6 +8,8 @@ import simgsm.abis.IpaFrame;
 import simgsm.net.Connection;
 import simgsm.net.Connector;
 import simgsm.net.SelectorLoop;
+import simgsm.station.context.StationLog;
+import simgsm.station.context.Uplink;
 import simgsm.timer.RateLimit;
 
 /** One station and its connection to the centre, which is made again whenever it is lost. Belongs to the stations' thread. */

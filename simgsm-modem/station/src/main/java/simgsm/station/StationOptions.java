@@ -4,17 +4,23 @@ import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 
 /**
- * How a station speaks, and who listens in.
+ * Options of a station.
  *
- * @param codec of the speech that it sends: A-law or GSM full rate; what it hears may be either at any time
- * @param listener receives the speech of all calls
+ * @param codec of the speech sent, A-law or GSM full rate; received speech may be either at any time
+ * @param recorder receives the speech of all calls
+ * @param callWaiting whether a second call may wait; else its caller is told that the user is busy
  */
-public record StationOptions(SpeechCodec.Kind codec, CallAudioListener listener) {
+public record StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder, boolean callWaiting) {
     public static final StationOptions STANDARD = new StationOptions(SpeechCodec.Kind.A_LAW, CallAudioListener.NONE);
 
     public StationOptions {
         if (codec == SpeechCodec.Kind.MU_LAW) {
-            throw new IllegalArgumentException("mu-law is not spoken here (expected A-law or GSM full rate)");
+            throw new IllegalArgumentException("expected A-law or GSM full rate, found mu-law");
         }
+    }
+
+    /** Without call waiting. */
+    public StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder) {
+        this(codec, recorder, false);
     }
 }

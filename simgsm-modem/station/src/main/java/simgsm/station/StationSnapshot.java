@@ -4,17 +4,18 @@ import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.call.MobileCallState;
 
 /**
- * A station as others see it, immutable.
+ * The state of a station, immutable.
  *
  * @param linkUp whether there is a connection to the centre
  * @param rejectCause why the network refused registration, if it did
- * @param cardRefused whether that was because the card could not prove itself
- * @param networkName the operator's name for the display, empty until the network tells it
- * @param peer the other party of the present call, if there is one and its number is known
- * @param codec of the speech that the station sends
- * @param heardCodec of the far end's newest speech in the present call, empty until some has come
+ * @param cardRefused whether it refused because the SIM failed authentication
+ * @param networkName the operator's name for the display, empty until the network sends it
+ * @param peer the other party of the current call, if its number is known
+ * @param codec of the speech sent
+ * @param heardCodec of the newest speech frame received in the current call
  */
 public record StationSnapshot(
         boolean powered,

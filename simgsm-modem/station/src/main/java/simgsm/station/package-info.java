@@ -1,8 +1,12 @@
 /**
- * The mobile station: registration, one call at a time, short messages. A pure core ({@link simgsm.station.MobileStation})
- * and the one thread that gives it time and a socket ({@link simgsm.station.StationThread}).
+ * One mobile station. A pure core ({@link simgsm.station.MobileStation}), and the one thread that gives it time and a
+ * socket ({@link simgsm.station.StationThread}).
  *
- * <p>Read first: {@link simgsm.station.MobileStation}, then {@link simgsm.station.StationListener}, then
- * {@link simgsm.station.CallState}.
+ * <p>Read first: {@link simgsm.station.MobileStation}, then {@link simgsm.station.StationCommands} and
+ * {@link simgsm.station.context.StationEvent}.
+ *
+ * <pre>
+ *   station --> call, sms --> mobility --> context
+ * </pre>
  */
 package simgsm.station;

@@ -39,7 +39,6 @@ import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.air.RelayMessage.RpAck;
-import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
@@ -50,13 +49,14 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.octets.OctetString;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.Sim;
-import simgsm.station.StationIdentity;
 import simgsm.station.StationOptions;
-import simgsm.station.Uplink;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.Sim;
 
 /** A modem with a network and a caller played for it; time passes in speech frames. */
-final class CalledModem implements Uplink, ModemListener {
+final class CalledModem implements Uplink {
     private static final long FRAME_NANOS = 20_000_000L;
     private static final TransactionIdentifier TRANSACTION = new TransactionIdentifier(0, false);
     static final Msisdn CALLER = new Msisdn("5550100");
@@ -65,7 +65,8 @@ final class CalledModem implements Uplink, ModemListener {
             StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM modem"),
             Sim.WITHOUT_KEY,
             StationOptions.STANDARD,
-            this,
+            this::decide,
+            this::accept,
             new Random(1));
     final List<String> told = new ArrayList<>();
     final List<Layer3Message> sent = new ArrayList<>();
@@ -80,7 +81,7 @@ final class CalledModem implements Uplink, ModemListener {
     });
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
 
-    CallDecision decision = CallDecision.accept(DtmfKey.ONE);
+    CallDecision decision = new CallDecision(true, DtmfKey.ONE);
     boolean callerSpeaks = true;
     Optional<RejectCause> refusal = Optional.empty();
     long speechTimeSamples;
@@ -238,44 +239,26 @@ final class CalledModem implements Uplink, ModemListener {
         fail("the modem drops the link");
     }
 
-    @Override
-    public CallDecision call(Optional<Msisdn> from) {
+    private CallDecision decide(Optional<Msisdn> from) {
         told.add("call " + from.orElseThrow());
         return decision;
     }
 
-    @Override
-    public void connected(Optional<Msisdn> from) {
-        told.add("connected " + from.orElseThrow());
-    }
-
-    @Override
-    public void key(DtmfDigit digit) {
-        told.add("key " + digit.key().symbol());
-    }
-
-    @Override
-    public void speechTime(int samples) {
-        speechTimeSamples += samples;
-    }
-
-    @Override
-    public void toneSent(DtmfKey key) {
-        told.add("tone " + key.symbol());
-    }
-
-    @Override
-    public void callEnded(Cause cause) {
-        told.add("ended " + cause.code());
-    }
-
-    @Override
-    public void smsSent(int id, Msisdn to, int parts) {
-        told.add("sms sent " + id);
-    }
-
-    @Override
-    public void smsFailed(int id, Msisdn to, RpCause cause) {
-        told.add("sms failed " + id + " " + cause.code());
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.Connected connected) {
+            told.add("connected " + connected.peer().orElseThrow());
+        } else if (event instanceof StationEvent.Released released) {
+            told.add("ended " + released.cause().code());
+        } else if (event instanceof StationEvent.MessageSent sent) {
+            told.add("sms sent " + sent.id());
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            told.add("sms failed " + failed.id() + " " + failed.cause().code());
+        } else if (event instanceof ModemEvent.KeyDecided decided) {
+            told.add("key " + decided.digit().key().symbol());
+        } else if (event instanceof ModemEvent.SpeechProcessed speech) {
+            speechTimeSamples += speech.samples();
+        } else if (event instanceof ModemEvent.ToneSent sent) {
+            told.add("tone " + sent.key().symbol());
+        }
     }
 }

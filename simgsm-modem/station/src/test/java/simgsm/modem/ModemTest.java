@@ -22,7 +22,7 @@ class ModemTest {
         scene.told.clear();
         scene.heardByCaller.setLength(0);
         scene.heardDigits.clear();
-        scene.decision = CallDecision.deny(DtmfKey.TWO);
+        scene.decision = new CallDecision(false, DtmfKey.TWO);
         scene.call();
         return scene;
     }

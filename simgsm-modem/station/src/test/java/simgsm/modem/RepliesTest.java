@@ -62,15 +62,15 @@ class RepliesTest {
     void ofMoreThanTwentyTheOldestIsGivenUp() {
         List<Integer> ids = new ArrayList<>();
         scene.refusal = Optional.of(RejectCause.CONGESTION);
-        for (int i = 0; i < Replies.MOST_KEPT + 1; i++) {
+        for (int i = 0; i < Replies.MAX_KEPT + 1; i++) {
             ids.add(reply());
             scene.pass(100);
         }
         assertEquals(List.of("sms failed " + ids.get(0) + " 38"), scene.told);
         scene.refusal = Optional.empty();
         scene.pass(MINUTE);
-        assertEquals(Replies.MOST_KEPT, scene.messagesSubmitted());
-        assertTrue(scene.told.contains("sms sent " + ids.get(Replies.MOST_KEPT)));
+        assertEquals(Replies.MAX_KEPT, scene.messagesSubmitted());
+        assertTrue(scene.told.contains("sms sent " + ids.get(Replies.MAX_KEPT)));
     }
 
     @Test

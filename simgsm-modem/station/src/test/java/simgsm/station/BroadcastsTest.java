@@ -21,16 +21,16 @@ class BroadcastsTest extends MessageStage {
         for (int round = 0; round < 2; round++) {
             pages.forEach(page -> scene.rsl(new RslMessage.SmsBroadcastCommand(page.encode())));
         }
-        assertEquals(List.of("broadcast 50 in 2: " + text), scene.told.lines());
+        assertEquals(List.of("broadcast 50 in 2: " + text), scene.reported.lines());
     }
 
     @Test
     void aPhoneThatIsOffShowsNoBroadcast() {
         scene.station.powerOff();
-        scene.told.clear();
+        scene.reported.clear();
         CellBroadcast.split("x", 50, BroadcastSerial.ofValue(0x4011), Optional.empty())
                 .forEach(page -> scene.rsl(new RslMessage.SmsBroadcastCommand(page.encode())));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
     }
 
     private void broadcast(int channel, int serial, String text) {
@@ -40,22 +40,22 @@ class BroadcastsTest extends MessageStage {
 
     @Test
     void onlyWantedChannelsAreShown() {
-        scene.station.wantBroadcasts(ChannelList.parse("50,900-999"));
+        scene.station.setChannels(ChannelList.parse("50,900-999"));
         broadcast(50, 0x4011, "area");
         broadcast(51, 0x4011, "unwanted");
         broadcast(919, 0x4011, "warning");
-        assertEquals(List.of("broadcast 50 in 1: area", "broadcast 919 in 1: warning"), scene.told.lines());
+        assertEquals(List.of("broadcast 50 in 1: area", "broadcast 919 in 1: warning"), scene.reported.lines());
     }
 
     @Test
     void whatWasDiscardedIsShownOnceItIsWantedAndRepeated() {
-        scene.station.wantBroadcasts(ChannelList.NONE);
+        scene.station.setChannels(ChannelList.NONE);
         broadcast(50, 0x4011, "again and again");
-        assertEquals(List.of(), scene.told.lines());
-        scene.station.wantBroadcasts(ChannelList.ALL);
+        assertEquals(List.of(), scene.reported.lines());
+        scene.station.setChannels(ChannelList.ALL);
         broadcast(50, 0x4011, "again and again");
         broadcast(50, 0x4011, "again and again");
-        assertEquals(List.of("broadcast 50 in 1: again and again"), scene.told.lines());
+        assertEquals(List.of("broadcast 50 in 1: again and again"), scene.reported.lines());
     }
 
     @Test
@@ -65,10 +65,10 @@ class BroadcastsTest extends MessageStage {
         scene.linkUp();
         scene.identify();
         scene.acceptLocationUpdating();
-        scene.told.clear();
+        scene.reported.clear();
         broadcast(50, 0x4010, "12 degrees");
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         broadcast(50, 0x4011, "13 degrees");
-        assertEquals(List.of("broadcast 50 in 1: 13 degrees"), scene.told.lines());
+        assertEquals(List.of("broadcast 50 in 1: 13 degrees"), scene.reported.lines());
     }
 }

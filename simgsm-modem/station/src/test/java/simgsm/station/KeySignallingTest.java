@@ -22,6 +22,7 @@ import simgsm.air.CallControl.StopDtmfAcknowledge;
 import simgsm.air.Cause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfKey;
+import simgsm.station.call.MobileCallState;
 
 /** Keys as messages: START DTMF, STOP DTMF, and the network's answers (TS 24.008, 5.5.7). */
 class KeySignallingTest {
@@ -37,7 +38,7 @@ class KeySignallingTest {
     private void connect() {
         scene.down(new Connect(own.answered()));
         scene.expect(ConnectAcknowledge.class);
-        scene.told.clear();
+        scene.reported.clear();
     }
 
     private Scene active() {
@@ -63,9 +64,9 @@ class KeySignallingTest {
         scene.pass(100 * Scene.MILLI - 1);
         scene.expectNothing();
         scene.pass(1);
-        assertEquals(List.of("sounds 5", "let go 5"), scene.told.lines());
+        assertEquals(List.of("sounds 5", "stopping 5"), scene.reported.lines());
         acknowledgeStop();
-        assertEquals(List.of("sounds 5", "let go 5", "left 5"), scene.told.lines());
+        assertEquals(List.of("sounds 5", "stopping 5", "completed 5"), scene.reported.lines());
         assertEquals(MobileCallState.ACTIVE, scene.station.snapshot().callState());
     }
 
@@ -101,16 +102,16 @@ class KeySignallingTest {
         acknowledgeStart('9');
         scene.pass(5 * Scene.SECOND);
         scene.expectNothing();
-        scene.station.letGoKey();
+        scene.station.releaseKey();
         acknowledgeStop();
-        scene.station.letGoKey();
+        scene.station.releaseKey();
         scene.expectNothing();
     }
 
     @Test
     void aHeldKeyThatIsLetGoBeforeTheAnswerSoundsItsLeast() {
         active().station.holdKey(DtmfKey.NINE);
-        scene.station.letGoKey();
+        scene.station.releaseKey();
         acknowledgeStart('9');
         scene.pass(70 * Scene.MILLI - 1);
         scene.expectNothing();
@@ -147,7 +148,7 @@ class KeySignallingTest {
         scene.down(new StartDtmfReject(own.answered(), Cause.SERVICE_NOT_AVAILABLE));
         scene.pass(Scene.SECOND);
         scene.expectNothing();
-        assertEquals(List.of("keys refused 63"), scene.told.lines());
+        assertEquals(List.of("keys refused 63"), scene.reported.lines());
         scene.station.signalKey(DtmfKey.THREE, 100);
         acknowledgeStart('3');
     }
@@ -157,17 +158,17 @@ class KeySignallingTest {
         active().station.signalKey(DtmfKey.ONE, 100);
         scene.expect(StartDtmf.class);
         keepAlive(10 * Scene.SECOND - 1);
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         scene.pass(1);
-        assertEquals(List.of("keys refused 102"), scene.told.lines());
-        scene.told.clear();
+        assertEquals(List.of("keys refused 102"), scene.reported.lines());
+        scene.reported.clear();
 
         scene.station.signalKey(DtmfKey.TWO, 100);
         acknowledgeStart('2');
         scene.pass(100 * Scene.MILLI);
         scene.expect(StopDtmf.class);
         keepAlive(10 * Scene.SECOND);
-        assertEquals(List.of("sounds 2", "let go 2", "keys refused 102"), scene.told.lines());
+        assertEquals(List.of("sounds 2", "stopping 2", "keys refused 102"), scene.reported.lines());
     }
 
     /** The far end goes on speaking, so that the call does not die. */
@@ -191,7 +192,7 @@ class KeySignallingTest {
         scene.expectNothing();
         scene.down(new ReleaseComplete(own.answered(), Optional.empty()));
         scene.releaseChannel();
-        assertEquals(List.of("released 16"), scene.told.lines());
+        assertEquals(List.of("released 16"), scene.reported.lines());
         active();
         scene.pass(Scene.SECOND);
         scene.expectNothing();
@@ -204,6 +205,6 @@ class KeySignallingTest {
         scene.down(new StartDtmfAcknowledge(own.answered(), '1'));
         scene.down(new StartDtmfReject(own.answered(), Cause.SERVICE_NOT_AVAILABLE));
         scene.expectNothing();
-        assertTrue(scene.told.lines().isEmpty());
+        assertTrue(scene.reported.lines().isEmpty());
     }
 }

@@ -19,13 +19,13 @@ class MessageReportsTest extends MessageStage {
         CpData data = expectSubmit();
         acknowledge(data);
         scene.expect(CpAck.class);
-        scene.told.clear();
+        scene.reported.clear();
         delivered(1, report(id, 0x30));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         delivered(2, report(id, 0x00));
-        assertEquals(List.of("delivered " + id + " to 5550200"), scene.told.lines());
+        assertEquals(List.of("delivered " + id + " to 5550200"), scene.reported.lines());
         delivered(3, report(id, 0x00));
-        assertEquals(List.of("delivered " + id + " to 5550200"), scene.told.lines());
+        assertEquals(List.of("delivered " + id + " to 5550200"), scene.reported.lines());
     }
 
     @Test
@@ -41,9 +41,10 @@ class MessageReportsTest extends MessageStage {
         CpData second = expectSubmit();
         acknowledge(second);
         scene.expect(CpAck.class);
-        assertEquals(List.of("sent " + id + " to 5550200 in 2"), scene.told.lines());
+        assertEquals(List.of("sent " + id + " to 5550200 in 2"), scene.reported.lines());
         delivered(2, report((id + 1) % 256, 0x00));
-        assertEquals(List.of("sent " + id + " to 5550200 in 2", "delivered " + id + " to 5550200"), scene.told.lines());
+        assertEquals(
+                List.of("sent " + id + " to 5550200 in 2", "delivered " + id + " to 5550200"), scene.reported.lines());
     }
 
     @Test
@@ -52,16 +53,16 @@ class MessageReportsTest extends MessageStage {
         scene.acceptService();
         acknowledge(expectSubmit());
         scene.expect(CpAck.class);
-        scene.told.clear();
+        scene.reported.clear();
         delivered(1, report(id, 0x00));
         int other = scene.station.sendMessage(Scene.OTHER, "hello");
         scene.acceptService();
         acknowledge(expectSubmit());
         scene.expect(CpAck.class);
-        scene.told.clear();
+        scene.reported.clear();
         delivered(2, report(other, 0x46));
         delivered(3, report(other, 0x00));
-        assertEquals(List.of("undelivered " + other + " to 5550200, status 70"), scene.told.lines());
+        assertEquals(List.of("undelivered " + other + " to 5550200, status 70"), scene.reported.lines());
     }
 
     @Test
@@ -74,9 +75,9 @@ class MessageReportsTest extends MessageStage {
         scene.down(new CmServiceAccept());
         acknowledge(expectSubmit());
         scene.expect(CpAck.class);
-        scene.told.clear();
+        scene.reported.clear();
         delivered(1, report(id, 0x46));
         delivered(2, report((id + 1) % 256, 0x46));
-        assertEquals(List.of("undelivered " + id + " to 5550200, status 70"), scene.told.lines());
+        assertEquals(List.of("undelivered " + id + " to 5550200, status 70"), scene.reported.lines());
     }
 }

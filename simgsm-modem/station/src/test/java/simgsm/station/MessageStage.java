@@ -20,6 +20,7 @@ import simgsm.sms.Timestamp;
 import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.station.context.StationIdentity;
 
 /** A registered station and a network, played by hand, that takes and brings short messages. */
 abstract class MessageStage {

@@ -32,6 +32,7 @@ import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
+import simgsm.station.call.MobileCallState;
 
 class MobileCallTest {
     /** As our own messages carry it, and as the network answers. */
@@ -58,7 +59,7 @@ class MobileCallTest {
         scene.down(new Alerting(TO_OWN));
         scene.down(new Connect(TO_OWN));
         scene.expect(new ConnectAcknowledge(OWN));
-        scene.told.clear();
+        scene.reported.clear();
         return scene;
     }
 
@@ -69,7 +70,7 @@ class MobileCallTest {
         scene.down(new Setup(THEIRS, Optional.of(Scene.OTHER), Optional.empty()));
         scene.expect(new CallConfirmed(TO_THEIRS));
         scene.expect(new Alerting(TO_THEIRS));
-        assertEquals(List.of("ringing 5550200"), scene.told.lines());
+        assertEquals(List.of("ringing 5550200"), scene.reported.lines());
         return scene;
     }
 
@@ -99,7 +100,7 @@ class MobileCallTest {
         assertEquals(0, scene.lastSendSequence);
         assertEquals(MobileCallState.ACTIVE, stateOf(scene));
         assertEquals(Optional.of(Scene.OTHER), scene.station.snapshot().peer());
-        assertEquals(List.of("calling 5550200", "alerting", "connected 5550200"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "alerting", "connected 5550200"), scene.reported.lines());
     }
 
     @Test
@@ -107,7 +108,7 @@ class MobileCallTest {
         Scene scene = dialled();
         scene.down(new Connect(TO_OWN));
         scene.expect(new ConnectAcknowledge(OWN));
-        assertEquals(List.of("calling 5550200", "connected 5550200"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "connected 5550200"), scene.reported.lines());
     }
 
     @Test
@@ -120,21 +121,21 @@ class MobileCallTest {
         assertTrue(scene.spoken.isEmpty());
         scene.down(new ConnectAcknowledge(THEIRS));
         assertEquals(MobileCallState.ACTIVE, stateOf(scene));
-        assertEquals(List.of("ringing 5550200", "connected 5550200"), scene.told.lines());
+        assertEquals(List.of("ringing 5550200", "connected 5550200"), scene.reported.lines());
         assertFalse(scene.station.answer());
     }
 
     @Test
     void aUserMayAnswerFromWithinTheRinging() {
         Scene scene = Scene.registered();
-        scene.told.answersAtOnce = true;
+        scene.reported.answersAtOnce = true;
         scene.page(Scene.TMSI);
         scene.expect(PagingResponse.class);
         scene.down(new Setup(THEIRS, Optional.empty(), Optional.empty()));
         scene.expect(new CallConfirmed(TO_THEIRS));
         scene.expect(new Alerting(TO_THEIRS));
         scene.expect(new Connect(TO_THEIRS));
-        assertEquals(List.of("ringing ?"), scene.told.lines());
+        assertEquals(List.of("ringing ?"), scene.reported.lines());
     }
 
     @Test
@@ -142,14 +143,14 @@ class MobileCallTest {
         Scene scene = active();
         assertTrue(scene.station.hangUp());
         scene.expect(new Disconnect(OWN, Cause.NORMAL_CALL_CLEARING));
-        assertEquals(List.of("released 16"), scene.told.lines());
+        assertEquals(List.of("released 16"), scene.reported.lines());
         assertEquals(MobileCallState.DISCONNECT_REQUEST, stateOf(scene));
         assertFalse(scene.station.hangUp());
         scene.down(new Release(TO_OWN, Optional.empty()));
         scene.expect(new ReleaseComplete(OWN, Optional.empty()));
         assertEquals(MobileCallState.NULL, stateOf(scene));
         scene.releaseChannel();
-        assertEquals(List.of("released 16"), scene.told.lines());
+        assertEquals(List.of("released 16"), scene.reported.lines());
     }
 
     @Test
@@ -160,14 +161,14 @@ class MobileCallTest {
         assertEquals(MobileCallState.RELEASE_REQUEST, stateOf(scene));
         scene.down(new ReleaseComplete(TO_OWN, Optional.empty()));
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 19"), scene.told.lines());
+        assertEquals(List.of("released 19"), scene.reported.lines());
     }
 
     @Test
     void aCallRefusedAtOnceIsReleasedWithItsCause() {
         Scene scene = dialled();
         scene.down(new ReleaseComplete(TO_OWN, Optional.of(Cause.UNASSIGNED_NUMBER)));
-        assertEquals(List.of("calling 5550200", "released 1"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 1"), scene.reported.lines());
         assertEquals(MobileCallState.NULL, stateOf(scene));
     }
 
@@ -177,7 +178,7 @@ class MobileCallTest {
         scene.down(new CallProceeding(TO_OWN));
         scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY));
         scene.expect(new Release(OWN, Optional.empty()));
-        assertEquals(List.of("calling 5550200", "released 17"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 17"), scene.reported.lines());
     }
 
     @Test
@@ -185,7 +186,7 @@ class MobileCallTest {
         Scene scene = active();
         scene.down(new Release(TO_OWN, Optional.of(Cause.NETWORK_OUT_OF_ORDER)));
         scene.expect(new ReleaseComplete(OWN, Optional.empty()));
-        assertEquals(List.of("released 38"), scene.told.lines());
+        assertEquals(List.of("released 38"), scene.reported.lines());
     }
 
     @Test
@@ -198,7 +199,7 @@ class MobileCallTest {
         scene.down(new Release(TO_OWN, Optional.empty()));
         scene.expectNothing();
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 16"), scene.told.lines());
+        assertEquals(List.of("released 16"), scene.reported.lines());
     }
 
     @Test
@@ -206,7 +207,7 @@ class MobileCallTest {
         Scene scene = ringing();
         scene.station.hangUp();
         scene.expect(new Disconnect(TO_THEIRS, Cause.CALL_REJECTED));
-        assertEquals(List.of("ringing 5550200", "released 16"), scene.told.lines());
+        assertEquals(List.of("ringing 5550200", "released 16"), scene.reported.lines());
     }
 
     @Test
@@ -215,7 +216,7 @@ class MobileCallTest {
         scene.down(new Disconnect(THEIRS, Cause.NORMAL_CALL_CLEARING));
         scene.expect(new Release(TO_THEIRS, Optional.empty()));
         assertFalse(scene.station.answer());
-        assertEquals(List.of("ringing 5550200", "released 16"), scene.told.lines());
+        assertEquals(List.of("ringing 5550200", "released 16"), scene.reported.lines());
     }
 
     @Test
@@ -225,7 +226,7 @@ class MobileCallTest {
         scene.down(new Setup(second, Optional.of(THIRD), Optional.empty()));
         scene.expect(new ReleaseComplete(second.answered(), Optional.of(Cause.USER_BUSY)));
         assertEquals(MobileCallState.ACTIVE, stateOf(scene));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         assertFalse(scene.station.dial(THIRD));
     }
 
@@ -249,9 +250,9 @@ class MobileCallTest {
         scene.linkDown();
         assertTrue(scene.station.dial(Scene.OTHER));
         scene.pass(5 * Scene.SECOND - 1);
-        assertEquals(List.of("unregistered", "calling 5550200"), scene.told.lines());
+        assertEquals(List.of("unregistered", "calling 5550200"), scene.reported.lines());
         scene.pass(1);
-        assertEquals(List.of("unregistered", "calling 5550200", "released 38"), scene.told.lines());
+        assertEquals(List.of("unregistered", "calling 5550200", "released 38"), scene.reported.lines());
         assertFalse(scene.station.hangUp());
     }
 
@@ -268,7 +269,7 @@ class MobileCallTest {
         scene.expect(new Setup(OWN, Optional.empty(), Optional.of(Scene.OTHER)));
         scene.pass(5 * Scene.SECOND);
         assertEquals(MobileCallState.CALL_INITIATED, stateOf(scene));
-        assertEquals(List.of("calling 5550200", "unregistered", "registered 5550100"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "unregistered", "registered 5550100"), scene.reported.lines());
     }
 
     @Test
@@ -278,7 +279,7 @@ class MobileCallTest {
         scene.identify();
         scene.station.dial(Scene.OTHER);
         scene.down(new LocationUpdatingReject(RejectCause.ILLEGAL_MS));
-        assertEquals(List.of("calling 5550200", "unregistered 3", "released 38"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "unregistered 3", "released 38"), scene.reported.lines());
     }
 
     @Test
@@ -288,7 +289,7 @@ class MobileCallTest {
         scene.identify();
         scene.down(new LocationUpdatingReject(RejectCause.ILLEGAL_MS));
         scene.station.dial(Scene.OTHER);
-        assertEquals(List.of("unregistered 3", "calling 5550200", "released 38"), scene.told.lines());
+        assertEquals(List.of("unregistered 3", "calling 5550200", "released 38"), scene.reported.lines());
     }
 
     @Test
@@ -300,7 +301,7 @@ class MobileCallTest {
         scene.identify();
         scene.acceptLocationUpdating();
         scene.expectNothing();
-        assertEquals(List.of("calling 5550200", "released 16", "registered 5550100"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 16", "registered 5550100"), scene.reported.lines());
     }
 
     @Test
@@ -320,7 +321,7 @@ class MobileCallTest {
         scene.station.dial(Scene.OTHER);
         scene.expect(CmServiceRequest.class);
         scene.down(new CmServiceReject(RejectCause.CONGESTION));
-        assertEquals(List.of("calling 5550200", "released 42"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 42"), scene.reported.lines());
     }
 
     @Test
@@ -329,15 +330,15 @@ class MobileCallTest {
         scene.station.dial(Scene.OTHER);
         scene.expect(CmServiceRequest.class);
         scene.pass(15 * Scene.SECOND - 1);
-        assertEquals(List.of("calling 5550200"), scene.told.lines());
+        assertEquals(List.of("calling 5550200"), scene.reported.lines());
         scene.pass(1);
-        assertEquals(List.of("calling 5550200", "released 38"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 38"), scene.reported.lines());
     }
 
     @Test
     void hangingUpBeforeTheServiceIsGrantedAbortsTheRequest() {
         Scene scene = hungUpBeforeTheService();
-        assertEquals(List.of("calling 5550200", "released 16"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 16"), scene.reported.lines());
         scene.releaseChannel();
         scene.expectNothing();
     }
@@ -400,7 +401,7 @@ class MobileCallTest {
         scene.expectFirst(CmServiceRequest.class);
         scene.down(new CmServiceAccept());
         assertEquals(Optional.of(THIRD), scene.expect(Setup.class).called());
-        assertEquals(List.of("released 16", "calling 5550999"), scene.told.lines());
+        assertEquals(List.of("released 16", "calling 5550999"), scene.reported.lines());
     }
 
     @Test
@@ -416,7 +417,7 @@ class MobileCallTest {
         scene.acceptService();
         assertEquals(
                 new TransactionIdentifier(1, false), scene.expect(Setup.class).transaction());
-        assertEquals(List.of("released 16", "calling 5550999"), scene.told.lines());
+        assertEquals(List.of("released 16", "calling 5550999"), scene.reported.lines());
     }
 
     @Test
@@ -425,7 +426,7 @@ class MobileCallTest {
         scene.station.hangUp();
         scene.station.dial(THIRD);
         assertTrue(scene.station.hangUp());
-        assertEquals(List.of("released 16", "calling 5550999", "released 16"), scene.told.lines());
+        assertEquals(List.of("released 16", "calling 5550999", "released 16"), scene.reported.lines());
     }
 
     @Test
@@ -435,7 +436,7 @@ class MobileCallTest {
         scene.expectNothing();
         scene.pass(1);
         scene.expect(new Disconnect(OWN, Cause.RECOVERY_ON_TIMER_EXPIRY));
-        assertEquals(List.of("calling 5550200", "released 102"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 102"), scene.reported.lines());
     }
 
     @Test
@@ -485,14 +486,14 @@ class MobileCallTest {
         assertEquals(MobileCallState.RELEASE_REQUEST, stateOf(scene));
         scene.pass(30 * Scene.SECOND);
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 16"), scene.told.lines());
+        assertEquals(List.of("released 16"), scene.reported.lines());
     }
 
     @Test
     void aLostLinkReleasesTheCallWithCause41() {
         Scene scene = active();
         scene.linkDown();
-        assertEquals(List.of("released 41", "unregistered"), scene.told.lines());
+        assertEquals(List.of("released 41", "unregistered"), scene.reported.lines());
         scene.spoken.clear();
         scene.pass(Scene.SECOND);
         assertTrue(scene.spoken.isEmpty());
@@ -503,7 +504,7 @@ class MobileCallTest {
     void aReleasedChannelTakesTheCallWithIt() {
         Scene scene = active();
         scene.releaseChannel();
-        assertEquals(List.of("released 41"), scene.told.lines());
+        assertEquals(List.of("released 41"), scene.reported.lines());
         assertEquals(MobileCallState.NULL, stateOf(scene));
     }
 
@@ -514,7 +515,7 @@ class MobileCallTest {
         scene.expect(new Disconnect(OWN, Cause.NORMAL_CALL_CLEARING));
         scene.expectReleaseIndication();
         scene.expectFirst(ImsiDetachIndication.class);
-        assertEquals(List.of("released 16", "unregistered"), scene.told.lines());
+        assertEquals(List.of("released 16", "unregistered"), scene.reported.lines());
     }
 
     @Test
@@ -540,7 +541,7 @@ class MobileCallTest {
         Scene scene = active();
         scene.downHex("8325");
         scene.expect(Release.class);
-        assertEquals(List.of("released 96"), scene.told.lines());
+        assertEquals(List.of("released 96"), scene.reported.lines());
     }
 
     @Test
@@ -582,7 +583,7 @@ class MobileCallTest {
         assertEquals(MobileCallState.ACTIVE, stateOf(scene));
         scene.down(new Status(TO_OWN, Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE, 0));
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 98"), scene.told.lines());
+        assertEquals(List.of("released 98"), scene.reported.lines());
     }
 
     @Test

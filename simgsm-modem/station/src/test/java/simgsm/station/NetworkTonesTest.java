@@ -21,6 +21,7 @@ import simgsm.air.CallControl.Setup;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
+import simgsm.station.call.MobileCallState;
 
 /** A network that lets its own tones be heard (TS 24.008, 5.5.1 and 5.4.4.1.1.1). */
 class NetworkTonesTest {
@@ -35,7 +36,7 @@ class NetworkTonesTest {
         scene.acceptService();
         scene.expect(Setup.class);
         scene.down(new CallProceeding(TO_OWN));
-        scene.told.clear();
+        scene.reported.clear();
         return scene;
     }
 
@@ -52,15 +53,15 @@ class NetworkTonesTest {
     void ringBackIsHeardBeforeTheCallIsConnected() {
         Scene scene = proceeding();
         scene.down(new Alerting(TO_OWN, true));
-        assertEquals(List.of("network tones", "alerting"), scene.told.lines());
+        assertEquals(List.of("network tones", "alerting"), scene.reported.lines());
         play(scene);
         play(scene);
-        assertEquals(2, scene.told.heard.size());
+        assertEquals(2, scene.reported.heard.size());
         scene.down(new Connect(TO_OWN));
         scene.expect(new ConnectAcknowledge(OWN));
-        assertEquals(List.of("network tones", "alerting", "connected 5550200", "own tones"), scene.told.lines());
+        assertEquals(List.of("network tones", "alerting", "connected 5550200", "own tones"), scene.reported.lines());
         play(scene);
-        assertEquals(3, scene.told.heard.size());
+        assertEquals(3, scene.reported.heard.size());
     }
 
     @Test
@@ -68,8 +69,8 @@ class NetworkTonesTest {
         Scene scene = proceeding();
         scene.down(new Alerting(TO_OWN));
         play(scene);
-        assertEquals(List.of("alerting"), scene.told.lines());
-        assertTrue(scene.told.heard.isEmpty());
+        assertEquals(List.of("alerting"), scene.reported.lines());
+        assertTrue(scene.reported.heard.isEmpty());
     }
 
     @Test
@@ -77,7 +78,7 @@ class NetworkTonesTest {
         Scene scene = proceeding();
         scene.down(new Progress(TO_OWN));
         play(scene);
-        assertEquals(1, scene.told.heard.size());
+        assertEquals(1, scene.reported.heard.size());
         scene.pass(60 * Scene.SECOND);
         assertEquals(MobileCallState.MO_CALL_PROCEEDING, stateOf(scene));
     }
@@ -89,14 +90,14 @@ class NetworkTonesTest {
         assertEquals(MobileCallState.DISCONNECT_INDICATION, stateOf(scene));
         scene.expectNothing();
         play(scene);
-        assertEquals(1, scene.told.heard.size());
+        assertEquals(1, scene.reported.heard.size());
         assertTrue(scene.station.hangUp());
         scene.expect(new Release(OWN, Optional.empty()));
         play(scene);
-        assertEquals(1, scene.told.heard.size());
+        assertEquals(1, scene.reported.heard.size());
         scene.down(new ReleaseComplete(TO_OWN, Optional.empty()));
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 17", "network tones", "own tones"), scene.told.lines());
+        assertEquals(List.of("released 17", "network tones", "own tones"), scene.reported.lines());
         assertFalse(scene.station.hangUp());
     }
 
@@ -107,7 +108,7 @@ class NetworkTonesTest {
         scene.down(new Release(TO_OWN, Optional.of(Cause.USER_BUSY)));
         scene.expect(new ReleaseComplete(OWN, Optional.empty()));
         assertEquals(MobileCallState.NULL, stateOf(scene));
-        assertEquals(List.of("released 17", "network tones", "own tones"), scene.told.lines());
+        assertEquals(List.of("released 17", "network tones", "own tones"), scene.reported.lines());
     }
 
     @Test
@@ -116,7 +117,7 @@ class NetworkTonesTest {
         scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
         scene.pass(11 * Scene.SECOND);
         scene.expect(new Release(OWN, Optional.empty()));
-        assertEquals(List.of("released 17", "network tones", "own tones"), scene.told.lines());
+        assertEquals(List.of("released 17", "network tones", "own tones"), scene.reported.lines());
     }
 
     @Test
@@ -126,7 +127,7 @@ class NetworkTonesTest {
         assertTrue(scene.station.dial(new Msisdn("5550300")));
         scene.expect(new Release(OWN, Optional.empty()));
         scene.down(new ReleaseComplete(TO_OWN, Optional.empty()));
-        assertEquals(List.of("released 17", "network tones", "own tones", "calling 5550300"), scene.told.lines());
+        assertEquals(List.of("released 17", "network tones", "own tones", "calling 5550300"), scene.reported.lines());
     }
 
     @Test
@@ -136,7 +137,7 @@ class NetworkTonesTest {
         scene.station.powerOff();
         assertEquals(
                 List.of("released 17", "network tones", "own tones"),
-                scene.told.lines().subList(0, 3));
+                scene.reported.lines().subList(0, 3));
         assertEquals(MobileCallState.NULL, stateOf(scene));
     }
 }

@@ -34,6 +34,7 @@ import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
 import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
+import simgsm.station.call.MobileCallState;
 
 /** A network that sends whatever it likes, a user who does whatever he likes, and time. */
 class RandomPeerTest {
@@ -50,13 +51,13 @@ class RandomPeerTest {
         int ended = 0;
         for (int step = 0; step < STEPS; step++) {
             doSomething();
-            for (String line : scene.told.lines()) {
+            for (String line : scene.reported.lines()) {
                 begun += line.startsWith("calling") || line.startsWith("ringing") ? 1 : 0;
                 ended += line.startsWith("released") ? 1 : 0;
-                assertTrue(begun == ended || begun == ended + 1, "step " + step + ": " + scene.told.lines());
+                assertTrue(begun == ended || begun == ended + 1, "step " + step + ": " + scene.reported.lines());
             }
-            scene.told.clear();
-            scene.told.heard.clear();
+            scene.reported.clear();
+            scene.reported.heard.clear();
             scene.up.clear();
             scene.ccm.clear();
             scene.spoken.clear();

@@ -24,6 +24,7 @@ import simgsm.sms.MessageSplitter;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.station.context.StationIdentity;
 
 /** What a station is brought. */
 class ReceivingMessagesTest extends MessageStage {
@@ -31,7 +32,7 @@ class ReceivingMessagesTest extends MessageStage {
     void aDeliveredMessageIsAcknowledgedAndToldOnce() {
         openForDelivery();
         delivered(7, deliver(UserData.of("hola")));
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
         scene.releaseChannel();
     }
 
@@ -40,7 +41,7 @@ class ReceivingMessagesTest extends MessageStage {
         openForDelivery();
         delivered(1, deliver(UserData.of("hola")));
         delivered(2, deliver(UserData.of("hola")));
-        assertEquals(List.of("message from 5550200: hola", "message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola", "message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
@@ -53,7 +54,7 @@ class ReceivingMessagesTest extends MessageStage {
         scene.expect(CpData.class);
         scene.expect(CpAck.class);
         scene.expectNothing();
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
@@ -73,7 +74,7 @@ class ReceivingMessagesTest extends MessageStage {
                         "unregistered",
                         "registered 5550100",
                         "message from 5550200: hola"),
-                scene.told.lines());
+                scene.reported.lines());
     }
 
     @Test
@@ -90,7 +91,7 @@ class ReceivingMessagesTest extends MessageStage {
         scene.pass(5 * Scene.SECOND);
         scene.expectNothing();
         delivered(2, tpdu);
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
@@ -102,7 +103,7 @@ class ReceivingMessagesTest extends MessageStage {
         scene.expect(CpData.class);
         scene.down(new CpError(THEIRS, 81));
         delivered(2, tpdu);
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
@@ -116,7 +117,7 @@ class ReceivingMessagesTest extends MessageStage {
         scene.down(new CpData(next, new RpData(2, StationIdentity.TEST_SERVICE_CENTER, tpdu)));
         scene.expect(new CpAck(next.answered()));
         scene.expect(new CpData(next.answered(), new RpAck(2, Optional.empty())));
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
@@ -126,9 +127,9 @@ class ReceivingMessagesTest extends MessageStage {
         List<UserData> parts = MessageSplitter.split(text, 9);
         delivered(1, deliver(parts.get(2)));
         delivered(2, deliver(parts.get(0)));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         delivered(3, deliver(parts.get(1)));
-        assertEquals(List.of("message from 5550200: " + text), scene.told.lines());
+        assertEquals(List.of("message from 5550200: " + text), scene.reported.lines());
     }
 
     @Test
@@ -138,7 +139,7 @@ class ReceivingMessagesTest extends MessageStage {
                 1,
                 TpduCodec.encode(new DeliverTpdu(
                         false, false, false, SmsAddress.ofLetters("SimGSM"), 0, NOON, UserData.of("x"))));
-        assertEquals(List.of("message from SimGSM: x"), scene.told.lines());
+        assertEquals(List.of("message from SimGSM: x"), scene.reported.lines());
     }
 
     @Test
@@ -149,7 +150,7 @@ class ReceivingMessagesTest extends MessageStage {
         RpError error = (RpError) scene.expect(CpData.class).relay();
         assertEquals(1, error.reference());
         assertTrue(List.of(96, 111).contains(error.cause().code()), error.toString());
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
     }
 
     @Test
@@ -177,9 +178,9 @@ class ReceivingMessagesTest extends MessageStage {
         scene.station.dial(Scene.OTHER);
         scene.acceptService();
         scene.expect(Setup.class);
-        scene.told.clear();
+        scene.reported.clear();
         delivered(1, deliver(UserData.of("hola")));
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     private void refused(int reference, OctetString tpdu) {
@@ -191,31 +192,31 @@ class ReceivingMessagesTest extends MessageStage {
 
     @Test
     void aMessageThatFindsNoRoomIsRefusedWithCause22AndTheNetworkIsToldWhenThereIsRoom() {
-        scene.station.memoryFull();
+        scene.station.setMemoryAvailable(false);
         openForDelivery();
         refused(1, deliver(UserData.of("hola")));
         scene.releaseChannel();
-        assertEquals(List.of(), scene.told.lines());
-        scene.station.memoryAvailable();
+        assertEquals(List.of(), scene.reported.lines());
+        scene.station.setMemoryAvailable(true);
         scene.acceptService();
         CpData notice = scene.expect(CpData.class);
         assertInstanceOf(RelayMessage.RpSmma.class, notice.relay());
         acknowledge(notice);
         scene.expect(new CpAck(notice.transaction()));
         delivered(2, deliver(UserData.of("hola")));
-        assertEquals(List.of("message from 5550200: hola"), scene.told.lines());
+        assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
     }
 
     @Test
     void withoutARefusalTheNetworkIsNotTold() {
-        scene.station.memoryFull();
-        scene.station.memoryAvailable();
+        scene.station.setMemoryAvailable(false);
+        scene.station.setMemoryAvailable(true);
         scene.expectNothing();
     }
 
     @Test
     void aFullStationStillTakesStatusReports() {
-        scene.station.memoryFull();
+        scene.station.setMemoryAvailable(false);
         openForDelivery();
         delivered(1, report(3, 0x00));
     }
@@ -226,7 +227,7 @@ class ReceivingMessagesTest extends MessageStage {
         OctetString tpdu = deliver(UserData.of("hola"));
         delivered(1, tpdu);
         scene.linkDown();
-        scene.station.memoryFull();
+        scene.station.setMemoryAvailable(false);
         scene.linkUp();
         scene.identify();
         scene.acceptLocationUpdating();
@@ -236,14 +237,14 @@ class ReceivingMessagesTest extends MessageStage {
 
     @Test
     void theNoticeOfMemoryWaitsItsTurnBehindMessages() {
-        scene.station.memoryFull();
+        scene.station.setMemoryAvailable(false);
         openForDelivery();
         refused(1, deliver(UserData.of("hola")));
         scene.releaseChannel();
         scene.station.sendMessage(Scene.OTHER, "first");
-        scene.station.memoryAvailable();
-        scene.station.memoryFull();
-        scene.station.memoryAvailable();
+        scene.station.setMemoryAvailable(true);
+        scene.station.setMemoryAvailable(false);
+        scene.station.setMemoryAvailable(true);
         scene.acceptService();
         CpData message = scene.expect(CpData.class);
         assertInstanceOf(RpData.class, message.relay());
@@ -259,11 +260,13 @@ class ReceivingMessagesTest extends MessageStage {
 
     @Test
     void aStationThatIsSwitchedOffForgetsTheNotice() {
-        scene.station.memoryFull();
+        scene.station.setMemoryAvailable(false);
         openForDelivery();
         refused(1, deliver(UserData.of("hola")));
-        scene.station.memoryAvailable();
+        scene.station.setMemoryAvailable(true);
         scene.station.powerOff();
-        assertFalse(scene.told.lines().contains("failed"), scene.told.lines().toString());
+        assertFalse(
+                scene.reported.lines().contains("failed"),
+                scene.reported.lines().toString());
     }
 }

@@ -32,6 +32,7 @@ import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
 import simgsm.octets.OctetString;
+import simgsm.station.mobility.Sim;
 
 class RegistrationTest {
     private static final OctetString RAND = OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35");
@@ -56,7 +57,7 @@ class RegistrationTest {
         scene.identify();
         scene.acceptLocationUpdating();
         assertEquals(1, scene.lastSendSequence);
-        assertEquals(List.of("registered 5550100"), scene.told.lines());
+        assertEquals(List.of("registered 5550100"), scene.reported.lines());
         assertTrue(scene.station.snapshot().registered());
         scene.releaseChannel();
         scene.expectNothing();
@@ -79,7 +80,7 @@ class RegistrationTest {
         Scene scene = new Scene();
         scene.linkDown();
         scene.linkDown();
-        assertEquals(List.of("unregistered"), scene.told.lines());
+        assertEquals(List.of("unregistered"), scene.reported.lines());
     }
 
     @Test
@@ -109,9 +110,9 @@ class RegistrationTest {
             scene.pass(1);
             pause = Math.min(2 * pause, 16 * Scene.SECOND);
         }
-        assertEquals(List.of("unregistered 3"), scene.told.lines());
+        assertEquals(List.of("unregistered 3"), scene.reported.lines());
         scene.acceptLocationUpdating();
-        assertEquals(List.of("unregistered 3", "registered 5550100"), scene.told.lines());
+        assertEquals(List.of("unregistered 3", "registered 5550100"), scene.reported.lines());
     }
 
     @Test
@@ -122,7 +123,7 @@ class RegistrationTest {
         scene.expectFirst(LocationUpdatingRequest.class);
         scene.pass(20 * Scene.SECOND);
         scene.expectReleaseIndication();
-        assertEquals(List.of("unregistered"), scene.told.lines());
+        assertEquals(List.of("unregistered"), scene.reported.lines());
         scene.pass(Scene.SECOND);
         scene.expectFirst(LocationUpdatingRequest.class);
     }
@@ -142,7 +143,7 @@ class RegistrationTest {
     void aLostLinkEndsServiceAndANewOneBringsItBack() {
         Scene scene = Scene.registered();
         scene.linkDown();
-        assertEquals(List.of("unregistered"), scene.told.lines());
+        assertEquals(List.of("unregistered"), scene.reported.lines());
         scene.pass(Scene.SECOND);
         scene.linkUp();
         scene.identify();
@@ -150,7 +151,7 @@ class RegistrationTest {
                 scene.identity.imsi(),
                 scene.expectFirst(LocationUpdatingRequest.class).identity());
         scene.down(new LocationUpdatingAccept(LocationArea.TEST, Optional.empty()));
-        assertEquals(List.of("unregistered", "registered 5550100"), scene.told.lines());
+        assertEquals(List.of("unregistered", "registered 5550100"), scene.reported.lines());
     }
 
     @Test
@@ -173,7 +174,7 @@ class RegistrationTest {
         scene.expect(new AuthenticationFailure(RejectCause.MAC_FAILURE, Optional.empty()));
         scene.down(new AuthenticationReject());
         scene.releaseChannel();
-        assertEquals(List.of("unregistered 3"), scene.told.lines());
+        assertEquals(List.of("unregistered 3"), scene.reported.lines());
         assertFalse(scene.station.snapshot().registered());
     }
 
@@ -188,7 +189,7 @@ class RegistrationTest {
         scene.releaseChannel();
         scene.pass(3_600 * Scene.SECOND);
         scene.expectNothing();
-        assertEquals(List.of("unregistered " + cause.code()), scene.told.lines());
+        assertEquals(List.of("unregistered " + cause.code()), scene.reported.lines());
         assertEquals(Optional.of(cause), scene.station.snapshot().rejectCause());
         assertFalse(scene.station.snapshot().cardRefused());
     }
@@ -228,16 +229,16 @@ class RegistrationTest {
         scene.linkUp();
         scene.identify();
         rejectCard(scene);
-        scene.told.clear();
+        scene.reported.clear();
         scene.station.dial(Scene.OTHER);
-        assertEquals(List.of("calling 5550200", "released 38"), scene.told.lines());
+        assertEquals(List.of("calling 5550200", "released 38"), scene.reported.lines());
         scene.expectNothing();
     }
 
     @Test
     void aCardWithAKeyAnswersAndItsKeySequenceIsUsed() {
         OctetString response = OctetString.ofHex("46f8416a");
-        Scene scene = new Scene((rand, autn) -> Sim.Answer.response(response));
+        Scene scene = new Scene((rand, autn) -> Sim.AuthenticationResult.response(response));
         scene.linkUp();
         scene.identify();
         scene.expect(LocationUpdatingRequest.class);
@@ -276,7 +277,7 @@ class RegistrationTest {
         Scene scene = Scene.registered();
         scene.station.powerOff();
         assertEquals(Scene.TMSI, scene.expectFirst(ImsiDetachIndication.class).identity());
-        assertEquals(List.of("unregistered"), scene.told.lines());
+        assertEquals(List.of("unregistered"), scene.reported.lines());
         assertFalse(scene.station.snapshot().powered());
         scene.releaseChannel();
         assertTrue(scene.station.isDetached());
@@ -352,7 +353,7 @@ class RegistrationTest {
         scene.downHex("05");
         scene.expectNothing();
         scene.grantLocationUpdating();
-        assertEquals(List.of("registered 5550100"), scene.told.lines());
+        assertEquals(List.of("registered 5550100"), scene.reported.lines());
     }
 
     @Test
@@ -386,7 +387,7 @@ class RegistrationTest {
         registered.releaseChannel();
         registered.page(next);
         assertEquals(next, registered.expectFirst(PagingResponse.class).identity());
-        assertEquals(List.of(), registered.told.lines());
+        assertEquals(List.of(), registered.reported.lines());
     }
 
     @Test

@@ -33,6 +33,9 @@ import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.Tmsi;
 import simgsm.octets.OctetString;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.Sim;
 
 /** A station on the stage: the network is played by hand, and so is the clock. */
 final class Scene implements Uplink {
@@ -43,7 +46,7 @@ final class Scene implements Uplink {
     static final long SECOND = 1_000 * MILLI;
 
     final StationIdentity identity = StationIdentity.ofOpenNumber(OWN, new Imei("490154203237518"), "SimGSM phone");
-    final Told told = new Told();
+    final ReportedEvents reported = new ReportedEvents();
     final short[] speech = new short[160];
     final Queue<RslMessage> up = new ArrayDeque<>();
     final Queue<CcmMessage> ccm = new ArrayDeque<>();
@@ -65,8 +68,8 @@ final class Scene implements Uplink {
 
     Scene(Sim sim, StationOptions options) {
         station = new MobileStation(
-                identity, sim, options, frame -> System.arraycopy(speech, 0, frame, 0, 160), told, new Random(1));
-        told.station = station;
+                identity, sim, options, frame -> System.arraycopy(speech, 0, frame, 0, 160), reported, new Random(1));
+        reported.station = station;
         station.timePassed(now);
     }
 
@@ -81,7 +84,7 @@ final class Scene implements Uplink {
         scene.identify();
         scene.acceptLocationUpdating();
         scene.releaseChannel();
-        scene.told.clear();
+        scene.reported.clear();
         scene.ccm.clear();
         return scene;
     }

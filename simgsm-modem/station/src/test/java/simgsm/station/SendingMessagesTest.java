@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.RslMessage.DataIndication;
 import simgsm.abis.RslMessage.Sapi;
@@ -29,6 +30,8 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
+import simgsm.station.call.MobileCallState;
+import simgsm.station.context.StationEvent;
 
 /** What a station hands in. */
 class SendingMessagesTest extends MessageStage {
@@ -49,10 +52,10 @@ class SendingMessagesTest extends MessageStage {
         assertTrue(submit.statusReportRequest());
         assertFalse(submit.rejectDuplicates());
         scene.down(new CpAck(data.transaction().answered()));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         scene.down(new CpData(data.transaction().answered(), new RpAck(id, Optional.empty())));
         scene.expect(new CpAck(data.transaction()));
-        assertEquals(List.of("sent " + id + " to 5550200 in 1"), scene.told.lines());
+        assertEquals(List.of("sent " + id + " to 5550200 in 1"), scene.reported.lines());
         scene.releaseChannel();
         scene.expectNothing();
     }
@@ -70,7 +73,7 @@ class SendingMessagesTest extends MessageStage {
             assertEquals((id + part - 1) % 256, submit.reference());
             assertEquals(part, submit.userData().concatenation().orElseThrow().part());
             arrived.append(submit.userData().text());
-            assertEquals(List.of(), scene.told.lines());
+            assertEquals(List.of(), scene.reported.lines());
             acknowledge(data);
             if (part < 3) {
                 // The next request goes before the acknowledgement, so that the network keeps the channel.
@@ -82,7 +85,7 @@ class SendingMessagesTest extends MessageStage {
             }
         }
         assertEquals(text, arrived.toString());
-        assertEquals(List.of("sent " + id + " to 5550200 in 3"), scene.told.lines());
+        assertEquals(List.of("sent " + id + " to 5550200 in 3"), scene.reported.lines());
     }
 
     @Test
@@ -93,7 +96,7 @@ class SendingMessagesTest extends MessageStage {
         CpData data = expectSubmit();
         scene.down(new CpAck(data.transaction().answered()));
         scene.down(new CpData(data.transaction().answered(), new RpError(id, RpCause.UNASSIGNED_NUMBER)));
-        assertEquals(List.of("failed " + id + " to 5550200 1"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 1"), scene.reported.lines());
         scene.expect(CmServiceRequest.class);
         scene.expect(CpAck.class);
         scene.down(new CmServiceAccept());
@@ -114,7 +117,7 @@ class SendingMessagesTest extends MessageStage {
             scene.expect(data);
         }
         scene.pass(5 * Scene.SECOND);
-        assertEquals(List.of("failed " + id + " to 5550200 41"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 41"), scene.reported.lines());
     }
 
     @Test
@@ -124,9 +127,9 @@ class SendingMessagesTest extends MessageStage {
         CpData data = expectSubmit();
         scene.down(new CpAck(data.transaction().answered()));
         scene.pass(40 * Scene.SECOND - 1);
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         scene.pass(1);
-        assertEquals(List.of("failed " + id + " to 5550200 41"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 41"), scene.reported.lines());
     }
 
     @Test
@@ -135,7 +138,7 @@ class SendingMessagesTest extends MessageStage {
         scene.acceptService();
         CpData data = expectSubmit();
         scene.down(new CpData(data.transaction().answered(), new RpAck(id, Optional.empty())));
-        assertEquals(List.of("sent " + id + " to 5550200 in 1"), scene.told.lines());
+        assertEquals(List.of("sent " + id + " to 5550200 in 1"), scene.reported.lines());
     }
 
     @Test
@@ -146,7 +149,7 @@ class SendingMessagesTest extends MessageStage {
         scene.down(new CpAck(data.transaction().answered()));
         scene.down(new CpData(data.transaction().answered(), new RpAck((id + 1) % 256, Optional.empty())));
         scene.expect(new CpAck(data.transaction()));
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
     }
 
     @Test
@@ -155,7 +158,7 @@ class SendingMessagesTest extends MessageStage {
         scene.acceptService();
         CpData data = expectSubmit();
         scene.down(new CpError(data.transaction().answered(), 22));
-        assertEquals(List.of("failed " + id + " to 5550200 42"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 42"), scene.reported.lines());
     }
 
     @Test
@@ -163,7 +166,7 @@ class SendingMessagesTest extends MessageStage {
         int id = scene.station.sendMessage(Scene.OTHER, "hello");
         scene.expect(CmServiceRequest.class);
         scene.down(new CmServiceReject(RejectCause.NETWORK_FAILURE));
-        assertEquals(List.of("failed " + id + " to 5550200 38"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 38"), scene.reported.lines());
     }
 
     @Test
@@ -176,7 +179,7 @@ class SendingMessagesTest extends MessageStage {
         scene.acceptLocationUpdating();
         scene.acceptService();
         acknowledge(expectSubmit());
-        assertTrue(scene.told.lines().contains("sent " + id + " to 5550200 in 1"));
+        assertTrue(scene.reported.lines().contains("sent " + id + " to 5550200 in 1"));
     }
 
     @Test
@@ -184,9 +187,9 @@ class SendingMessagesTest extends MessageStage {
         scene.linkDown();
         int id = scene.station.sendMessage(Scene.OTHER, "hello");
         scene.pass(40 * Scene.SECOND - 1);
-        assertEquals(List.of("unregistered"), scene.told.lines());
+        assertEquals(List.of("unregistered"), scene.reported.lines());
         scene.pass(1);
-        assertEquals(List.of("unregistered", "failed " + id + " to 5550200 38"), scene.told.lines());
+        assertEquals(List.of("unregistered", "failed " + id + " to 5550200 38"), scene.reported.lines());
     }
 
     @Test
@@ -204,7 +207,8 @@ class SendingMessagesTest extends MessageStage {
         assertEquals(submitIn(first).reference(), submitIn(second).reference());
         acknowledge(second);
         assertEquals(
-                List.of("unregistered", "registered 5550100", "sent " + id + " to 5550200 in 1"), scene.told.lines());
+                List.of("unregistered", "registered 5550100", "sent " + id + " to 5550200 in 1"),
+                scene.reported.lines());
     }
 
     @Test
@@ -215,7 +219,7 @@ class SendingMessagesTest extends MessageStage {
             expectSubmit();
             scene.releaseChannel();
         }
-        assertEquals(List.of("failed " + id + " to 5550200 38"), scene.told.lines());
+        assertEquals(List.of("failed " + id + " to 5550200 38"), scene.reported.lines());
         scene.expectNothing();
     }
 
@@ -238,7 +242,7 @@ class SendingMessagesTest extends MessageStage {
     void aStationThatIsOffRefusesAtOnce() {
         scene.station.powerOff();
         int id = scene.station.sendMessage(Scene.OTHER, "hello");
-        assertEquals(List.of("unregistered", "failed " + id + " to 5550200 38"), scene.told.lines());
+        assertEquals(List.of("unregistered", "failed " + id + " to 5550200 38"), scene.reported.lines());
     }
 
     @Test
@@ -248,7 +252,7 @@ class SendingMessagesTest extends MessageStage {
         scene.station.powerOff();
         assertEquals(
                 List.of("failed " + first + " to 5550200 38", "failed " + second + " to 5550200 38", "unregistered"),
-                scene.told.lines());
+                scene.reported.lines());
     }
 
     @Test
@@ -260,12 +264,28 @@ class SendingMessagesTest extends MessageStage {
     }
 
     @Test
-    void referencesComeRoundAfter255() {
+    void referencesComeRoundAfter255AndIdsDoNot() {
         int first = scene.station.sendMessage(Scene.OTHER, "x");
-        for (int i = 1; i < 256; i++) {
-            assertEquals((first + i) % 256, scene.station.sendMessage(Scene.OTHER, "x"));
+        for (int i = 1; i <= 256; i++) {
+            int id = scene.station.sendMessage(Scene.OTHER, "x");
+            assertEquals(first + i, id);
+            assertEquals((first + i) % 256, new StationEvent.MessageSent(id, Scene.OTHER, 1).reference());
         }
-        assertEquals(first, scene.station.sendMessage(Scene.OTHER, "x"));
+        for (int i = 0; i <= 256; i++) {
+            scene.acceptService();
+            if (i > 0) {
+                scene.expect(CpAck.class);
+            }
+            CpData data = expectSubmit();
+            assertEquals((first + i) % 256, data.relay().reference());
+            assertEquals((first + i) % 256, submitIn(data).reference());
+            acknowledge(data);
+        }
+        assertEquals(
+                IntStream.rangeClosed(first, first + 256)
+                        .mapToObj(id -> "sent " + id + " to 5550200 in 1")
+                        .toList(),
+                scene.reported.lines());
     }
 
     @Test

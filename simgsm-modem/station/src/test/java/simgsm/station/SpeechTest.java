@@ -44,7 +44,7 @@ class SpeechTest {
         assertTrue(scene.spoken.isEmpty(), "nothing is said before the call is active");
         scene.down(new Connect(own.answered()));
         scene.expect(ConnectAcknowledge.class);
-        scene.told.heard.clear();
+        scene.reported.heard.clear();
     }
 
     private void speak(int sequence, byte octet) {
@@ -55,7 +55,7 @@ class SpeechTest {
     }
 
     private boolean isSilence(int frame) {
-        return Arrays.equals(new short[160], scene.told.heard.get(frame));
+        return Arrays.equals(new short[160], scene.reported.heard.get(frame));
     }
 
     @Test
@@ -104,8 +104,8 @@ class SpeechTest {
     void heardFramesAreHandedOnInOrder() {
         speak(100, LOUD);
         speak(101, LOUD);
-        assertEquals(2, scene.told.heard.size());
-        assertEquals(160, scene.told.heard.get(0).length);
+        assertEquals(2, scene.reported.heard.size());
+        assertEquals(160, scene.reported.heard.get(0).length);
         assertTrue(!isSilence(0) && !isSilence(1));
     }
 
@@ -113,7 +113,7 @@ class SpeechTest {
     void lostFramesBecomeSilenceOfTheirLength() {
         speak(0xfffe, LOUD);
         speak(0x0002, LOUD);
-        assertEquals(5, scene.told.heard.size());
+        assertEquals(5, scene.reported.heard.size());
         assertTrue(isSilence(1) && isSilence(2) && isSilence(3));
         assertTrue(!isSilence(4));
     }
@@ -124,16 +124,16 @@ class SpeechTest {
         speak(101, LOUD);
         speak(100, LOUD);
         speak(101, LOUD);
-        assertEquals(2, scene.told.heard.size());
+        assertEquals(2, scene.reported.heard.size());
     }
 
     @Test
     void aLeapOfMoreThanASecondIsANewStream() {
         speak(100, LOUD);
         speak(151, LOUD);
-        assertEquals(52, scene.told.heard.size());
+        assertEquals(52, scene.reported.heard.size());
         speak(152 + 51, LOUD);
-        assertEquals(53, scene.told.heard.size());
+        assertEquals(53, scene.reported.heard.size());
     }
 
     @Test
@@ -141,11 +141,11 @@ class SpeechTest {
         byte[] payload = SpeechCodec.Kind.GSM_FULL_RATE.open().encode(new short[160]);
         byte[] packet = new RtpPacket(RtpPacket.GSM_FULL_RATE, 0, 0, 77, payload).encode();
         scene.frame(IpaFrame.SPEECH, packet);
-        assertEquals(1, scene.told.heard.size());
-        assertEquals(160, scene.told.heard.get(0).length);
+        assertEquals(1, scene.reported.heard.size());
+        assertEquals(160, scene.reported.heard.get(0).length);
         packet[1] = 0;
         scene.frame(IpaFrame.SPEECH, packet);
-        assertEquals(1, scene.told.heard.size());
+        assertEquals(1, scene.reported.heard.size());
     }
 
     @Test
@@ -181,7 +181,7 @@ class SpeechTest {
                 Optional.of(SpeechCodec.Kind.GSM_FULL_RATE),
                 scene.station.snapshot().heardCodec());
         speak(12, LOUD);
-        assertEquals(3, scene.told.heard.size());
+        assertEquals(3, scene.reported.heard.size());
         assertTrue(!isSilence(0) && !isSilence(2));
         scene.station.hangUp();
         assertEquals(Optional.empty(), scene.station.snapshot().heardCodec());
@@ -189,23 +189,23 @@ class SpeechTest {
 
     @Test
     void aCallInWhichNothingComesFor10SecondsIsReleasedWithCause41() {
-        scene.told.clear();
+        scene.reported.clear();
         scene.pass(5 * Scene.SECOND);
         speak(10, LOUD);
         scene.pass(10 * Scene.SECOND - 20 * Scene.MILLI);
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
         scene.pass(20 * Scene.MILLI);
-        assertEquals(List.of("released 41"), scene.told.lines());
+        assertEquals(List.of("released 41"), scene.reported.lines());
         scene.expect(Disconnect.class);
     }
 
     @Test
     void aPauseOfTheOwnerIsNoSilence() {
-        scene.told.clear();
+        scene.reported.clear();
         scene.now += 60 * Scene.SECOND;
         scene.station.timePassed(scene.now);
         scene.pass(9 * Scene.SECOND);
-        assertEquals(List.of(), scene.told.lines());
+        assertEquals(List.of(), scene.reported.lines());
     }
 
     @Test
@@ -257,7 +257,7 @@ class SpeechTest {
         speak(1, LOUD);
         scene.pass(Scene.SECOND);
         assertTrue(scene.spoken.isEmpty());
-        assertTrue(scene.told.heard.isEmpty());
+        assertTrue(scene.reported.heard.isEmpty());
         assertEquals(Optional.of(Scene.OTHER), scene.station.snapshot().peer());
     }
 }

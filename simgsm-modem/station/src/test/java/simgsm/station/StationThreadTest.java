@@ -16,6 +16,7 @@ import java.util.Random;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -37,8 +38,11 @@ import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.ChannelRelease;
-import simgsm.air.RejectCause;
 import simgsm.octets.OctetString;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /** The thread against a real socket; what it tells is awaited, never timed. */
 @Timeout(30)
@@ -55,14 +59,10 @@ class StationThreadTest {
     }
 
     private MobileStation station(String number) {
-        StationListener listener = new StationListener() {
-            @Override
-            public void registered(Msisdn registered) {
-                told.add("registered " + registered);
-            }
-
-            @Override
-            public void unregistered(Optional<RejectCause> cause) {
+        Consumer<StationEvent> listener = event -> {
+            if (event instanceof StationEvent.Registered registered) {
+                told.add("registered " + registered.number());
+            } else if (event instanceof StationEvent.Unregistered) {
                 told.add("unregistered " + number);
             }
         };

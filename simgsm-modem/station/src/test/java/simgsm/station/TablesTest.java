@@ -11,10 +11,24 @@ import java.util.Queue;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simgsm.state.StateTable;
+import simgsm.station.call.KeySignallingEvent;
+import simgsm.station.call.KeySignallingState;
+import simgsm.station.call.KeySignallingTable;
+import simgsm.station.call.MobileCallAction;
+import simgsm.station.call.MobileCallEvent;
+import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable;
+import simgsm.station.mobility.MobileRegistrationEvent;
+import simgsm.station.mobility.MobileRegistrationState;
+import simgsm.station.mobility.MobileRegistrationTable;
+import simgsm.station.sms.OutgoingMessageAction;
+import simgsm.station.sms.OutgoingMessageEvent;
+import simgsm.station.sms.OutgoingMessageState;
+import simgsm.station.sms.OutgoingMessageTable;
 
 /** Walks all states of each machine with all events. */
 class TablesTest {
-    private static final Set<MobileCallState> TOLD_OF_RELEASE = EnumSet.of(
+    private static final Set<MobileCallState> RELEASE_REPORTED = EnumSet.of(
             MobileCallState.NULL,
             MobileCallState.DISCONNECT_REQUEST,
             MobileCallState.DISCONNECT_INDICATION,
@@ -23,8 +37,8 @@ class TablesTest {
     @Test
     void theEndOfACallIsToldExactlyOnceOnEveryWay() {
         forAllCallRows((state, event, row) -> {
-            boolean begins = !TOLD_OF_RELEASE.contains(state) && TOLD_OF_RELEASE.contains(row.next());
-            int told = Collections.frequency(row.actions(), MobileCallAction.TELL_RELEASED);
+            boolean begins = !RELEASE_REPORTED.contains(state) && RELEASE_REPORTED.contains(row.next());
+            int told = Collections.frequency(row.actions(), MobileCallAction.REPORT_RELEASED);
             assertEquals(begins ? 1 : 0, told, state + " " + event);
         });
     }
@@ -64,13 +78,13 @@ class TablesTest {
         for (MobileCallState state : MobileCallState.values()) {
             assertEquals(
                     MobileCallState.NULL,
-                    MobileCallTable.ROWS
+                    MobileCallTable.TABLE
                             .row(state, MobileCallEvent.RADIO_LOST)
                             .orElseThrow()
                             .next());
             assertEquals(
                     MobileCallState.NULL,
-                    MobileCallTable.ROWS
+                    MobileCallTable.TABLE
                             .row(state, MobileCallEvent.POWER_OFF)
                             .orElseThrow()
                             .next());
@@ -81,7 +95,8 @@ class TablesTest {
     void everyCallStateCanBeReached() {
         assertEquals(
                 EnumSet.allOf(MobileCallState.class),
-                reachable(MobileCallTable.ROWS, MobileCallState.NULL, MobileCallState.class, MobileCallEvent.values()));
+                reachable(
+                        MobileCallTable.TABLE, MobileCallState.NULL, MobileCallState.class, MobileCallEvent.values()));
     }
 
     @Test
@@ -89,8 +104,8 @@ class TablesTest {
         assertEquals(
                 EnumSet.allOf(MobileRegistrationState.class),
                 reachable(
-                        MobileRegistrationTable.ROWS,
-                        MobileRegistrationState.NO_CELL_AVAILABLE,
+                        MobileRegistrationTable.TABLE,
+                        MobileRegistrationState.NULL,
                         MobileRegistrationState.class,
                         MobileRegistrationEvent.values()));
     }
@@ -98,30 +113,43 @@ class TablesTest {
     @Test
     void everyOutgoingStateCanBeReached() {
         assertEquals(
-                EnumSet.allOf(OutgoingState.class),
-                reachable(OutgoingTable.ROWS, OutgoingState.IDLE, OutgoingState.class, OutgoingEvent.values()));
+                EnumSet.allOf(OutgoingMessageState.class),
+                reachable(
+                        OutgoingMessageTable.TABLE,
+                        OutgoingMessageState.IDLE,
+                        OutgoingMessageState.class,
+                        OutgoingMessageEvent.values()));
     }
 
     @Test
     void everyKeyStateCanBeReachedAndLeftByTheEndOfTheCall() {
         assertEquals(
-                EnumSet.allOf(KeyState.class),
-                reachable(KeyTable.ROWS, KeyState.IDLE, KeyState.class, KeyEvent.values()));
-        for (KeyState state : KeyState.values()) {
+                EnumSet.allOf(KeySignallingState.class),
+                reachable(
+                        KeySignallingTable.TABLE,
+                        KeySignallingState.IDLE,
+                        KeySignallingState.class,
+                        KeySignallingEvent.values()));
+        for (KeySignallingState state : KeySignallingState.values()) {
             assertEquals(
-                    KeyState.IDLE,
-                    KeyTable.ROWS.row(state, KeyEvent.CALL_ENDED).orElseThrow().next());
+                    KeySignallingState.IDLE,
+                    KeySignallingTable.TABLE
+                            .row(state, KeySignallingEvent.CALL_ENDED)
+                            .orElseThrow()
+                            .next());
         }
     }
 
     @Test
     void everyEndOfAMessageIsToldExactlyOnce() {
-        for (OutgoingState state : OutgoingState.values()) {
-            for (OutgoingEvent event : OutgoingEvent.values()) {
-                OutgoingTable.ROWS.row(state, event).ifPresent(row -> {
-                    boolean ends = state != OutgoingState.IDLE && row.next() == OutgoingState.IDLE;
+        for (OutgoingMessageState state : OutgoingMessageState.values()) {
+            for (OutgoingMessageEvent event : OutgoingMessageEvent.values()) {
+                OutgoingMessageTable.TABLE.row(state, event).ifPresent(row -> {
+                    boolean ends = state != OutgoingMessageState.IDLE && row.next() == OutgoingMessageState.IDLE;
                     long told = row.actions().stream()
-                            .filter(EnumSet.of(OutgoingAction.TELL_SENT, OutgoingAction.TELL_FAILED)::contains)
+                            .filter(
+                                    EnumSet.of(OutgoingMessageAction.REPORT_SENT, OutgoingMessageAction.REPORT_FAILED)
+                                            ::contains)
                             .count();
                     assertEquals(ends ? 1 : 0, told, state + " " + event);
                 });
@@ -133,7 +161,7 @@ class TablesTest {
     void everyRegistrationStateCanLoseTheLink() {
         for (MobileRegistrationState state : MobileRegistrationState.values()) {
             assertTrue(
-                    MobileRegistrationTable.ROWS
+                    MobileRegistrationTable.TABLE
                             .row(state, MobileRegistrationEvent.LINK_LOST)
                             .isPresent(),
                     state.name());
@@ -159,7 +187,7 @@ class TablesTest {
     private static void forAllCallRows(RowCheck check) {
         for (MobileCallState state : MobileCallState.values()) {
             for (MobileCallEvent event : MobileCallEvent.values()) {
-                MobileCallTable.ROWS.row(state, event).ifPresent(row -> check.check(state, event, row));
+                MobileCallTable.TABLE.row(state, event).ifPresent(row -> check.check(state, event, row));
             }
         }
     }

@@ -1,13 +1,13 @@
 package simgsm.phone.handset;
 
-/** The call as its user sees it. */
+/** The phases of a call for its user. */
 public enum CallPhase {
     NONE,
-    /** One's own call, on its way. */
+    /** Originated here, not yet ringing at the far end. */
     CALLING,
-    /** The other phone rings. */
+    /** The called phone rings. */
     ALERTING,
-    /** Somebody calls. */
+    /** An incoming call. */
     RINGING,
     CONNECTED
 }

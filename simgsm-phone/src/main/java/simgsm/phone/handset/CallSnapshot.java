@@ -5,14 +5,14 @@ import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
 
 /**
- * The present call, or what is left of the last one.
+ * The current call, or the last one.
  *
- * @param number the other party, empty if unknown
- * @param seconds since it was connected, counted in speech
- * @param keyed what was keyed in it, newest last
- * @param heard what the far end has keyed, newest last
- * @param waiting who calls meanwhile, empty if unknown
- * @param ended why the last call ended, until the next key or call
+ * @param number of the other party, empty if unknown
+ * @param seconds since the call was connected, counted in speech
+ * @param keyed the keys sent, newest last
+ * @param heard the keys received, newest last
+ * @param ended the cause of the release, until the next key or call
+ * @param waiting number of a second caller, empty text if unknown
  */
 public record CallSnapshot(
         CallPhase phase,
@@ -30,17 +30,17 @@ public record CallSnapshot(
         return new CallSnapshot(phase, number, 0, "", "", Optional.empty(), Optional.empty());
     }
 
-    /** The key heard last from the far end. */
+    /** The newest key from the far end. */
     public Optional<DtmfKey> tone() {
         return heard.isEmpty() ? Optional.empty() : Optional.of(DtmfKey.of(heard.charAt(heard.length() - 1)));
     }
 
-    CallSnapshot in(CallPhase next, String itsNumber) {
-        return new CallSnapshot(next, itsNumber, seconds, keyed, heard, ended, waiting);
+    CallSnapshot in(CallPhase next, String newNumber) {
+        return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting);
     }
 
-    CallSnapshot at(int nowSeconds) {
-        return new CallSnapshot(phase, number, nowSeconds, keyed, heard, ended, waiting);
+    CallSnapshot at(int newSeconds) {
+        return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting);
     }
 
     CallSnapshot withKeyed(char key) {
@@ -51,15 +51,15 @@ public record CallSnapshot(
         return new CallSnapshot(phase, number, seconds, keyed, newest(heard + key), ended, waiting);
     }
 
-    CallSnapshot over(Cause cause) {
+    CallSnapshot ended(Cause cause) {
         return new CallSnapshot(CallPhase.NONE, number, seconds, keyed, heard, Optional.of(cause), Optional.empty());
     }
 
-    CallSnapshot withWaiting(Optional<String> who) {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, who);
+    CallSnapshot withWaiting(Optional<String> caller) {
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, caller);
     }
 
-    CallSnapshot withoutEnd() {
+    CallSnapshot withoutCause() {
         return new CallSnapshot(phase, number, seconds, keyed, heard, Optional.empty(), waiting);
     }
 

@@ -1,9 +1,11 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Cause;
+import java.util.Queue;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
@@ -11,97 +13,83 @@ import simgsm.dtmf.ToneSet;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationListener;
+import simgsm.station.StationCommands;
+import simgsm.station.context.StationEvent;
 
 /**
- * The phone. The station tells it what happens and asks it for speech; console and window ask it to act; all of that on
- * the station's owner thread. {@link #snapshot} may be asked by any thread.
+ * The phone without a window. Station, console and window call it on the station's owner thread; {@link #snapshot} may be
+ * called from any thread.
  */
 public final class Handset {
     private final Msisdn own;
-    private final HandsetListener listener;
-    private final Sounds sounds;
-    private final PhoneCall call;
-    private final HandsetDeeds deeds = new HandsetDeeds(this);
-    private final Mailbox mailbox = new Mailbox();
-    private final Screens screens = new Screens(mailbox, deeds);
-    private final HomeKeys home = new HomeKeys(screens, deeds);
-    private final MessageDesk messages;
     private final KeyMode keyMode;
-    private final KeySender line;
-    private final SignalledKeys signalledKeys;
-    private StationSide station;
+    private final Consumer<StationEvent> listener;
+    private final HandsetAudio audio;
+    private final PhoneCall call = new PhoneCall();
+    private final Mailbox mailbox;
+    private final ScreenNavigation screens;
+    private final HomeKeys home;
+    private final KeySender keys;
+    /** Events that arrive while a message is being submitted, before the mailbox has it. */
+    private final Queue<StationEvent> deferred = new ArrayDeque<>();
+
+    private boolean submitting;
+    private StationCommands station;
     private Runnable whenSettled;
-    private volatile HandsetSnapshot newest;
+    private volatile HandsetSnapshot snapshot;
+
+    /** With European tones. */
+    public Handset(
+            Msisdn own, KeyMode keyMode, Consumer<StationEvent> listener, AudioOutput output, InstantSource wallClock) {
+        this(own, keyMode, ToneSet.EUROPEAN, listener, output, wallClock);
+    }
 
     /**
      * A handset that waits for its station.
      *
      * @param keyMode how keys are sent in a call
-     * @param wallClock for the time that messages came
+     * @param tones supervisory tones, such as busy
+     * @param listener receives the station's events and {@link HandsetEvent}s, after the handset has changed
+     * @param wallClock for the times of messages
      */
-    public Handset(Msisdn own, KeyMode keyMode, HandsetListener listener, AudioOutput output, InstantSource wallClock) {
-        this(own, keyMode, ToneSet.EUROPEAN, listener, output, wallClock);
-    }
-
-    /** @param tones how this phone lets busy and the like sound */
     public Handset(
             Msisdn own,
             KeyMode keyMode,
             ToneSet tones,
-            HandsetListener listener,
+            Consumer<StationEvent> listener,
             AudioOutput output,
             InstantSource wallClock) {
         this.own = own;
         this.keyMode = keyMode;
         this.listener = listener;
-        this.line = new KeySender(listener::sent);
-        this.signalledKeys = new SignalledKeys(() -> station, line::toneLeft);
-        if (keyMode == KeyMode.SIGNALLED) {
-            line.goBy(signalledKeys);
-        }
-        this.sounds = new Sounds(output, line, tones, this::toneHeard);
-        this.call = new PhoneCall(sounds);
-        this.messages = new MessageDesk(mailbox, screens, () -> station, wallClock, this::changed);
+        Consumer<String> sent = run -> listener.accept(new HandsetEvent.KeysSent(run));
+        keys = keyMode == KeyMode.SIGNALLED ? new SignalledKeySender(() -> station, sent) : new KeySender(sent);
+        audio = new HandsetAudio(output, keys, tones, this::toneHeard);
+        mailbox = new Mailbox(wallClock);
+        screens = new ScreenNavigation(mailbox);
+        home = new HomeKeys(screens);
     }
 
-    /** Gives the handset its station, once, before anything else. */
-    public void attach(StationSide newStation) {
+    /** Sets the station, once, before anything else. */
+    public void attach(StationCommands newStation) {
         station = newStation;
         changed();
     }
 
-    /** What the station tells the handset. */
-    public StationListener ears() {
-        return new StationEars(this, listener);
-    }
-
-    /** What the station's news of signalled keys are for. */
-    SignalledKeys signalledKeys() {
-        return signalledKeys;
-    }
-
-    /** What the handset says in a call. */
-    public SpeechSource mouth() {
-        return this::say;
-    }
-
-    /** The newest state; any thread may ask. Null before {@link #attach}. */
+    /** The current state; may be called from any thread. Null before {@link #attach}. */
     public HandsetSnapshot snapshot() {
-        return newest;
+        return snapshot;
     }
 
-    // What console and window ask for. A refusal says why nothing happens.
+    // Commands of console and window. A refusal says why nothing happens.
 
     public Optional<Refusal> dial(Msisdn number) {
         if (!isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
-        if (call.phase() != CallPhase.NONE || !station.dial(number)) {
-            return Optional.of(Refusal.CALL_UNDER_WAY);
-        }
-        return Optional.empty();
+        return call.phase() == CallPhase.NONE && station.dial(number)
+                ? Optional.empty()
+                : Optional.of(Refusal.CALL_UNDER_WAY);
     }
 
     public Optional<Refusal> answer() {
@@ -109,19 +97,47 @@ public final class Handset {
     }
 
     public Optional<Refusal> hangUp() {
-        sounds.dropKeys();
+        audio.dropKeys();
         return station.hangUp() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
     }
 
-    /** Queues keys of 100 ms; before the call is connected they wait for it. */
-    public Optional<Refusal> press(List<DtmfKey> keys) {
-        Optional<Refusal> refusal = call.press(keys);
+    /** Queues keys of 100 ms; before the call is connected they wait. */
+    public Optional<Refusal> press(List<DtmfKey> pressed) {
+        Optional<Refusal> refusal = call.refusalOfKeys();
+        if (refusal.isEmpty()) {
+            audio.press(pressed);
+            pressed.forEach(call::keyed);
+        }
         changed();
         return refusal;
     }
 
     public Optional<Refusal> sendMessage(Msisdn to, String text) {
-        return messages.send(to, text);
+        if (text.isEmpty()) {
+            return Optional.of(Refusal.EMPTY_TEXT);
+        }
+        if (!isPowered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
+        Optional<Refusal> refusal = submit(to, text);
+        changed();
+        for (StationEvent event = deferred.poll(); event != null; event = deferred.poll()) {
+            accept(event);
+        }
+        return refusal;
+    }
+
+    private Optional<Refusal> submit(Msisdn to, String text) {
+        submitting = true;
+        try {
+            mailbox.submitted(station.sendMessage(to, text), to.digits(), text);
+            screens.added(MessageFolder.OUTBOX);
+            return Optional.empty();
+        } catch (IllegalArgumentException tooLong) {
+            return Optional.of(Refusal.TEXT_TOO_LONG);
+        } finally {
+            submitting = false;
+        }
     }
 
     public void powerOn() {
@@ -130,45 +146,48 @@ public final class Handset {
     }
 
     public void powerOff() {
-        sounds.dropKeys();
+        audio.dropKeys();
         station.powerOff();
-        sounds.quiet();
+        audio.stopTones();
         home.clear();
         changed();
     }
 
     /** Whether there is room for messages; without it the network keeps them. */
-    public void memory(boolean isAvailable) {
-        station.memory(isAvailable);
+    public void setMemoryAvailable(boolean available) {
+        station.setMemoryAvailable(available);
     }
 
-    /** Broadcasts on other channels are discarded. */
-    public void wantBroadcasts(ChannelList channels) {
-        station.wantBroadcasts(channels);
+    /** Discards broadcasts on other channels. */
+    public void setChannels(ChannelList channels) {
+        station.setChannels(channels);
     }
 
-    /** The messages that have come, oldest first, as they are before this call marks them as read. */
+    /** The received messages, oldest first, as they are before this call marks them as read. */
     public List<StoredMessage> readInbox() {
-        return messages.readInbox();
+        List<StoredMessage> inbox = mailbox.in(MessageFolder.INBOX);
+        mailbox.markAllRead(MessageFolder.INBOX);
+        changed();
+        return inbox;
     }
 
-    /** Runs the act once no key waits to leave and the network has acknowledged every message; perhaps at once. */
-    public void whenSettled(Runnable act) {
-        whenSettled = act;
+    /** Runs the action once all keys are sent and all messages acknowledged, perhaps at once. */
+    public void whenSettled(Runnable action) {
+        whenSettled = action;
         checkSettled();
     }
 
-    void checkSettled() {
-        if (whenSettled != null && sounds.keysHaveLeft() && !mailbox.hasUnacknowledged()) {
-            Runnable act = whenSettled;
+    private void checkSettled() {
+        if (whenSettled != null && audio.keysAreSent() && !mailbox.hasUnacknowledged()) {
+            Runnable action = whenSettled;
             whenSettled = null;
-            act.run();
+            action.run();
         }
     }
 
-    /** A sound device may come or go at any time; asked now and then, so that the view tells. */
-    public void lookAtSound() {
-        if (sounds.isAudible() != newest.audible()) {
+    /** Publishes the arrival or loss of a sound device; called about once a second. */
+    public void checkSoundDevice() {
+        if (audio.isAudible() != snapshot.audible()) {
             changed();
         }
     }
@@ -191,32 +210,67 @@ public final class Handset {
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
             answer();
         } else if (screens.isHome()) {
-            pressAtHome(key);
+            endTones();
+            perform(home.press(key, call.phase()));
         } else {
-            screens.press(key, nowNanos);
+            perform(screens.press(key, nowNanos));
         }
         changed();
     }
 
-    private void pressAtHome(PhoneKey key) {
+    /** The next key on the home screen ends what a released call has left. */
+    private void endTones() {
         if (call.phase() == CallPhase.NONE) {
-            call.forgetEnd();
-            if (sounds.hearsNetwork()) {
+            call.clearCause();
+            audio.stopTones();
+            if (audio.networkPlaysTones()) {
                 station.hangUp();
             }
         }
-        home.press(key, call.phase());
+    }
+
+    private void perform(KeyIntent intent) {
+        if (intent instanceof KeyIntent.PlayTone play) {
+            audio.keyDown(play.tone());
+            if (call.phase() == CallPhase.CONNECTED) {
+                call.keyed(play.tone());
+            }
+        } else if (intent instanceof KeyIntent.DialText dial) {
+            dial(dial.text());
+        } else if (intent instanceof KeyIntent.SendText text) {
+            send(text);
+        } else if (intent == KeyIntent.Simple.ANSWER) {
+            answer();
+        } else if (intent == KeyIntent.Simple.SWITCH_OFF) {
+            powerOff();
+        }
+    }
+
+    private void dial(String text) {
+        if (!ScreenNavigation.isNumber(text)) {
+            screens.note(Note.Kind.NOT_A_NUMBER, text);
+        } else if (dial(Msisdn.parse(text)).isPresent()) {
+            screens.note(Note.Kind.REFUSED, text);
+        }
+    }
+
+    private void send(KeyIntent.SendText text) {
+        if (sendMessage(text.to(), text.text()).isPresent()) {
+            screens.note(Note.Kind.REFUSED, text.to().digits());
+        } else {
+            screens.submitted(text);
+        }
     }
 
     /** The key goes up again. */
     public void keyUp(PhoneKey key, long nowNanos) {
         timePassed(nowNanos);
-        sounds.up();
-        home.letGo(key);
+        audio.keyUp();
+        home.release(key);
         changed();
     }
 
-    /** A keyboard's Enter: it calls where the green key alone makes sense, and is OK wherever something is to choose. */
+    /** A keyboard's Enter: the green key on the home screen and for a ringing call, else OK. */
     public void enterDown(long nowNanos) {
         boolean calls = screens.isHome() || call.phase() == CallPhase.RINGING;
         keyDown(calls ? PhoneKey.CALL : PhoneKey.OK, nowNanos);
@@ -226,7 +280,7 @@ public final class Handset {
         keyUp(PhoneKey.OK, nowNanos);
     }
 
-    /** A character of a keyboard goes down: a letter while writing, else the key of that name. */
+    /** A character of a keyboard goes down: a letter during text entry, else the key of that name. */
     public void charDown(char character, long nowNanos) {
         if (!isPowered()) {
             return;
@@ -241,143 +295,102 @@ public final class Handset {
         }
     }
 
-    /** That character goes up. */
     public void charUp(char character, long nowNanos) {
         PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
     }
 
-    /** Dials what was typed; a note says if it cannot be. */
-    void dialText(String number) {
-        if (!Screens.isNumber(number)) {
-            screens.note(Note.Kind.NOT_A_NUMBER, number);
-        } else if (dial(Msisdn.parse(number)).isPresent()) {
-            screens.note(Note.Kind.REFUSED, number);
-        }
-    }
-
-    /** Sends what was written; a note says if it cannot be. @return whether it was handed in */
-    boolean sendText(Msisdn to, String text) {
-        boolean refused = sendMessage(to, text).isPresent();
-        if (refused) {
-            screens.note(Note.Kind.REFUSED, to.digits());
-        }
-        return !refused;
-    }
-
-    /** What the scope makes of the sound that it hears; nobody else hears any of it. */
+    /** Changes what the tone scope shows; the sound stays as it is. */
     public void tryOut(ToneExperiment experiment) {
-        sounds.tryOut(experiment);
+        audio.tryOut(experiment);
         changed();
-    }
-
-    void keySounds(DtmfKey tone) {
-        call.down(tone);
-    }
-
-    void keyIsSilent() {
-        sounds.up();
     }
 
     // Time, for what happens without a call: key tones, letters, long presses.
 
-    /** Whether {@link #timePassed} is to be called within the next 20 ms; may become true by acts and by the station. */
+    /** Whether {@link #timePassed} is to be called within 20 ms; commands and events may make it so. */
     public boolean wantsTime() {
-        return sounds.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
+        return audio.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
 
-    /** Has the act run whenever the station's news make the handset want time. */
-    public void whenTimeIsWanted(Runnable act) {
-        sounds.whenTimeIsWanted(act);
+    /** Runs the action whenever an event makes the handset want time. */
+    public void whenTimeIsWanted(Runnable action) {
+        audio.whenTimeIsWanted(action);
     }
 
     public void timePassed(long nowNanos) {
         boolean letterStands = screens.timePassed(nowNanos);
-        boolean soundChanged = sounds.timePassed(nowNanos);
+        boolean soundChanged = audio.timePassed(nowNanos);
         boolean longPress = home.timePassed(nowNanos, call.phase());
+        if (longPress) {
+            audio.keyUp();
+        }
         if (letterStands || soundChanged || longPress) {
             changed();
         }
     }
 
-    // What the station brings.
+    // The station's side.
 
-    private void say(short[] frame) {
-        if (call.say(frame)) {
+    /** Fills the next 20 ms of speech for the far end. */
+    public void fillFrame(short[] frame) {
+        boolean soundChanged = audio.fillFrame(frame);
+        if (call.framePassed() || soundChanged) {
             changed();
         }
         checkSettled();
     }
 
-    void hear(short[] frame) {
-        sounds.hear(frame);
+    /** An event of the station. */
+    public void accept(StationEvent event) {
+        if (event instanceof StationEvent.SpeechReceived speech) {
+            audio.hear(speech.samples());
+        } else if (submitting) {
+            deferred.add(event);
+        } else {
+            follow(event);
+            changed();
+            listener.accept(event);
+            checkSettled();
+        }
     }
 
-    void networkTones(boolean heard) {
-        sounds.networkTones(heard);
-        changed();
+    private void follow(StationEvent event) {
+        if (event instanceof StationEvent.OfCall ofCall) {
+            followCall(ofCall);
+        } else if (event instanceof StationEvent.KeysRefused refused) {
+            screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(refused.cause().code()));
+            listener.accept(new HandsetEvent.KeysNotSent(audio.dropKeys(), refused.cause()));
+        } else if (event instanceof StationEvent.OfKey ofKey && keys instanceof SignalledKeySender signalled) {
+            signalled.accept(ofKey);
+        } else if (event instanceof StationEvent.OfMessage message) {
+            mailbox.accept(message).ifPresent(screens::added);
+        }
+    }
+
+    private void followCall(StationEvent.OfCall event) {
+        call.accept(event);
+        audio.accept(event);
+        if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
+            home.clear();
+            screens.home();
+            if (!call.snapshot().number().isEmpty()) {
+                home.setLastNumber(call.snapshot().number());
+            }
+        }
     }
 
     private void toneHeard(DtmfKey key) {
         call.toneHeard(key);
         changed();
-        listener.toneHeard(key);
-    }
-
-    void callBegan(CallPhase phase, String number) {
-        home.clear();
-        if (!number.isEmpty()) {
-            home.remember(number);
-        }
-        screens.home();
-        call.began(phase, number);
-        changed();
-    }
-
-    void callWaits(String number) {
-        call.waits(number);
-        changed();
-    }
-
-    void waitingCallIsOver() {
-        call.waitsNoMore();
-        changed();
-    }
-
-    void callAlerts() {
-        call.alerts();
-        changed();
-    }
-
-    void callConnected(Optional<String> number) {
-        call.connected(number);
-        changed();
-    }
-
-    void callEnded(Cause cause) {
-        call.ended(cause);
-        changed();
-    }
-
-    /** The network takes no keys. @return those that have not left */
-    String keysRefused(Cause cause) {
-        screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(cause.code()));
-        String rest = line.drop();
-        changed();
-        return rest;
-    }
-
-    /** What the station's news of messages are for. */
-    MessageDesk messages() {
-        return messages;
+        listener.accept(new HandsetEvent.ToneHeard(key));
     }
 
     private boolean isPowered() {
         return station.snapshot().powered();
     }
 
-    /** Publishes what is now. */
-    void changed() {
-        newest = new HandsetSnapshot(
+    private void changed() {
+        snapshot = new HandsetSnapshot(
                 own,
                 station.snapshot(),
                 call.snapshot(),
@@ -387,8 +400,8 @@ public final class Handset {
                 mailbox.in(MessageFolder.OUTBOX),
                 mailbox.in(MessageFolder.BROADCASTS),
                 keyMode,
-                sounds.sounding(),
-                sounds.trace(),
-                sounds.isAudible());
+                audio.sounding(),
+                audio.trace(),
+                audio.isAudible());
     }
 }

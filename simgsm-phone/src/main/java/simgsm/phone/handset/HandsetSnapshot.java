@@ -8,14 +8,14 @@ import simgsm.dtmf.ToneTrace;
 import simgsm.station.StationSnapshot;
 
 /**
- * Everything a view needs, immutable.
+ * The state of the handset for its views, immutable.
  *
  * @param own the phone's own number
  * @param typed the number being typed
- * @param inbox oldest first, as the other boxes
+ * @param inbox oldest first, as the other folders
  * @param keyMode how keys are sent in a call
  * @param sounding the key whose tone sounds now
- * @param audible whether a sound device plays
+ * @param audible whether there is a sound device
  */
 public record HandsetSnapshot(
         Msisdn own,
@@ -31,8 +31,8 @@ public record HandsetSnapshot(
         ToneTrace trace,
         boolean audible) {
 
-    public List<StoredMessage> in(MessageFolder box) {
-        return switch (box) {
+    public List<StoredMessage> in(MessageFolder folder) {
+        return switch (folder) {
             case INBOX -> inbox;
             case OUTBOX -> outbox;
             case BROADCASTS -> broadcasts;
@@ -43,7 +43,7 @@ public record HandsetSnapshot(
         return unread(MessageFolder.INBOX);
     }
 
-    public int unread(MessageFolder box) {
-        return (int) in(box).stream().filter(message -> !message.read()).count();
+    public int unread(MessageFolder folder) {
+        return (int) in(folder).stream().filter(message -> !message.read()).count();
     }
 }

@@ -3,35 +3,22 @@ package simgsm.phone.handset;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.handset.KeyIntent.Simple;
 
-/** The keys on the home screen: the number being typed, and what a key does when it is held. */
+/** The keys on the home screen: the number being typed, and keys that are held for a second function. */
 final class HomeKeys {
     private static final int MAX_TYPED = 40;
-    /** A key held this long does its second task: 1 opens the mailbox, 0 becomes a plus sign. */
+    /** A key held this long does its second function: 1 opens the mailbox, 0 becomes a plus sign. */
     private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
 
-    /** What these keys have done by the phone. */
-    interface Deeds {
-        void call(String number);
-
-        void answer();
-
-        /** The key goes down towards the far end or at the ear. */
-        void sound(DtmfKey tone);
-
-        void silence();
-    }
-
-    private final Screens screens;
-    private final Deeds deeds;
+    private final ScreenNavigation screens;
     private String typed = "";
     private String lastNumber = "";
     private Optional<PhoneKey> held = Optional.empty();
     private long heldSinceNanos;
 
-    HomeKeys(Screens screens, Deeds deeds) {
+    HomeKeys(ScreenNavigation screens) {
         this.screens = screens;
-        this.deeds = deeds;
     }
 
     String typed() {
@@ -42,12 +29,12 @@ final class HomeKeys {
         typed = "";
     }
 
-    /** What the green key brings back. */
-    void remember(String number) {
+    /** The number for redialling. */
+    void setLastNumber(String number) {
         lastNumber = number;
     }
 
-    /** A plus sign from a keyboard, which only begins a number. */
+    /** A plus sign from a keyboard; it can only begin a number. */
     void plus() {
         typed = typed.isEmpty() ? "+" : typed;
     }
@@ -57,48 +44,49 @@ final class HomeKeys {
         heldSinceNanos = nowNanos;
     }
 
-    void letGo(PhoneKey key) {
+    void release(PhoneKey key) {
         held = held.filter(down -> down != key);
     }
 
-    void press(PhoneKey key, CallPhase phase) {
-        switch (key) {
+    KeyIntent press(PhoneKey key, CallPhase phase) {
+        return switch (key) {
             case CALL -> call(phase);
             case OK -> ok(phase);
-            case END -> typed = "";
-            case LEFT -> typed = typed.substring(0, Math.max(0, typed.length() - 1));
+            case END -> type("");
+            case LEFT -> type(typed.substring(0, Math.max(0, typed.length() - 1)));
             case MENU -> screens.openMenu();
             case MESSAGE -> screens.write();
             case DOWN -> screens.open(MessageFolder.INBOX);
             case UP -> screens.open(MessageFolder.OUTBOX);
-            case RIGHT -> {}
-            default -> key.tone().ifPresent(tone -> tone(tone, phase));
-        }
+            case RIGHT -> Simple.NOTHING;
+            default -> tone(key.tone().orElseThrow(), phase);
+        };
     }
 
-    private void tone(DtmfKey tone, CallPhase phase) {
-        deeds.sound(tone);
+    private KeyIntent type(String number) {
+        typed = number;
+        return Simple.NOTHING;
+    }
+
+    private KeyIntent tone(DtmfKey tone, CallPhase phase) {
         if (phase == CallPhase.NONE && typed.length() < MAX_TYPED) {
             typed += tone.symbol();
         }
+        return new KeyIntent.PlayTone(tone);
     }
 
-    private void ok(CallPhase phase) {
+    private KeyIntent ok(CallPhase phase) {
         if (phase == CallPhase.RINGING) {
-            deeds.answer();
-        } else if (typed.isEmpty()) {
-            screens.openMenu();
-        } else {
-            call(phase);
+            return Simple.ANSWER;
         }
+        return typed.isEmpty() ? screens.openMenu() : call(phase);
     }
 
-    private void call(CallPhase phase) {
-        if (phase == CallPhase.NONE && typed.isEmpty()) {
-            typed = lastNumber;
-        } else if (phase == CallPhase.NONE) {
-            deeds.call(typed);
+    private KeyIntent call(CallPhase phase) {
+        if (phase != CallPhase.NONE) {
+            return Simple.NOTHING;
         }
+        return typed.isEmpty() ? type(lastNumber) : new KeyIntent.DialText(typed);
     }
 
     boolean wantsTime(CallPhase phase) {
@@ -114,7 +102,6 @@ final class HomeKeys {
         if (!wantsTime(phase) || nowNanos - heldSinceNanos < LONG_PRESS_NANOS) {
             return false;
         }
-        deeds.silence();
         if (typed.equals("1")) {
             typed = "";
             screens.open(MessageFolder.INBOX);

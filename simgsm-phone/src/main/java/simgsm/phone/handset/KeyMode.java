@@ -2,8 +2,8 @@ package simgsm.phone.handset;
 
 /** How a phone sends its keys in a call. */
 public enum KeyMode {
-    /** As sound among its speech, as the paper has it. */
+    /** As tones in its speech, as in the paper. */
     IN_BAND,
-    /** As START DTMF and STOP DTMF, from which the network makes the sound, as GSM has it. */
+    /** As START DTMF and STOP DTMF, from which the network makes the tones, as in GSM. */
     SIGNALLED
 }

@@ -5,78 +5,91 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 
-/** The keys on their way out: runs of keys of 100 ms and keys that are held, each run told once its last tone has left. */
-final class KeySender {
-    private final Deque<Run> runs = new ArrayDeque<>();
-    private final Consumer<String> sent;
-    private KeyWay way = new InBandKeys(this::toneLeft);
+/** Sends keys as tones in the phone's speech: runs of keys of 100 ms, and keys that are held. */
+class KeySender {
+    private static final class Run {
+        final String keys;
+        int sent;
 
-    /** @param sent told the keys of each run when its last tone has left */
-    KeySender(Consumer<String> sent) {
-        this.sent = sent;
+        Run(String keys) {
+            this.keys = keys;
+        }
     }
 
-    /** Instead of by sound the keys go another way, which tells {@link #toneLeft}; before anything else. */
-    void goBy(KeyWay otherWay) {
-        way = otherWay;
+    private final Deque<Run> runs = new ArrayDeque<>();
+    private final Consumer<String> runSent;
+    /** The sound: what is sent, or a sidetone. */
+    final DtmfGenerator generator;
+
+    /** @param runSent receives the keys of each run when its last tone has been sent */
+    KeySender(Consumer<String> runSent) {
+        this.runSent = runSent;
+        generator = new DtmfGenerator(this::toneGenerated);
     }
 
     void press(List<DtmfKey> keys) {
-        StringBuilder symbols = new StringBuilder();
-        keys.forEach(key -> symbols.append(key.symbol()));
-        runs.add(new Run(symbols.toString()));
-        keys.forEach(way::enqueue);
+        runs.add(new Run(keys.stream().map(key -> String.valueOf(key.symbol())).collect(Collectors.joining())));
+        keys.forEach(this::enqueue);
     }
 
-    /** Down goes a key, to sound until {@link #up}. */
+    /** A key goes down and sounds until {@link #up}. */
     void down(DtmfKey key) {
         runs.add(new Run(String.valueOf(key.symbol())));
-        way.press(key);
+        hold(key);
     }
 
     void up() {
-        way.release();
+        generator.release();
     }
 
-    /** The next 20 ms, as said to the far end and as heard here. */
-    void read(short[] said, short[] heard) {
-        way.read(said, heard);
+    /**
+     * Fills the next 20 ms.
+     *
+     * @param speech for the far end
+     * @param heard for the earpiece
+     */
+    void read(short[] speech, short[] heard) {
+        generator.read(speech);
+        System.arraycopy(speech, 0, heard, 0, speech.length);
     }
 
-    /** Forgets what has not left. @return it */
+    /** Drops the keys that have not been sent. @return them */
     String drop() {
-        String rest = runs.stream().map(run -> run.keys.substring(run.left)).collect(Collectors.joining());
-        way.drop();
+        String rest = runs.stream().map(run -> run.keys.substring(run.sent)).collect(Collectors.joining());
+        generator.drop();
         runs.clear();
         return rest;
     }
 
-    /** Whether all tones have left. */
     boolean isIdle() {
         return runs.isEmpty();
     }
 
     /** The key that sounds now, or null. */
     DtmfKey sounding() {
-        return way.sounding();
+        return generator.sounding();
     }
 
-    void toneLeft(DtmfKey key) {
+    void enqueue(DtmfKey key) {
+        generator.enqueue(key);
+    }
+
+    void hold(DtmfKey key) {
+        generator.press(key);
+    }
+
+    void toneGenerated(DtmfKey key) {
+        toneSent();
+    }
+
+    final void toneSent() {
         Run run = runs.peek();
-        if (run != null && ++run.left == run.keys.length()) {
+        if (run != null && ++run.sent == run.keys.length()) {
             runs.remove();
-            sent.accept(run.keys);
-        }
-    }
-
-    private static final class Run {
-        final String keys;
-        int left;
-
-        Run(String keys) {
-            this.keys = keys;
+            runSent.accept(run.keys);
         }
     }
 }

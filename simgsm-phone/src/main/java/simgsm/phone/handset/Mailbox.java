@@ -1,129 +1,119 @@
 package simgsm.phone.handset;
 
-import java.time.Instant;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import simgsm.air.RpCause;
 import simgsm.phone.handset.StoredMessage.Delivery;
+import simgsm.station.context.StationEvent;
 
-/** Inbox, outbox and broadcasts, oldest first; a full box forgets its oldest. */
+/** Inbox, outbox and broadcasts, oldest first; a full folder drops its oldest message. */
 final class Mailbox {
     static final int CAPACITY = 500;
 
-    private final Map<MessageFolder, List<StoredMessage>> boxes = new EnumMap<>(MessageFolder.class);
+    private final InstantSource wallClock;
+    private final Map<MessageFolder, List<StoredMessage>> folders = new EnumMap<>(MessageFolder.class);
 
-    Mailbox() {
-        for (MessageFolder box : MessageFolder.values()) {
-            boxes.put(box, List.of());
+    Mailbox(InstantSource wallClock) {
+        this.wallClock = wallClock;
+        for (MessageFolder folder : MessageFolder.values()) {
+            folders.put(folder, List.of());
         }
     }
 
-    /** Unmodifiable; a new list at each change, so a snapshot may keep it. */
-    List<StoredMessage> in(MessageFolder box) {
-        return boxes.get(box);
+    /** Unmodifiable; a new list after each change, so a snapshot may keep it. */
+    List<StoredMessage> in(MessageFolder folder) {
+        return folders.get(folder);
     }
 
-    void received(String from, String text, Instant at) {
-        add(MessageFolder.INBOX, new StoredMessage(from, text, at, false, Delivery.RECEIVED, 0, 1, Optional.empty()));
-    }
-
-    void broadcast(int channel, int pages, String text, Instant at) {
-        String party = Integer.toString(channel);
-        add(
-                MessageFolder.BROADCASTS,
-                new StoredMessage(party, text, at, false, Delivery.RECEIVED, 0, pages, Optional.empty()));
-    }
-
-    void handedIn(int id, String to, String text, Instant at) {
-        add(MessageFolder.OUTBOX, new StoredMessage(to, text, at, true, Delivery.SENDING, id, 1, Optional.empty()));
-    }
-
-    private void add(MessageFolder box, StoredMessage message) {
-        List<StoredMessage> messages = new ArrayList<>(in(box));
-        if (messages.size() == CAPACITY) {
-            messages.remove(0);
+    /** @return the folder to which a message was added, if one was */
+    Optional<MessageFolder> accept(StationEvent.OfMessage event) {
+        if (event instanceof StationEvent.MessageReceived message) {
+            return Optional.of(received(MessageFolder.INBOX, message.from(), message.text(), 1));
         }
-        messages.add(message);
-        boxes.put(box, List.copyOf(messages));
-    }
-
-    void sent(int id, int parts) {
-        replaceOpen(id, message -> message.advanced(Delivery.SENT, parts));
-    }
-
-    void delivered(int id) {
-        replaceOpen(id, message -> message.advanced(Delivery.DELIVERED, message.parts()));
-    }
-
-    /** The network has given it up after all. */
-    void undelivered(int id) {
-        replaceOpen(id, message -> message.advanced(Delivery.FAILED, message.parts()));
-    }
-
-    /** @return whether the message lies here */
-    boolean failed(int id, RpCause cause) {
-        return replaceOpen(id, message -> message.failed(cause));
-    }
-
-    /** References run from 0 to 255 and come round, so the newest that is not settled is meant. */
-    private boolean replaceOpen(int id, UnaryOperator<StoredMessage> next) {
-        List<StoredMessage> messages = new ArrayList<>(in(MessageFolder.OUTBOX));
-        for (int i = messages.size() - 1; i >= 0; i--) {
-            StoredMessage message = messages.get(i);
-            boolean open = message.delivery() == Delivery.SENDING || message.delivery() == Delivery.SENT;
-            if (message.id() == id && open) {
-                messages.set(i, next.apply(message));
-                boxes.put(MessageFolder.OUTBOX, List.copyOf(messages));
-                return true;
-            }
+        if (event instanceof StationEvent.BroadcastReceived broadcast) {
+            String channel = Integer.toString(broadcast.channel());
+            return Optional.of(received(MessageFolder.BROADCASTS, channel, broadcast.text(), broadcast.pages()));
         }
-        return false;
-    }
-
-    /** The newest of one's own messages with this reference. */
-    Optional<StoredMessage> own(int id) {
-        List<StoredMessage> messages = in(MessageFolder.OUTBOX);
-        for (int i = messages.size() - 1; i >= 0; i--) {
-            if (messages.get(i).id() == id) {
-                return Optional.of(messages.get(i));
-            }
+        if (event instanceof StationEvent.MessageSent sent) {
+            update(sent.id(), message -> message.advanced(Delivery.SENT, sent.parts()));
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            update(failed.id(), message -> message.failed(failed.cause()));
+        } else if (event instanceof StationEvent.MessageDelivered delivered) {
+            update(delivered.id(), message -> message.advanced(Delivery.DELIVERED, message.parts()));
+        } else if (event instanceof StationEvent.MessageUndelivered undelivered) {
+            update(undelivered.id(), message -> message.advanced(Delivery.FAILED, message.parts()));
         }
         return Optional.empty();
     }
 
-    /** Marks one as read. @param index counted from the oldest */
-    void markRead(MessageFolder box, int index) {
-        List<StoredMessage> messages = new ArrayList<>(in(box));
-        messages.set(index, messages.get(index).seen());
-        boxes.put(box, List.copyOf(messages));
+    private MessageFolder received(MessageFolder folder, String party, String text, int parts) {
+        add(
+                folder,
+                new StoredMessage(
+                        party, text, wallClock.instant(), false, Delivery.RECEIVED, 0, parts, Optional.empty()));
+        return folder;
     }
 
-    void markAllRead(MessageFolder box) {
-        boxes.put(box, in(box).stream().map(StoredMessage::seen).toList());
+    /** Adds a message that the station has taken. */
+    void submitted(int id, String to, String text) {
+        add(
+                MessageFolder.OUTBOX,
+                new StoredMessage(to, text, wallClock.instant(), true, Delivery.SENDING, id, 1, Optional.empty()));
     }
 
-    void remove(MessageFolder box, StoredMessage message) {
-        int index = in(box).indexOf(message);
-        if (index >= 0) {
-            remove(box, index);
+    private void add(MessageFolder folder, StoredMessage message) {
+        List<StoredMessage> messages = new ArrayList<>(in(folder));
+        if (messages.size() == CAPACITY) {
+            messages.remove(0);
         }
+        messages.add(message);
+        folders.put(folder, List.copyOf(messages));
     }
 
-    void remove(MessageFolder box, int index) {
-        List<StoredMessage> messages = new ArrayList<>(in(box));
-        messages.remove(index);
-        boxes.put(box, List.copyOf(messages));
+    /** A message that the user has erased meanwhile is not there; one that has failed or was delivered stays so. */
+    private void update(int id, UnaryOperator<StoredMessage> next) {
+        replace(
+                MessageFolder.OUTBOX,
+                message -> message.id() == id && message.isOpen() ? next.apply(message) : message);
     }
 
-    int unread(MessageFolder box) {
-        return (int) in(box).stream().filter(message -> !message.read()).count();
+    private void replace(MessageFolder folder, UnaryOperator<StoredMessage> next) {
+        folders.put(folder, in(folder).stream().map(next).toList());
     }
 
-    /** Whether the network has still to acknowledge something. */
+    /** A message of the outbox. */
+    Optional<StoredMessage> submitted(int id) {
+        return in(MessageFolder.OUTBOX).stream()
+                .filter(message -> message.id() == id)
+                .findFirst();
+    }
+
+    /** Marks one as read. @param index counted from the oldest */
+    void markRead(MessageFolder folder, int index) {
+        List<StoredMessage> messages = new ArrayList<>(in(folder));
+        messages.set(index, messages.get(index).seen());
+        folders.put(folder, List.copyOf(messages));
+    }
+
+    void markAllRead(MessageFolder folder) {
+        replace(folder, StoredMessage::seen);
+    }
+
+    void remove(MessageFolder folder, StoredMessage message) {
+        List<StoredMessage> messages = new ArrayList<>(in(folder));
+        messages.remove(message);
+        folders.put(folder, List.copyOf(messages));
+    }
+
+    int unread(MessageFolder folder) {
+        return (int) in(folder).stream().filter(message -> !message.read()).count();
+    }
+
+    /** Whether the network has still to acknowledge a message. */
     boolean hasUnacknowledged() {
         return in(MessageFolder.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
     }

@@ -1,6 +1,6 @@
 package simgsm.phone.handset;
 
-/** The entries of the phone's menu, in their order. */
+/** The items of the phone's menu, in their order. */
 public enum MenuItem {
     INBOX,
     WRITE,

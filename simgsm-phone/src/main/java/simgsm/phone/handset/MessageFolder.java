@@ -1,6 +1,6 @@
 package simgsm.phone.handset;
 
-/** Where messages lie. */
+/** The phone's folders for messages. */
 public enum MessageFolder {
     INBOX,
     OUTBOX,

@@ -1,95 +1,69 @@
 package simgsm.phone.handset;
 
-import java.util.List;
 import java.util.Optional;
-import simgsm.air.Cause;
+import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
 
-/** The handset's one call: how far it is, what was keyed and heard in it, for how long, and what it sounds like. */
+/** The handset's one call: its phase, its keys in both directions, its duration. */
 final class PhoneCall {
     private static final int FRAMES_PER_SECOND = 50;
 
-    private final Sounds sounds;
     private CallSnapshot call = CallSnapshot.NONE;
     private long frames;
-
-    PhoneCall(Sounds sounds) {
-        this.sounds = sounds;
-    }
 
     CallPhase phase() {
         return call.phase();
     }
 
-    /** The call as it is now. */
     CallSnapshot snapshot() {
         call = call.at((int) (frames / FRAMES_PER_SECOND));
         return call;
     }
 
-    void began(CallPhase phase, String number) {
+    void accept(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling calling) {
+            begin(CallPhase.CALLING, calling.number().digits());
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            begin(CallPhase.RINGING, digits(ringing.from()));
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
+            call = call.in(CallPhase.ALERTING, call.number());
+        } else if (event instanceof StationEvent.Connected connected) {
+            String number = connected.peer().map(Msisdn::digits).orElse(call.number());
+            call = call.in(CallPhase.CONNECTED, number);
+        } else if (event instanceof StationEvent.CallWaits waiting) {
+            call = call.withWaiting(Optional.of(digits(waiting.from())));
+        } else if (event instanceof StationEvent.WaitingCallEnded) {
+            call = call.withWaiting(Optional.empty());
+        } else if (event instanceof StationEvent.Released released) {
+            call = call.ended(released.cause());
+        }
+    }
+
+    private void begin(CallPhase phase, String number) {
         call = CallSnapshot.begun(phase, number);
         frames = 0;
-        sounds.callBegan();
-        if (phase == CallPhase.RINGING) {
-            sounds.ringing();
-        }
     }
 
-    void alerts() {
-        call = call.in(CallPhase.ALERTING, call.number());
-        sounds.ringBack();
+    private static String digits(Optional<Msisdn> number) {
+        return number.map(Msisdn::digits).orElse("");
     }
 
-    void connected(Optional<String> number) {
-        call = call.in(CallPhase.CONNECTED, number.orElse(call.number()));
-        sounds.connected();
+    /** The cause of the last release is no longer shown. */
+    void clearCause() {
+        call = call.withoutCause();
     }
 
-    /** Another call waits beside this one. */
-    void waits(String number) {
-        call = call.withWaiting(Optional.of(number));
-        sounds.callWaits();
+    /** Why keys cannot be queued now, if they cannot. */
+    Optional<Refusal> refusalOfKeys() {
+        return switch (phase()) {
+            case NONE -> Optional.of(Refusal.NO_CALL);
+            case RINGING -> Optional.of(Refusal.NOT_ANSWERED);
+            default -> Optional.empty();
+        };
     }
 
-    void waitsNoMore() {
-        call = call.withWaiting(Optional.empty());
-        sounds.quiet();
-    }
-
-    void ended(Cause cause) {
-        call = call.over(cause);
-        sounds.callEnded(cause);
-    }
-
-    /** How the last call ended is known by now, and heard no more. */
-    void forgetEnd() {
-        call = call.withoutEnd();
-        sounds.quiet();
-    }
-
-    /** Queues keys of 100 ms; before the call is connected they wait for it. */
-    Optional<Refusal> press(List<DtmfKey> keys) {
-        if (phase() == CallPhase.NONE) {
-            return Optional.of(Refusal.NO_CALL);
-        }
-        if (phase() == CallPhase.RINGING) {
-            return Optional.of(Refusal.NOT_ANSWERED);
-        }
-        sounds.press(keys);
-        keys.forEach(this::keyed);
-        return Optional.empty();
-    }
-
-    /** A key goes down, to sound until it goes up. */
-    void down(DtmfKey key) {
-        sounds.down(key);
-        if (phase() == CallPhase.CONNECTED) {
-            keyed(key);
-        }
-    }
-
-    private void keyed(DtmfKey key) {
+    void keyed(DtmfKey key) {
         call = call.withKeyed(key.symbol());
     }
 
@@ -97,13 +71,8 @@ final class PhoneCall {
         call = call.withHeard(key.symbol());
     }
 
-    /** Fills the next 20 ms for the far end. @return whether what a view shows has changed */
-    boolean say(short[] frame) {
-        boolean soundChanged = sounds.say(frame);
-        if (phase() != CallPhase.CONNECTED) {
-            return soundChanged;
-        }
-        frames++;
-        return soundChanged || frames % FRAMES_PER_SECOND == 0;
+    /** 20 ms of speech have passed. @return whether the duration has reached a further second */
+    boolean framePassed() {
+        return phase() == CallPhase.CONNECTED && ++frames % FRAMES_PER_SECOND == 0;
     }
 }

@@ -3,7 +3,7 @@ package simgsm.phone.handset;
 import java.util.Optional;
 import simgsm.dtmf.DtmfKey;
 
-/** The keys of the handset. Twelve of them sound; the letters are those of ITU-T E.161. */
+/** The keys of the handset. Twelve make tones; the letters are those of ITU-T E.161. */
 public enum PhoneKey {
     ONE('1', ""),
     TWO('2', "abc"),
@@ -40,7 +40,7 @@ public enum PhoneKey {
         this.letters = letters;
     }
 
-    /** The tone that the key makes, if it is one of the twelve. */
+    /** The tone of one of the twelve keys. */
     public Optional<DtmfKey> tone() {
         return tone;
     }

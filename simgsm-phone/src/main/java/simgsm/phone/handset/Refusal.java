@@ -1,6 +1,6 @@
 package simgsm.phone.handset;
 
-/** Why the handset does not do what it was asked. */
+/** Why the handset refuses a command. */
 public enum Refusal {
     CALL_UNDER_WAY("a call is under way; hang up first"),
     NO_CALL("there is no call; dial or answer first"),

@@ -1,6 +1,6 @@
 package simgsm.phone.handset;
 
-/** What the display shows. */
+/** The contents of the display. */
 public sealed interface Screen {
     /** The number being typed, or the call. */
     record Home() implements Screen {}
@@ -22,15 +22,14 @@ public sealed interface Screen {
      */
     record Writing(String text, boolean pending, String choices, TextEntry.Mode mode) implements Screen {}
 
-    /** Who is to get the text. */
+    /** Entry of the number to which the text goes. */
     record Recipient(String number) implements Screen {}
 
-    /** A message just handed in, and how far it has got since; any key leads on. */
+    /** A message just submitted and its progress; any key leaves. */
     record Sent(StoredMessage message) implements Screen {}
 
-    /** A short word from the phone; any key leads on. @param detail what it is about, a number or nothing */
+    /** A short notice; any key leaves. @param detail a number or a cause, or empty */
     record Note(Kind kind, String detail) implements Screen {
-        /** What is told. */
         public enum Kind {
             REFUSED,
             NOT_A_NUMBER,

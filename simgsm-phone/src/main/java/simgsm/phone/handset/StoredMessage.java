@@ -5,13 +5,13 @@ import java.util.Optional;
 import simgsm.air.RpCause;
 
 /**
- * A message in one of the phone's boxes.
+ * A message in one of the phone's folders.
  *
- * @param party who sent it or is to get it: a number, or a name where the sender has one; for a broadcast its channel
- * @param at when it came or was handed in
- * @param id message reference of the first part, of sent ones
- * @param parts how many short messages, or pages, it took
- * @param cause why it failed, if it has
+ * @param party number or alphanumeric address of the sender or receiver; for a broadcast its channel
+ * @param at time of reception or submission
+ * @param id of a submitted message, as the station's events carry it; else 0
+ * @param parts number of short messages or pages
+ * @param cause of a failure
  */
 public record StoredMessage(
         String party,
@@ -22,15 +22,20 @@ public record StoredMessage(
         int id,
         int parts,
         Optional<RpCause> cause) {
-    /** How far a message has got. */
+    /** The progress of a message. */
     public enum Delivery {
         RECEIVED,
         SENDING,
-        /** The network has it. */
+        /** Acknowledged by the network. */
         SENT,
-        /** The receiver has it. */
+        /** Delivered to the receiver. */
         DELIVERED,
         FAILED
+    }
+
+    /** Whether a further report may come. */
+    boolean isOpen() {
+        return delivery == Delivery.SENDING || delivery == Delivery.SENT;
     }
 
     StoredMessage seen() {
@@ -41,7 +46,7 @@ public record StoredMessage(
         return new StoredMessage(party, text, at, read, next, id, knownParts, cause);
     }
 
-    StoredMessage failed(RpCause why) {
-        return new StoredMessage(party, text, at, read, Delivery.FAILED, id, parts, Optional.of(why));
+    StoredMessage failed(RpCause newCause) {
+        return new StoredMessage(party, text, at, read, Delivery.FAILED, id, parts, Optional.of(newCause));
     }
 }

@@ -1,15 +1,11 @@
 /**
- * What the phone is, without a window: the number being typed, the call and its keys, the tones heard by ear, messages,
- * screens. A pure core on the station's owner thread; time comes in as nanoseconds, views take immutable snapshots.
+ * The phone without a window: the number being typed, the call and its keys, received tones, messages, screens. A pure
+ * core on the station's owner thread; time comes in as nanoseconds, views take immutable snapshots.
  *
  * <pre>
- *   StationEars --> Handset --> Screens --> TextEntry
- *                   |     \        |
- *                 Sounds  HomeKeys Mailbox
- *                 |    \
- *          KeySender  Earpiece
- *             |
- *          InBandKeys, or SignalledKeys towards the station
+ *   station's events --> Handset --> PhoneCall, Mailbox, HandsetAudio
+ *   key pressed      --> Handset --> HomeKeys or ScreenNavigation --> KeyIntent --> Handset performs it:
+ *   tone             --> HandsetAudio --> KeySender --> DtmfGenerator --> speech frames
  * </pre>
  *
  * <p>Read first: {@link simgsm.phone.handset.Handset}, then {@link simgsm.phone.handset.HandsetSnapshot} and

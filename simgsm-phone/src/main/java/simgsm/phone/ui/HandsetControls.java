@@ -1,24 +1,44 @@
 package simgsm.phone.ui;
 
+import java.util.function.ObjLongConsumer;
 import simgsm.dtmf.ToneExperiment;
+import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.PhoneKey;
 
-/** Where the window's acts go: into the handset, on its own thread. */
+/** The window's access to the handset, which another thread owns. */
+@FunctionalInterface
 public interface HandsetControls {
-    void keyDown(PhoneKey key);
+    /** Runs an action on the owner thread, with the time in nanoseconds. */
+    void perform(ObjLongConsumer<Handset> action);
 
-    void keyUp(PhoneKey key);
+    default void keyDown(PhoneKey key) {
+        perform((handset, now) -> handset.keyDown(key, now));
+    }
 
-    /** The keyboard's Enter goes down; what it does depends on what is shown. */
-    void enterDown();
+    default void keyUp(PhoneKey key) {
+        perform((handset, now) -> handset.keyUp(key, now));
+    }
 
-    void enterUp();
+    /** The keyboard's Enter goes down; its meaning depends on the screen. */
+    default void enterDown() {
+        perform(Handset::enterDown);
+    }
+
+    default void enterUp() {
+        perform(Handset::enterUp);
+    }
 
     /** A character of the keyboard goes down. */
-    void charDown(char character);
+    default void charDown(char character) {
+        perform((handset, now) -> handset.charDown(character, now));
+    }
 
-    void charUp(char character);
+    default void charUp(char character) {
+        perform((handset, now) -> handset.charUp(character, now));
+    }
 
-    /** The scope is to hear the sound so; nothing else does. */
-    void tryOut(ToneExperiment experiment);
+    /** Changes what the tone scope shows. */
+    default void tryOut(ToneExperiment experiment) {
+        perform((handset, now) -> handset.tryOut(experiment));
+    }
 }

@@ -4,15 +4,13 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.speech.AudioOutput;
-import simgsm.station.StationListener;
+import simgsm.station.context.StationEvent;
 
 /** A handset on a bench: a fake station, a hand-moved clock, the events as lines, the sent tones heard by a receiver. */
 public final class Bench {
@@ -21,7 +19,6 @@ public final class Bench {
     public final FakeStation station = new FakeStation();
     public final List<String> events = new ArrayList<>();
     public final Handset handset;
-    public final StationListener ears;
     public long nowNanos;
 
     private final StringBuilder heardByFarEnd = new StringBuilder();
@@ -38,9 +35,8 @@ public final class Bench {
     }
 
     public Bench(KeyMode keyMode, AudioOutput output) {
-        handset = new Handset(new Msisdn("5550100"), keyMode, new Lines(), output, () -> NOON);
-        ears = handset.ears();
-        station.tell(ears);
+        handset = new Handset(new Msisdn("5550100"), keyMode, this::note, output, () -> NOON);
+        station.reportTo(handset::accept);
         handset.attach(station);
     }
 
@@ -52,8 +48,8 @@ public final class Bench {
     public static Bench connected(KeyMode keyMode) {
         Bench bench = new Bench(keyMode);
         bench.handset.dial(new Msisdn("5550200"));
-        bench.ears.alerting();
-        bench.ears.connected(Optional.of(new Msisdn("5550200")));
+        bench.handset.accept(new StationEvent.CalledPartyAlerted());
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550200"))));
         bench.events.clear();
         return bench;
     }
@@ -61,7 +57,7 @@ public final class Bench {
     /** Speech time goes on in a call. */
     public void speechMillis(int millis) {
         for (int i = 0; i < millis / 20; i++) {
-            handset.mouth().read(frame);
+            handset.fillFrame(frame);
             farEnd.accept(frame);
             nowNanos += 20_000_000;
         }
@@ -110,7 +106,7 @@ public final class Bench {
         while (!generator.isIdle()) {
             short[] sound = new short[160];
             generator.read(sound);
-            ears.speechReceived(sound);
+            handset.accept(new StationEvent.SpeechReceived(sound));
         }
     }
 
@@ -130,70 +126,43 @@ public final class Bench {
         }
     }
 
-    private final class Lines implements HandsetListener {
-        @Override
-        public void calling(Msisdn number) {
-            events.add("calling " + number);
-        }
-
-        @Override
-        public void alerting() {
+    private void note(StationEvent event) {
+        if (event instanceof StationEvent.Calling calling) {
+            events.add("calling " + calling.number());
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
             events.add("alerting");
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            events.add("ringing " + digits(ringing.from()));
+        } else if (event instanceof StationEvent.Connected connected) {
+            events.add("connected " + digits(connected.peer()));
+        } else if (event instanceof StationEvent.Released released) {
+            events.add("released " + released.cause().code());
+        } else if (event instanceof StationEvent.OfMessage message) {
+            note(message);
+        } else if (event instanceof HandsetEvent.KeysSent sent) {
+            events.add("sent " + sent.keys());
+        } else if (event instanceof HandsetEvent.KeysNotSent refused) {
+            events.add("refused " + refused.keys() + " " + refused.cause().code());
+        } else if (event instanceof HandsetEvent.ToneHeard heard) {
+            events.add("tone " + heard.key().symbol());
         }
+    }
 
-        @Override
-        public void ringing(Optional<Msisdn> from) {
-            events.add("ringing " + from.map(Msisdn::digits).orElse("?"));
+    private void note(StationEvent.OfMessage event) {
+        if (event instanceof StationEvent.MessageSent sent) {
+            events.add("sms-sent " + sent.to() + " " + sent.parts() + " " + sent.id());
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            events.add("sms-failed " + failed.to() + " " + failed.cause().code());
+        } else if (event instanceof StationEvent.MessageDelivered delivered) {
+            events.add("sms-delivered " + delivered.to() + " " + delivered.id());
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            events.add("sms " + message.from() + " " + message.text());
+        } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
+            events.add("broadcast " + broadcast.channel() + " " + broadcast.text());
         }
+    }
 
-        @Override
-        public void connected(Optional<Msisdn> peer) {
-            events.add("connected " + peer.map(Msisdn::digits).orElse("?"));
-        }
-
-        @Override
-        public void sent(String keys) {
-            events.add("sent " + keys);
-        }
-
-        @Override
-        public void keysRefused(String keys, Cause cause) {
-            events.add("refused " + keys + " " + cause.code());
-        }
-
-        @Override
-        public void toneHeard(DtmfKey key) {
-            events.add("tone " + key.symbol());
-        }
-
-        @Override
-        public void released(Cause cause) {
-            events.add("released " + cause.code());
-        }
-
-        @Override
-        public void messageSent(Msisdn to, int parts, int id) {
-            events.add("sms-sent " + to + " " + parts + " " + id);
-        }
-
-        @Override
-        public void messageFailed(Msisdn to, RpCause cause) {
-            events.add("sms-failed " + to + " " + cause.code());
-        }
-
-        @Override
-        public void messageDelivered(Msisdn to, int id) {
-            events.add("sms-delivered " + to + " " + id);
-        }
-
-        @Override
-        public void messageReceived(String from, String text) {
-            events.add("sms " + from + " " + text);
-        }
-
-        @Override
-        public void broadcastReceived(int channel, int pages, String text) {
-            events.add("broadcast " + channel + " " + text);
-        }
+    private static String digits(Optional<Msisdn> number) {
+        return number.map(Msisdn::digits).orElse("?");
     }
 }

@@ -3,17 +3,19 @@ package simgsm.phone.handset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.MobileCallState;
-import simgsm.station.StationListener;
+import simgsm.station.StationCommands;
 import simgsm.station.StationSnapshot;
+import simgsm.station.call.MobileCallState;
+import simgsm.station.context.StationEvent;
 
 /** A station that does at once what a real one does in the end, and remembers what it was asked. */
-public final class FakeStation implements StationSide {
+public final class FakeStation implements StationCommands {
     /** What was asked, in order. */
     public final List<String> asked = new ArrayList<>();
 
@@ -24,9 +26,9 @@ public final class FakeStation implements StationSide {
     private boolean inCall;
     private boolean ringing;
     private int nextId;
-    private StationListener listener;
+    private Consumer<StationEvent> listener;
 
-    public void tell(StationListener newListener) {
+    public void reportTo(Consumer<StationEvent> newListener) {
         listener = newListener;
     }
 
@@ -34,14 +36,14 @@ public final class FakeStation implements StationSide {
     public void ring(String from) {
         ringing = true;
         inCall = true;
-        listener.ringing(Optional.of(new Msisdn(from)));
+        listener.accept(new StationEvent.Ringing(Optional.of(new Msisdn(from))));
     }
 
     /** The far end clears, or the network does. */
     public void release(Cause cause) {
         inCall = false;
         ringing = false;
-        listener.released(cause);
+        listener.accept(new StationEvent.Released(cause));
     }
 
     @Override
@@ -51,7 +53,7 @@ public final class FakeStation implements StationSide {
             return false;
         }
         inCall = true;
-        listener.calling(number);
+        listener.accept(new StationEvent.Calling(number));
         return true;
     }
 
@@ -62,7 +64,7 @@ public final class FakeStation implements StationSide {
             return false;
         }
         ringing = false;
-        listener.connected(Optional.of(new Msisdn("5550200")));
+        listener.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550200"))));
         return true;
     }
 
@@ -87,7 +89,7 @@ public final class FakeStation implements StationSide {
     }
 
     @Override
-    public void letGoKey() {
+    public void releaseKey() {
         asked.add("let go");
     }
 
@@ -98,25 +100,25 @@ public final class FakeStation implements StationSide {
     }
 
     @Override
-    public void memory(boolean isAvailable) {
-        asked.add(isAvailable ? "memory free" : "memory full");
+    public void setMemoryAvailable(boolean available) {
+        asked.add(available ? "memory free" : "memory full");
     }
 
     @Override
-    public void wantBroadcasts(ChannelList channels) {
+    public void setChannels(ChannelList channels) {
         asked.add("channels " + channels);
     }
 
     @Override
     public void powerOn() {
         powered = true;
-        listener.stateChanged(snapshot());
+        listener.accept(new StationEvent.StationChanged());
     }
 
     @Override
     public void powerOff() {
         powered = false;
-        listener.stateChanged(snapshot());
+        listener.accept(new StationEvent.StationChanged());
     }
 
     @Override

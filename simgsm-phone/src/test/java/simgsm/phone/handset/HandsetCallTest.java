@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
 
 /** Calls, by console and by keys, and the tones that come back. */
 class HandsetCallTest {
@@ -19,8 +20,8 @@ class HandsetCallTest {
     void aCallIsToldStepByStep() {
         Bench bench = new Bench();
         bench.handset.dial(ROBOT);
-        bench.ears.alerting();
-        bench.ears.connected(Optional.of(ROBOT));
+        bench.handset.accept(new StationEvent.CalledPartyAlerted());
+        bench.handset.accept(new StationEvent.Connected(Optional.of(ROBOT)));
         bench.handset.hangUp();
         assertEquals(List.of("calling 5550200", "alerting", "connected 5550200", "released 16"), bench.events);
     }
@@ -64,7 +65,7 @@ class HandsetCallTest {
         bench.handset.dial(ROBOT);
         bench.farEndPlays('1');
         assertEquals(List.of("calling 5550200"), bench.events);
-        bench.ears.connected(Optional.empty());
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         assertEquals(Optional.empty(), bench.snapshot().call().tone());
     }
 
@@ -74,7 +75,7 @@ class HandsetCallTest {
         bench.farEndPlays('3');
         bench.station.release(Cause.NORMAL_CALL_CLEARING);
         bench.handset.dial(ROBOT);
-        bench.ears.connected(Optional.empty());
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         assertEquals(Optional.empty(), bench.snapshot().call().tone());
     }
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
 
 /** Keys on their way out: queued by the console, held in the window. */
 class HandsetKeysTest {
@@ -48,7 +49,7 @@ class HandsetKeysTest {
         bench.handset.hangUp();
         assertEquals(List.of("released 16"), bench.events);
         bench.handset.dial(new Msisdn("5550200"));
-        bench.ears.connected(Optional.empty());
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         bench.speechMillis(2000);
         assertEquals("**", bench.heardByFarEnd());
     }
@@ -59,7 +60,7 @@ class HandsetKeysTest {
         bench.handset.press(FORWARD_20);
         bench.station.release(simgsm.air.Cause.USER_BUSY);
         bench.handset.dial(new Msisdn("5550200"));
-        bench.ears.connected(Optional.empty());
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         bench.speechMillis(2000);
         assertEquals("", bench.heardByFarEnd());
     }
@@ -81,7 +82,7 @@ class HandsetKeysTest {
         Bench bench = new Bench();
         bench.handset.dial(new Msisdn("5550200"));
         assertEquals(Optional.empty(), bench.handset.press(DtmfKey.sequence("7")));
-        bench.ears.connected(Optional.empty());
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         bench.speechMillis(200);
         assertEquals("7", bench.heardByFarEnd());
     }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.phone.handset.StoredMessage.Delivery;
+import simgsm.station.context.StationEvent;
 
 /** Messages in, out and broadcast, by console and by keys. */
 class HandsetMessagesTest {
@@ -23,9 +24,9 @@ class HandsetMessagesTest {
         Bench bench = new Bench();
         bench.handset.sendMessage(ROBOT, "** #**20 **");
         assertEquals(Delivery.SENDING, lastDelivery(bench));
-        bench.ears.messageSent(0, ROBOT, 1);
+        bench.handset.accept(new StationEvent.MessageSent(0, ROBOT, 1));
         assertEquals(Delivery.SENT, lastDelivery(bench));
-        bench.ears.messageDelivered(0, ROBOT);
+        bench.handset.accept(new StationEvent.MessageDelivered(0, ROBOT));
         assertEquals(Delivery.DELIVERED, lastDelivery(bench));
         assertEquals(List.of("sms-sent 5550200 1 0", "sms-delivered 5550200 0"), bench.events);
     }
@@ -34,7 +35,7 @@ class HandsetMessagesTest {
     void aMessageThatFailsIsMarked() {
         Bench bench = new Bench();
         bench.handset.sendMessage(ROBOT, "x");
-        bench.ears.messageFailed(0, ROBOT, RpCause.UNASSIGNED_NUMBER);
+        bench.handset.accept(new StationEvent.MessageFailed(0, ROBOT, RpCause.UNASSIGNED_NUMBER));
         assertEquals(Delivery.FAILED, lastDelivery(bench));
         assertEquals(List.of("sms-failed 5550200 1"), bench.events);
     }
@@ -49,8 +50,8 @@ class HandsetMessagesTest {
     @Test
     void theInboxIsListedOldestFirstAndReadAfterwards() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("5550200", "3 Done");
-        bench.ears.messageReceived("Robot", "4 Collision");
+        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.MessageReceived("Robot", "4 Collision"));
         List<StoredMessage> first = bench.handset.readInbox();
         assertEquals(
                 List.of("3 Done", "4 Collision"),
@@ -65,7 +66,7 @@ class HandsetMessagesTest {
     @Test
     void aBroadcastIsKeptInItsOwnBox() {
         Bench bench = new Bench();
-        bench.ears.broadcastReceived(50, 2, "storm");
+        bench.handset.accept(new StationEvent.BroadcastReceived(50, 2, "storm"));
         assertEquals("50", bench.snapshot().broadcasts().get(0).party());
         assertEquals(0, bench.snapshot().inbox().size());
         assertEquals(List.of("broadcast 50 storm"), bench.events);
@@ -76,7 +77,7 @@ class HandsetMessagesTest {
         Bench bench = new Bench();
         bench.handset.sendMessage(ROBOT, "x");
         bench.handset.whenSettled(() -> bench.events.add("settled"));
-        bench.ears.messageSent(0, ROBOT, 1);
+        bench.handset.accept(new StationEvent.MessageSent(0, ROBOT, 1));
         assertEquals(List.of("sms-sent 5550200 1 0", "settled"), bench.events);
     }
 
@@ -106,11 +107,11 @@ class HandsetMessagesTest {
     void theDisplayFollowsAMessageOnItsWay() {
         Bench bench = sent();
         assertEquals(Delivery.SENDING, shownDelivery(bench));
-        bench.ears.messageSent(0, new Msisdn("5"), 1);
+        bench.handset.accept(new StationEvent.MessageSent(0, new Msisdn("5"), 1));
         assertEquals(Delivery.SENT, shownDelivery(bench));
-        bench.ears.messageDelivered(0, new Msisdn("5"));
+        bench.handset.accept(new StationEvent.MessageDelivered(0, new Msisdn("5")));
         assertEquals(Delivery.DELIVERED, shownDelivery(bench));
-        bench.ears.messageReceived("5", "3 Done");
+        bench.handset.accept(new StationEvent.MessageReceived("5", "3 Done"));
         bench.tap(PhoneKey.OK);
         assertEquals(
                 new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
@@ -119,7 +120,7 @@ class HandsetMessagesTest {
     @Test
     void aFailedMessageIsSentAgainFromTheOutbox() {
         Bench bench = sent();
-        bench.ears.messageFailed(0, new Msisdn("5"), RpCause.CONGESTION);
+        bench.handset.accept(new StationEvent.MessageFailed(0, new Msisdn("5"), RpCause.CONGESTION));
         assertEquals(Delivery.FAILED, shownDelivery(bench));
         assertEquals(
                 Optional.of(RpCause.CONGESTION),
@@ -133,7 +134,7 @@ class HandsetMessagesTest {
     @Test
     void enterOpensAnswersAndSendsButNeverCallsFromAList() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("5550200", "3 Done");
+        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
         bench.tap(PhoneKey.DOWN);
         for (int i = 0; i < 2; i++) {
             enter(bench);
@@ -164,7 +165,7 @@ class HandsetMessagesTest {
     @Test
     void aBroadcastIsAnnouncedAndNobodyCallsItsChannel() {
         Bench bench = new Bench();
-        bench.ears.broadcastReceived(50, 1, "storm");
+        bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"));
         assertEquals(1, bench.snapshot().unread(MessageFolder.BROADCASTS));
         bench.tap(PhoneKey.MENU, PhoneKey.FOUR, PhoneKey.CALL, PhoneKey.OK, PhoneKey.CALL);
         assertEquals(
@@ -185,7 +186,7 @@ class HandsetMessagesTest {
     @Test
     void aMessageIsReadInTheListAndAnswered() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("5550200", "3 Done");
+        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
         assertEquals(1, bench.snapshot().unread());
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
         assertEquals(
@@ -201,9 +202,9 @@ class HandsetMessagesTest {
     @Test
     void aMessageThatComesWhileOneIsReadDoesNotChangeWhatIsRead() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("1", "old");
+        bench.handset.accept(new StationEvent.MessageReceived("1", "old"));
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
-        bench.ears.messageReceived("2", "new");
+        bench.handset.accept(new StationEvent.MessageReceived("2", "new"));
         assertEquals(
                 new Screen.MessageView(MessageFolder.INBOX, 1, 0),
                 bench.snapshot().screen());
@@ -212,8 +213,8 @@ class HandsetMessagesTest {
     @Test
     void theHashKeyErasesTheMessageShown() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("1", "old");
-        bench.ears.messageReceived("2", "new");
+        bench.handset.accept(new StationEvent.MessageReceived("1", "old"));
+        bench.handset.accept(new StationEvent.MessageReceived("2", "new"));
         bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.HASH);
         assertEquals(
                 List.of("old"),
@@ -225,7 +226,7 @@ class HandsetMessagesTest {
     @Test
     void theSenderOfAMessageIsCalledWithTheGreenKey() {
         Bench bench = new Bench();
-        bench.ears.messageReceived("5550200", "3 Done");
+        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
         bench.tap(PhoneKey.DOWN, PhoneKey.CALL);
         assertEquals(List.of("sms 5550200 3 Done", "calling 5550200"), bench.events);
     }
@@ -243,7 +244,7 @@ class HandsetMessagesTest {
     void aFullBoxForgetsItsOldest() {
         Bench bench = new Bench();
         for (int i = 0; i <= Mailbox.CAPACITY; i++) {
-            bench.ears.messageReceived("1", "m" + i);
+            bench.handset.accept(new StationEvent.MessageReceived("1", "m" + i));
         }
         assertEquals(Mailbox.CAPACITY, bench.snapshot().inbox().size());
         assertEquals("m1", bench.snapshot().inbox().get(0).text());
@@ -254,9 +255,9 @@ class HandsetMessagesTest {
         Bench bench = new Bench();
         for (int i = 0; i < 2; i++) {
             bench.handset.sendMessage(ROBOT, "m" + i);
-            bench.ears.messageSent(i, ROBOT, 1);
+            bench.handset.accept(new StationEvent.MessageSent(i, ROBOT, 1));
         }
-        bench.ears.messageDelivered(1, ROBOT);
+        bench.handset.accept(new StationEvent.MessageDelivered(1, ROBOT));
         assertEquals(
                 List.of(Delivery.SENT, Delivery.DELIVERED),
                 bench.snapshot().outbox().stream().map(StoredMessage::delivery).toList());

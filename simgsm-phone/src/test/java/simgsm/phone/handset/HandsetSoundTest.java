@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.speech.AudioOutput;
 
-/** The view tells whether anything can be heard. */
+/** The view shows whether there is a sound device. */
 class HandsetSoundTest {
     private static final class Plug implements AudioOutput {
         private boolean in;
@@ -27,15 +27,14 @@ class HandsetSoundTest {
     @Test
     void aSoundDeviceThatComesOrGoesIsShownAtTheNextLook() {
         Plug plug = new Plug();
-        Handset handset =
-                new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, new HandsetListener() {}, plug, () -> Bench.NOON);
+        Handset handset = new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, event -> {}, plug, () -> Bench.NOON);
         handset.attach(new FakeStation());
         assertFalse(handset.snapshot().audible());
         plug.in = true;
-        handset.lookAtSound();
+        handset.checkSoundDevice();
         assertTrue(handset.snapshot().audible());
         plug.in = false;
-        handset.lookAtSound();
+        handset.checkSoundDevice();
         assertFalse(handset.snapshot().audible());
     }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
 
 /** Keys that go as messages: what the far end hears of it is not the phone's own speech. */
 class SignalledKeysTest {
@@ -23,10 +24,10 @@ class SignalledKeysTest {
 
     private void networkSends(char symbol) {
         DtmfKey key = DtmfKey.of(symbol);
-        bench.ears.keySounds(key);
+        bench.handset.accept(new StationEvent.KeyStarted(key));
         bench.speechMillis(100);
-        bench.ears.keyLetGo(key);
-        bench.ears.keyLeft(key);
+        bench.handset.accept(new StationEvent.KeyStopping(key));
+        bench.handset.accept(new StationEvent.KeyCompleted(key));
     }
 
     @Test
@@ -44,10 +45,10 @@ class SignalledKeysTest {
     @Test
     void nothingOfItIsSaidInTheSpeech() {
         bench.handset.press(DtmfKey.sequence("5"));
-        bench.ears.keySounds(DtmfKey.FIVE);
+        bench.handset.accept(new StationEvent.KeyStarted(DtmfKey.FIVE));
         short[] frame = new short[160];
         for (int i = 0; i < 10; i++) {
-            bench.handset.mouth().read(frame);
+            bench.handset.fillFrame(frame);
             assertArrayEquals(new short[160], frame);
         }
     }
@@ -57,15 +58,15 @@ class SignalledKeysTest {
         bench.down(PhoneKey.FIVE);
         bench.speechMillis(40);
         assertEquals(Optional.empty(), bench.snapshot().sounding(), "nobody has acknowledged it yet");
-        bench.ears.keySounds(DtmfKey.FIVE);
+        bench.handset.accept(new StationEvent.KeyStarted(DtmfKey.FIVE));
         bench.speechMillis(40);
         assertEquals(Optional.of(DtmfKey.FIVE), bench.snapshot().sounding());
         assertTrue(bench.snapshot().trace().rowDbm0(1) > -15);
         bench.up(PhoneKey.FIVE);
         assertEquals(List.of("hold 5", "let go"), asked());
-        bench.ears.keyLetGo(DtmfKey.FIVE);
+        bench.handset.accept(new StationEvent.KeyStopping(DtmfKey.FIVE));
         bench.speechMillis(100);
-        bench.ears.keyLeft(DtmfKey.FIVE);
+        bench.handset.accept(new StationEvent.KeyCompleted(DtmfKey.FIVE));
         assertEquals(Optional.empty(), bench.snapshot().sounding());
         assertEquals(List.of("sent 5"), bench.events);
     }
@@ -75,7 +76,7 @@ class SignalledKeysTest {
         bench.handset.press(DtmfKey.sequence("123"));
         bench.handset.press(DtmfKey.sequence("45"));
         networkSends('1');
-        bench.ears.keysRefused(Cause.SERVICE_NOT_AVAILABLE);
+        bench.handset.accept(new StationEvent.KeysRefused(Cause.SERVICE_NOT_AVAILABLE));
         assertEquals(List.of("refused 2345 63"), bench.events);
         assertEquals(
                 new Screen.Note(Screen.Note.Kind.KEYS_REFUSED, "63"),
@@ -101,11 +102,11 @@ class SignalledKeysTest {
         calling.handset.dial(new Msisdn("5550200"));
         calling.handset.press(DtmfKey.sequence("9"));
         assertEquals(List.of("dial 5550200", "signal 9 100"), calling.station.asked);
-        calling.ears.connected(Optional.empty());
-        calling.ears.keySounds(DtmfKey.NINE);
+        calling.handset.accept(new StationEvent.Connected(Optional.empty()));
+        calling.handset.accept(new StationEvent.KeyStarted(DtmfKey.NINE));
         calling.speechMillis(100);
-        calling.ears.keyLetGo(DtmfKey.NINE);
-        calling.ears.keyLeft(DtmfKey.NINE);
+        calling.handset.accept(new StationEvent.KeyStopping(DtmfKey.NINE));
+        calling.handset.accept(new StationEvent.KeyCompleted(DtmfKey.NINE));
         assertTrue(calling.events.contains("sent 9"), calling.events.toString());
     }
 

@@ -17,6 +17,7 @@ import simgsm.dtmf.Goertzel;
 import simgsm.dtmf.ToneLevel;
 import simgsm.dtmf.ToneSet;
 import simgsm.speech.AudioOutput;
+import simgsm.station.context.StationEvent;
 
 /** What the phone plays by itself. */
 class SupervisoryTonesTest {
@@ -105,24 +106,24 @@ class SupervisoryTonesTest {
             public void close() {}
         });
         bench.handset.dial(new Msisdn("5550200"));
-        bench.ears.networkTones(true);
-        bench.ears.alerting();
+        bench.handset.accept(new StationEvent.NetworkPlaysTones(true));
+        bench.handset.accept(new StationEvent.CalledPartyAlerted());
         assertFalse(bench.handset.wantsTime());
         DtmfGenerator network = new DtmfGenerator();
         network.enqueue(DtmfKey.of('5'));
         while (!network.isIdle()) {
             short[] frame = new short[160];
             network.read(frame);
-            bench.ears.speechReceived(frame);
+            bench.handset.accept(new StationEvent.SpeechReceived(frame));
             bench.speechMillis(20);
         }
         assertTrue(played.stream().anyMatch(frame -> frame[40] != 0));
         assertEquals("", bench.heardByFarEnd());
         assertTrue(bench.events.stream().noneMatch(event -> event.startsWith("tone")), bench.events.toString());
 
-        bench.ears.networkTones(false);
+        bench.handset.accept(new StationEvent.NetworkPlaysTones(false));
         bench.station.release(Cause.USER_BUSY);
-        bench.ears.networkTones(true);
+        bench.handset.accept(new StationEvent.NetworkPlaysTones(true));
         assertFalse(bench.handset.wantsTime());
         bench.tap(PhoneKey.END);
         assertTrue(bench.station.asked.contains("hangUp"), bench.station.asked.toString());

@@ -25,6 +25,7 @@ import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.KeyMode;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.context.StationEvent;
 import simgsm.ui.Theme;
 
 /** Every screen of the display is painted, in both languages, and no two look alike. */
@@ -76,7 +77,8 @@ class LcdScreensTest {
             bench.tap(PhoneKey.MESSAGE, PhoneKey.TWO, PhoneKey.OK, PhoneKey.FIVE, PhoneKey.OK);
         }));
         screens.put("failed", failed());
-        screens.put("broadcast", with(bench -> bench.ears.broadcastReceived(50, 1, "storm")));
+        screens.put(
+                "broadcast", with(bench -> bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"))));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
     }
@@ -87,27 +89,27 @@ class LcdScreensTest {
 
     private static Bench failed() {
         Bench bench = sent();
-        bench.ears.messageFailed(0, new Msisdn("5"), RpCause.DESTINATION_OUT_OF_ORDER);
+        bench.handset.accept(new StationEvent.MessageFailed(0, new Msisdn("5"), RpCause.DESTINATION_OUT_OF_ORDER));
         return bench;
     }
 
     private static Bench fullRate() {
         Bench bench = Bench.connected();
         bench.station.heardCodec = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
-        bench.ears.stateChanged(bench.station.snapshot());
+        bench.handset.accept(new StationEvent.StationChanged());
         return bench;
     }
 
     private static Bench refused() {
         Bench bench = Bench.connected(KeyMode.SIGNALLED);
-        bench.ears.keysRefused(Cause.SERVICE_NOT_AVAILABLE);
+        bench.handset.accept(new StationEvent.KeysRefused(Cause.SERVICE_NOT_AVAILABLE));
         return bench;
     }
 
     private static void messages(Bench bench) {
         for (int i = 0; i < 5; i++) {
-            bench.ears.messageReceived(
-                    "5550200", "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0. ".repeat(4) + i);
+            bench.handset.accept(new StationEvent.MessageReceived(
+                    "5550200", "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0. ".repeat(4) + i));
         }
     }
 

@@ -11,10 +11,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import java.util.function.ObjLongConsumer;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
-import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Bench;
+import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -83,46 +84,47 @@ final class PanelBench {
         return count;
     }
 
+    /** Notes each action and performs it at once. */
     private final class Controls implements HandsetControls {
+        @Override
+        public void perform(ObjLongConsumer<Handset> action) {
+            action.accept(bench.handset, bench.nowNanos);
+        }
+
         @Override
         public void keyDown(PhoneKey key) {
             acts.add("down " + key);
-            bench.handset.keyDown(key, bench.nowNanos);
+            HandsetControls.super.keyDown(key);
         }
 
         @Override
         public void keyUp(PhoneKey key) {
             acts.add("up " + key);
-            bench.handset.keyUp(key, bench.nowNanos);
+            HandsetControls.super.keyUp(key);
         }
 
         @Override
         public void enterDown() {
             acts.add("down ENTER");
-            bench.handset.enterDown(bench.nowNanos);
+            HandsetControls.super.enterDown();
         }
 
         @Override
         public void enterUp() {
             acts.add("up ENTER");
-            bench.handset.enterUp(bench.nowNanos);
+            HandsetControls.super.enterUp();
         }
 
         @Override
         public void charDown(char character) {
             acts.add("down " + character);
-            bench.handset.charDown(character, bench.nowNanos);
-        }
-
-        @Override
-        public void tryOut(ToneExperiment experiment) {
-            bench.handset.tryOut(experiment);
+            HandsetControls.super.charDown(character);
         }
 
         @Override
         public void charUp(char character) {
             acts.add("up " + character);
-            bench.handset.charUp(character, bench.nowNanos);
+            HandsetControls.super.charUp(character);
         }
     }
 }

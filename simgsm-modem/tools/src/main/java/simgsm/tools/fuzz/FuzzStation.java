@@ -1,7 +1,6 @@
 package simgsm.tools.fuzz;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
@@ -11,18 +10,18 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
-import simgsm.station.Uplink;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.context.Uplink;
+import simgsm.station.mobility.Sim;
 
 /**
  * A station core with random actions, of whose frames some are mutated, lost, repeated or replaced. The caller supplies
  * connection and time.
  */
-public final class FuzzStation implements StationListener {
+public final class FuzzStation {
     private static final int LONGEST_TEXT = 320;
     private static final int LONGEST_TONE_MILLIS = 300;
 
@@ -51,7 +50,7 @@ public final class FuzzStation implements StationListener {
                 Sim.WITHOUT_KEY,
                 StationOptions.STANDARD,
                 SpeechSource.SILENCE,
-                this,
+                this::accept,
                 random);
     }
 
@@ -123,9 +122,8 @@ public final class FuzzStation implements StationListener {
         return others.get(random.nextInt(others.size()));
     }
 
-    @Override
-    public void ringing(Optional<Msisdn> from) {
-        if (random.nextInt(3) > 0) {
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.Ringing && random.nextInt(3) > 0) {
             station.answer();
         }
     }

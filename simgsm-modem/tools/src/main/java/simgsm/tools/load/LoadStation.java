@@ -1,21 +1,20 @@
 package simgsm.tools.load;
 
 import java.util.Arrays;
-import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.station.MobileStation;
-import simgsm.station.Sim;
-import simgsm.station.SpeechSource;
-import simgsm.station.StationIdentity;
-import simgsm.station.StationListener;
 import simgsm.station.StationOptions;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
 
 /** One station of the load: answers calls, numbers its speech frames, and reports events to the generator. */
-final class LoadStation implements StationListener, SpeechSource {
+final class LoadStation implements SpeechSource {
     /** A type of test equipment other than that of the phones, so that no IMEI occurs twice. */
     private static final String TYPE_ALLOCATION_CODE = "00101751";
 
@@ -62,7 +61,7 @@ final class LoadStation implements StationListener, SpeechSource {
         this.observer = observer;
         Imei imei = Imei.of(TYPE_ALLOCATION_CODE, (int) (Long.parseLong(number.digits()) % SERIAL_NUMBERS));
         StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM load");
-        station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, this, this);
+        station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, this, this::accept);
     }
 
     Msisdn number() {
@@ -73,39 +72,24 @@ final class LoadStation implements StationListener, SpeechSource {
         partner = other;
     }
 
-    @Override
-    public void registered(Msisdn number) {
-        observer.attached(this);
-    }
-
-    @Override
-    public void unregistered(Optional<RejectCause> cause) {
-        observer.refused(this, cause.map(RejectCause::toString).orElse("no service"));
-    }
-
-    @Override
-    public void ringing(Optional<Msisdn> from) {
-        station.answer();
-    }
-
-    @Override
-    public void connected(Optional<Msisdn> peer) {
-        observer.connected(this);
-    }
-
-    @Override
-    public void released(Cause cause) {
-        observer.released(this, cause);
-    }
-
-    @Override
-    public void messageReceived(String from, String text) {
-        observer.messageArrived(text);
-    }
-
-    @Override
-    public void messageFailed(int id, Msisdn to, RpCause cause) {
-        observer.messageFailed(id, this, cause);
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.SpeechReceived speech) {
+            hear(speech.samples());
+        } else if (event instanceof StationEvent.Registered) {
+            observer.attached(this);
+        } else if (event instanceof StationEvent.Unregistered unregistered) {
+            observer.refused(this, unregistered.cause().map(RejectCause::toString).orElse("no service"));
+        } else if (event instanceof StationEvent.Ringing) {
+            station.answer();
+        } else if (event instanceof StationEvent.Connected) {
+            observer.connected(this);
+        } else if (event instanceof StationEvent.Released released) {
+            observer.released(this, released.cause());
+        } else if (event instanceof StationEvent.MessageReceived message) {
+            observer.messageArrived(message.text());
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            observer.messageFailed(failed.id(), this, failed.cause());
+        }
     }
 
     /** Numbers the frame, which is sent at once. */
@@ -121,8 +105,7 @@ final class LoadStation implements StationListener, SpeechSource {
         observer.spoke();
     }
 
-    @Override
-    public void speechReceived(short[] samples) {
+    private void hear(short[] samples) {
         int number = SpeechFrameNumber.read(samples);
         if (partner != null && number != SpeechFrameNumber.NONE) {
             observer.heard(System.nanoTime() - partner.sentNanos[number % KEPT_FRAMES]);

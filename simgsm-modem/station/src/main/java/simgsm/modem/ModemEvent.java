@@ -1,0 +1,17 @@
+package simgsm.modem;
+
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
+
+/** What a modem adds to the events of its station. */
+public sealed interface ModemEvent extends StationEvent.OfTerminal {
+    /** A key in an accepted call, at its decision, while its tone sounds. */
+    record KeyDecided(DtmfDigit digit) implements ModemEvent {}
+
+    /** All keys in this much speech of an accepted call, lost frames included, have been reported. */
+    record SpeechProcessed(int samples) implements ModemEvent {}
+
+    /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent whole. */
+    record ToneSent(DtmfKey key) implements ModemEvent {}
+}

@@ -1,0 +1,56 @@
+package simgsm.station;
+
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.sms.ChannelList;
+
+/** What the user of a station can do with it. All but {@link #snapshot} are called on the owner thread. */
+public interface StationCommands {
+    void powerOn();
+
+    /** Ends a call with cause 16 and detaches. */
+    void powerOff();
+
+    /** Calls a number; without service the call waits 5 s for it. @return false if a call is under way or the station is off */
+    boolean dial(Msisdn number);
+
+    /** Answers the ringing call. @return false if there is none */
+    boolean answer();
+
+    /** Ends the call with cause 16; the caller of a ringing call receives 21, call rejected. @return false if there is none */
+    boolean hangUp();
+
+    /**
+     * Queues a key that is signalled to the network, which plays its tone to the far end (START DTMF, STOP DTMF). Before
+     * the call is active it waits.
+     *
+     * @param millis length of the tone, 70 at least
+     */
+    void signalKey(DtmfKey key, int millis);
+
+    /** Queues a key that sounds until {@link #releaseKey}; a key that is held is released first. */
+    void holdKey(DtmfKey key);
+
+    /** Releases the key that is held, if there is one. */
+    void releaseKey();
+
+    /**
+     * Queues a text, split into as many parts as it needs; a status report is requested. Without service it waits 40 s.
+     *
+     * @return the id of the message in {@link simgsm.station.context.StationEvent}s
+     * @throws IllegalArgumentException for a text of more than 255 parts
+     */
+    int sendMessage(Msisdn to, String text);
+
+    /**
+     * Whether there is room for received messages. Without room the network is refused (RP cause 22) and keeps them; once
+     * there is room again it is notified (RP-SMMA).
+     */
+    void setMemoryAvailable(boolean available);
+
+    /** Discards broadcasts on other channels; at first all channels are received. */
+    void setChannels(ChannelList channels);
+
+    /** The current state; may be called from any thread. */
+    StationSnapshot snapshot();
+}

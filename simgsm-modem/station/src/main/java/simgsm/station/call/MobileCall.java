@@ -1,0 +1,333 @@
+package simgsm.station.call;
+
+import java.util.Optional;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.air.TransactionIdentifier;
+import simgsm.state.StateMachine;
+import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationTimer;
+import simgsm.station.mobility.ServiceRequests;
+
+/** The one call of a station; runs by {@link MobileCallTable}. */
+public final class MobileCall implements ServiceRequests.ServiceUser {
+    private static final int TRANSACTIONS = 7;
+
+    private final StationContext context;
+    private final ServiceRequests services;
+    private final SpeechPath speech;
+    private final KeySignalling keys;
+    private final boolean callWaiting;
+    private final WaitingCall waiting;
+    private final StateMachine<MobileCallState, MobileCallEvent, MobileCallAction> machine;
+    /** As in the messages sent; null in state NULL. */
+    private TransactionIdentifier transaction;
+
+    private int nextTransaction;
+    private Optional<Msisdn> peer = Optional.empty();
+    /** For the clearing message. */
+    private Cause sentCause = Cause.NORMAL_CALL_CLEARING;
+
+    private Cause reportedCause = Cause.NORMAL_CALL_CLEARING;
+
+    /** Whether the message being processed announces tones of the network. */
+    private boolean tonesAnnounced;
+
+    private boolean networkPlaysTones;
+
+    /** Dialled while the previous call was being cleared. */
+    private Optional<Msisdn> next = Optional.empty();
+
+    /** @param callWaiting whether a second call may wait; else its caller is told that the user is busy */
+    public MobileCall(
+            StationContext context,
+            ServiceRequests services,
+            SpeechPath speech,
+            KeySignalling keys,
+            boolean callWaiting) {
+        this.context = context;
+        this.services = services;
+        this.speech = speech;
+        this.keys = keys;
+        this.callWaiting = callWaiting;
+        this.waiting = new WaitingCall(context);
+        machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
+    }
+
+    public MobileCallState state() {
+        return machine.state();
+    }
+
+    public Optional<Msisdn> peer() {
+        return peer;
+    }
+
+    /** Begins a call, or lets it follow the one that is being cleared. @return false if a call is under way */
+    public boolean dial(Msisdn number) {
+        if (MobileCallTable.CLEARING.contains(state()) && next.isEmpty()) {
+            next = Optional.of(number);
+            if (state() == MobileCallState.DISCONNECT_INDICATION) {
+                fire(MobileCallEvent.CLEAR);
+            }
+            return true;
+        }
+        return state() == MobileCallState.NULL && begin(number);
+    }
+
+    private boolean begin(Msisdn number) {
+        peer = Optional.of(number);
+        transaction = new TransactionIdentifier(nextTransaction, false);
+        nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
+        fire(MobileCallEvent.DIAL);
+        if (!services.isAvailable()) {
+            context.timers().start(StationTimer.CALL_WAIT, () -> refused(RejectCause.NETWORK_FAILURE));
+            checkService();
+        }
+        return true;
+    }
+
+    /** Lets a call that waits for service go on or end once registration has succeeded or was refused. */
+    public void checkService() {
+        if (!waitsForService()) {
+            return;
+        }
+        if (services.isAvailable()) {
+            context.timers().stop(StationTimer.CALL_WAIT);
+        } else if (services.isRefused()) {
+            refused(RejectCause.NETWORK_FAILURE);
+        }
+    }
+
+    private boolean waitsForService() {
+        return context.timers().isRunning(StationTimer.CALL_WAIT);
+    }
+
+    public boolean answer() {
+        return fire(MobileCallEvent.ANSWER);
+    }
+
+    /** Ends the call and reports cause 16; a ringing call is rejected with cause 21. @return false if there is none */
+    public boolean hangUp() {
+        boolean ringing = state() == MobileCallState.CALL_RECEIVED;
+        return clear(ringing ? Cause.CALL_REJECTED : Cause.NORMAL_CALL_CLEARING, Cause.NORMAL_CALL_CLEARING);
+    }
+
+    public boolean clear(Cause cause) {
+        return clear(cause, cause);
+    }
+
+    private boolean clear(Cause sent, Cause reported) {
+        if (next.isPresent()) {
+            cancelNext(reported);
+            return true;
+        }
+        return machine.accepts(MobileCallEvent.CLEAR) && fire(MobileCallEvent.CLEAR, sent, reported);
+    }
+
+    private void cancelNext(Cause cause) {
+        context.events().add(new StationEvent.Calling(next.orElseThrow()));
+        context.events().add(new StationEvent.Released(cause));
+        next = Optional.empty();
+    }
+
+    public void powerOff() {
+        if (next.isPresent()) {
+            cancelNext(Cause.NORMAL_CALL_CLEARING);
+        }
+        waiting.end();
+        fire(MobileCallEvent.POWER_OFF);
+    }
+
+    @Override
+    public void connected() {
+        fire(MobileCallEvent.MM_CONNECTED);
+    }
+
+    @Override
+    public void refused(RejectCause cause) {
+        fire(
+                MobileCallEvent.MM_REFUSED,
+                switch (cause) {
+                    case CONGESTION -> Cause.SWITCHING_EQUIPMENT_CONGESTION;
+                    case SERVICE_OPTION_NOT_SUPPORTED -> Cause.SERVICE_NOT_AVAILABLE;
+                    default -> Cause.NETWORK_OUT_OF_ORDER;
+                });
+    }
+
+    /** A call that still waits for service requests it again; any other ends. */
+    @Override
+    public void lost() {
+        if (waitsForService()) {
+            services.request(ServiceType.MOBILE_ORIGINATED_CALL);
+            return;
+        }
+        waiting.end();
+        fire(MobileCallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
+    }
+
+    /** Ends a call without received speech; before the call is active there need not be any. */
+    private void farEndSilent() {
+        if (state() == MobileCallState.ACTIVE || state() == MobileCallState.DISCONNECT_INDICATION) {
+            clear(Cause.TEMPORARY_FAILURE);
+        }
+    }
+
+    /** Whether messages with this transaction, as received, belong to the call. */
+    boolean has(TransactionIdentifier received) {
+        return state() != MobileCallState.NULL
+                && state() != MobileCallState.MM_CONNECTION_PENDING
+                && received.answered().equals(transaction);
+    }
+
+    /** SETUP has arrived while there is no call. */
+    void offered(TransactionIdentifier received, Optional<Msisdn> caller) {
+        ring(received, caller, MobileCallEvent.SETUP);
+    }
+
+    private void ring(TransactionIdentifier received, Optional<Msisdn> caller, MobileCallEvent event) {
+        transaction = received.answered();
+        peer = caller;
+        services.adopt(ServiceType.MOBILE_ORIGINATED_CALL);
+        fire(event);
+    }
+
+    void sendStatus(Cause cause) {
+        send(new CallControl.Status(transaction, cause, state().code()));
+    }
+
+    /** A message has arrived. @return whether the current state accepts it */
+    boolean arrived(MobileCallEvent event, Cause cause, boolean inBand) {
+        tonesAnnounced = inBand;
+        boolean accepted = fire(event, cause);
+        tonesAnnounced = false;
+        return accepted;
+    }
+
+    private boolean fire(MobileCallEvent event) {
+        return fire(event, Cause.NORMAL_CALL_CLEARING);
+    }
+
+    private boolean fire(MobileCallEvent event, Cause cause) {
+        return fire(event, cause, cause);
+    }
+
+    private boolean fire(MobileCallEvent event, Cause sent, Cause reported) {
+        sentCause = sent;
+        reportedCause = reported;
+        boolean accepted = machine.fire(event);
+        if (accepted && state() == MobileCallState.NULL) {
+            keys.end();
+            transaction = null;
+            peer = Optional.empty();
+            beginNext();
+        }
+        return accepted;
+    }
+
+    private void beginNext() {
+        Optional<Msisdn> number = next;
+        next = Optional.empty();
+        if (number.isPresent()) {
+            begin(number.get());
+        } else {
+            waiting.take().ifPresent(call -> ring(call.received(), call.caller(), MobileCallEvent.TAKE_WAITING));
+        }
+    }
+
+    WaitingCall waiting() {
+        return waiting;
+    }
+
+    boolean acceptsWaitingCall() {
+        return callWaiting && state() == MobileCallState.ACTIVE && !waiting.isPresent();
+    }
+
+    private void perform(MobileCallAction action) {
+        switch (action) {
+            case REQUEST_CONNECTION -> services.request(ServiceType.MOBILE_ORIGINATED_CALL);
+            case RELEASE_CONNECTION -> services.release(ServiceType.MOBILE_ORIGINATED_CALL);
+            case SEND_SETUP -> send(new CallControl.Setup(transaction, Optional.empty(), peer));
+            case SEND_CALL_CONFIRMED -> send(new CallControl.CallConfirmed(transaction));
+            case SEND_ALERTING -> send(new CallControl.Alerting(transaction));
+            case SEND_CONNECT -> send(new CallControl.Connect(transaction));
+            case SEND_CONNECT_ACKNOWLEDGE -> send(new CallControl.ConnectAcknowledge(transaction));
+            case SEND_DISCONNECT -> send(new CallControl.Disconnect(transaction, sentCause));
+            case SEND_RELEASE -> send(new CallControl.Release(transaction, Optional.empty()));
+            case SEND_RELEASE_COMPLETE -> send(new CallControl.ReleaseComplete(transaction, Optional.empty()));
+            case START_T303 -> start(StationTimer.T303, MobileCallEvent.T303_EXPIRED);
+            case START_T305 -> start(StationTimer.T305, MobileCallEvent.T305_EXPIRED);
+            case START_T308 -> start(StationTimer.T308, MobileCallEvent.T308_EXPIRED);
+            case START_T308_AGAIN -> start(StationTimer.T308, MobileCallEvent.T308_EXPIRED_AGAIN);
+            case START_T310 -> start(StationTimer.T310, MobileCallEvent.T310_EXPIRED);
+            case START_T313 -> start(StationTimer.T313, MobileCallEvent.T313_EXPIRED);
+            case STOP_TIMERS -> stopTimers();
+            case ATTACH_USER -> attachUser();
+            case START_SPEECH -> startSpeech();
+            case STOP_SPEECH -> stopSpeech();
+            case REPORT_CALLING -> report(new StationEvent.Calling(peer.orElseThrow()));
+            case REPORT_ALERTED -> report(new StationEvent.CalledPartyAlerted());
+            case REPORT_RINGING -> report(new StationEvent.Ringing(peer));
+            case REPORT_CONNECTED -> report(new StationEvent.Connected(peer));
+            case REPORT_RELEASED -> report(new StationEvent.Released(reportedCause));
+            case CHECK_COMPATIBILITY -> fire(MobileCallEvent.COMPATIBLE);
+            case ALERT_USER -> fire(MobileCallEvent.USER_ALERTED);
+            case CHECK_TONES ->
+                fire(
+                        tonesAnnounced ? MobileCallEvent.TONES_ANNOUNCED : MobileCallEvent.NO_TONES_ANNOUNCED,
+                        reportedCause);
+        }
+    }
+
+    private void start(StationTimer timer, MobileCallEvent expired) {
+        context.timers().start(timer, () -> fire(expired, Cause.RECOVERY_ON_TIMER_EXPIRY));
+    }
+
+    private void attachUser() {
+        if (tonesAnnounced) {
+            speech.start(this::farEndSilent);
+            setNetworkPlaysTones(true);
+        }
+    }
+
+    private void setNetworkPlaysTones(boolean playing) {
+        if (networkPlaysTones != playing) {
+            networkPlaysTones = playing;
+            report(new StationEvent.NetworkPlaysTones(playing));
+        }
+    }
+
+    private void startSpeech() {
+        setNetworkPlaysTones(false);
+        speech.start(this::farEndSilent);
+        keys.begin(transaction);
+    }
+
+    private void stopSpeech() {
+        speech.stop();
+        keys.end();
+        setNetworkPlaysTones(false);
+    }
+
+    private void report(StationEvent event) {
+        context.events().add(event);
+    }
+
+    private void send(CallControl message) {
+        context.radio().send(message);
+    }
+
+    private void stopTimers() {
+        context.timers()
+                .stop(
+                        StationTimer.CALL_WAIT,
+                        StationTimer.T303,
+                        StationTimer.T305,
+                        StationTimer.T308,
+                        StationTimer.T310,
+                        StationTimer.T313);
+    }
+}

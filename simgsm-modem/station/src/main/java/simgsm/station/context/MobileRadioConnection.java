@@ -1,0 +1,78 @@
+package simgsm.station.context;
+
+import java.lang.System.Logger.Level;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
+import simgsm.abis.RslMessage.Sapi;
+import simgsm.air.CallControl;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.MobilityManagement;
+import simgsm.air.ShortMessageControl;
+import simgsm.octets.OctetString;
+
+/** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
+public final class MobileRadioConnection {
+    private final StationLog log;
+    private Uplink uplink = Uplink.DISCONNECTED;
+    private boolean open;
+    /** N(SD) of the next mobility management or call control message (TS 24.007, 11.2.3.2.3). */
+    private int sendSequence;
+
+    MobileRadioConnection(StationLog log) {
+        this.log = log;
+    }
+
+    /** @param newUplink the connection to the centre from now on */
+    public void setUplink(Uplink newUplink) {
+        uplink = newUplink;
+        open = false;
+    }
+
+    public boolean isOpen() {
+        return open;
+    }
+
+    public void send(Layer3Message message) {
+        OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.UPLINK, nextSequence(message)));
+        Sapi sapi = message instanceof ShortMessageControl ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING;
+        log.trace(Level.DEBUG, "up {0}", message);
+        send(open ? new RslMessage.DataIndication(sapi, octets) : new RslMessage.EstablishIndication(sapi, octets));
+        open = true;
+    }
+
+    /** Sends a frame on a stream that needs no radio connection: speech or CCM. */
+    public void send(int stream, byte[] payload) {
+        uplink.send(new IpaFrame(stream, payload));
+    }
+
+    /** Leaves the channel, if there is one. */
+    public void release() {
+        if (open) {
+            open = false;
+            send(new RslMessage.ReleaseIndication(Sapi.SIGNALLING));
+        }
+    }
+
+    /** Ends the connection to the centre. */
+    public void dropLink() {
+        uplink.drop();
+    }
+
+    private int nextSequence(Layer3Message message) {
+        if (!open) {
+            sendSequence = 0;
+        }
+        int sequence = sendSequence;
+        if (message instanceof MobilityManagement || message instanceof CallControl) {
+            sendSequence ^= 1;
+        }
+        return sequence;
+    }
+
+    private void send(RslMessage message) {
+        send(IpaFrame.RSL, RslCodec.encode(message));
+    }
+}

@@ -1,0 +1,23 @@
+package simgsm.station.context;
+
+import java.util.function.Consumer;
+
+/** What all machines of one station share. */
+public record StationContext(
+        StationIdentity identity,
+        StationLog log,
+        StationTimers timers,
+        MobileRadioConnection radio,
+        PendingEvents events) {
+
+    /** @param settle runs after each timer that expires */
+    public static StationContext of(StationIdentity identity, Consumer<StationEvent> listener, Runnable settle) {
+        StationLog log = new StationLog(identity);
+        return new StationContext(
+                identity,
+                log,
+                new StationTimers(settle),
+                new MobileRadioConnection(log),
+                new PendingEvents(listener, log));
+    }
+}

@@ -1,0 +1,113 @@
+package simgsm.station.context;
+
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.air.RejectCause;
+import simgsm.air.RpCause;
+import simgsm.dtmf.DtmfKey;
+
+/**
+ * What a station reports, and what a terminal built on it adds. Events are delivered on the owner thread once the
+ * station's state is settled, so the receiver may call every command of the station.
+ */
+public sealed interface StationEvent {
+    /** An event that a phone or a modem adds to those of its station. */
+    non-sealed interface OfTerminal extends StationEvent {}
+
+    record Registered(Msisdn number) implements StationEvent {}
+
+    /** At each loss of service and at each new cause, not at every further attempt. @param cause if the network refused */
+    record Unregistered(Optional<RejectCause> cause) implements StationEvent {}
+
+    /** The snapshot has changed. */
+    record StationChanged() implements StationEvent {}
+
+    /** 30 s have passed since the station was asked for a reminder. */
+    record ReminderDue() implements StationEvent {}
+
+    /**
+     * The next 20 ms from the far end or the network.
+     *
+     * @param samples 160, 8 kHz, 16 bit; 0 where a frame was lost
+     */
+    record SpeechReceived(short[] samples) implements StationEvent {}
+
+    /** The progress of a call. */
+    sealed interface OfCall extends StationEvent {}
+
+    /** An originated call begins. */
+    record Calling(Msisdn number) implements OfCall {}
+
+    /** The called terminal rings. */
+    record CalledPartyAlerted() implements OfCall {}
+
+    /** @param from empty if the network does not say */
+    record Ringing(Optional<Msisdn> from) implements OfCall {}
+
+    /** A second call waits; {@link Ringing} follows when the first has ended. */
+    record CallWaits(Optional<Msisdn> from) implements OfCall {}
+
+    /** The waiting call has ended before the first. */
+    record WaitingCallEnded() implements OfCall {}
+
+    record Connected(Optional<Msisdn> peer) implements OfCall {}
+
+    /** Once for each call, at the first clearing message sent or received. The user's own hang-up is cause 16. */
+    record Released(Cause cause) implements OfCall {}
+
+    /**
+     * Whether the network plays tones in place of the terminal (TS 24.008, 5.5.1 and 5.4.4.1.1.1). While it does,
+     * {@link SpeechReceived} carries them, also before the call is connected and after its release.
+     */
+    record NetworkPlaysTones(boolean playing) implements OfCall {}
+
+    /** A key that is signalled to the network; of each key, in this order, the first three or {@link KeysRefused}. */
+    sealed interface OfKey extends StationEvent {}
+
+    /** The network plays the key's tone from now on. */
+    record KeyStarted(DtmfKey key) implements OfKey {}
+
+    /** The network has been asked to end the tone. */
+    record KeyStopping(DtmfKey key) implements OfKey {}
+
+    /** The tone has ended. */
+    record KeyCompleted(DtmfKey key) implements OfKey {}
+
+    /** The network has refused a key or has not answered; the keys queued after it are dropped as well. */
+    record KeysRefused(Cause cause) implements OfKey {}
+
+    /** A short message or a broadcast. */
+    sealed interface OfMessage extends StationEvent {}
+
+    /** A message that was submitted here. */
+    sealed interface OfSubmittedMessage extends OfMessage {
+        /** The number that identifies the message at this station. */
+        int id();
+
+        /** TP-MR of the message's first part, 0 to 255. */
+        default int reference() {
+            return id() & 0xff;
+        }
+    }
+
+    /** The network has acknowledged all parts. */
+    record MessageSent(int id, Msisdn to, int parts) implements OfSubmittedMessage {}
+
+    record MessageFailed(int id, Msisdn to, RpCause cause) implements OfSubmittedMessage {}
+
+    /** A status report says that the last part has been delivered. */
+    record MessageDelivered(int id, Msisdn to) implements OfSubmittedMessage {}
+
+    /**
+     * A status report says that the message will not be delivered.
+     *
+     * @param status TP-ST, see {@link simgsm.sms.DeliveryStatus}
+     */
+    record MessageUndelivered(int id, Msisdn to, int status) implements OfSubmittedMessage {}
+
+    /** A whole message, without duplicates. @param from a number, or an alphanumeric address */
+    record MessageReceived(String from, String text) implements OfMessage {}
+
+    record BroadcastReceived(int channel, int pages, String text) implements OfMessage {}
+}

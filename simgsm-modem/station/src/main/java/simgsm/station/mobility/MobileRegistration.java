@@ -1,0 +1,247 @@
+package simgsm.station.mobility;
+
+import java.lang.System.Logger.Level;
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.Imsi;
+import simgsm.air.LocationArea;
+import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.TmsiReallocationComplete;
+import simgsm.air.RejectCause;
+import simgsm.air.Tmsi;
+import simgsm.state.StateMachine;
+import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationTimer;
+
+/** Registers the station and keeps it registered; runs by {@link MobileRegistrationTable}. */
+public final class MobileRegistration {
+    /** Ciphering key sequence number that means "no key" (TS 24.008, 10.5.1.2). */
+    private static final int NO_KEY = 7;
+
+    /** The longest pause after a failure, as a multiple of T3211: reached after the fifth. */
+    private static final int MAX_PAUSE = 16;
+
+    /** Causes after which no further attempt is made (TS 24.008, 4.4.4.7). Not cause 3: here it also means that the number is in use, which may pass. */
+    private static final Set<RejectCause> FINAL =
+            EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_ME, RejectCause.PLMN_NOT_ALLOWED);
+
+    private final StationContext context;
+    private final StateMachine<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> machine;
+    private boolean cellFound;
+    private int keySequence = NO_KEY;
+    private int pause = 1;
+    private Optional<Tmsi> tmsi = Optional.empty();
+    private LocationArea area = LocationArea.TEST;
+    private Optional<MobileIdentity> offeredIdentity = Optional.empty();
+    private Optional<RejectCause> rejectCause = Optional.empty();
+    private boolean cardRefused;
+    /** Null before the first report. */
+    private StationEvent lastReport;
+
+    /** Switched on, without a cell. */
+    public MobileRegistration(StationContext context) {
+        this.context = context;
+        machine = new StateMachine<>(
+                MobileRegistrationTable.TABLE, context.identity().number(), this::perform);
+        fire(MobileRegistrationEvent.POWER_ON);
+    }
+
+    /** An event that carries nothing: power on, channel released. */
+    public void fire(MobileRegistrationEvent event) {
+        machine.fire(event);
+    }
+
+    private MobileRegistrationState state() {
+        return machine.state();
+    }
+
+    public boolean isRegistered() {
+        return state() == MobileRegistrationState.NORMAL_SERVICE;
+    }
+
+    /** Whether the network has refused; a later attempt may succeed. */
+    public boolean isRefused() {
+        return state() == MobileRegistrationState.LIMITED_SERVICE
+                || state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
+    }
+
+    /** Whether the station is switched off and its farewell is over. */
+    public boolean isOff() {
+        return state() == MobileRegistrationState.NULL;
+    }
+
+    public boolean isPowered() {
+        return !isOff() && state() != MobileRegistrationState.IMSI_DETACH_INITIATED;
+    }
+
+    /** Whether registration itself uses the radio connection now. */
+    public boolean needsRadio() {
+        return state() == MobileRegistrationState.LOCATION_UPDATING_INITIATED
+                || state() == MobileRegistrationState.IMSI_DETACH_INITIATED;
+    }
+
+    public Optional<RejectCause> rejectCause() {
+        return rejectCause;
+    }
+
+    /** Whether the network has refused because the SIM failed authentication. */
+    public boolean isCardRefused() {
+        return cardRefused;
+    }
+
+    private void clearRefusal() {
+        rejectCause = Optional.empty();
+        cardRefused = false;
+    }
+
+    /** The identity for the air interface: the TMSI if there is one, else the IMSI. */
+    public MobileIdentity identity() {
+        return tmsi.<MobileIdentity>map(t -> t).orElse(context.identity().imsi());
+    }
+
+    public boolean isOwn(MobileIdentity identity) {
+        return identity.equals(context.identity().imsi())
+                || tmsi.isPresent() && tmsi.get().equals(identity);
+    }
+
+    public int keySequence() {
+        return keySequence;
+    }
+
+    void setKeySequence(int newKeySequence) {
+        keySequence = newKeySequence;
+    }
+
+    public void cellFound() {
+        if (!cellFound) {
+            cellFound = true;
+            pause = 1;
+            fire(MobileRegistrationEvent.CELL_FOUND);
+        }
+    }
+
+    public void linkLost() {
+        cellFound = false;
+        clearRefusal();
+        fire(MobileRegistrationEvent.LINK_LOST);
+    }
+
+    public void powerOff() {
+        clearRefusal();
+        fire(MobileRegistrationEvent.POWER_OFF);
+    }
+
+    void accepted(LocationUpdatingAccept accept) {
+        if (machine.accepts(MobileRegistrationEvent.LOCATION_UPDATING_ACCEPTED)) {
+            area = accept.area();
+            offeredIdentity = accept.newIdentity();
+            clearRefusal();
+            pause = 1;
+        }
+        fire(MobileRegistrationEvent.LOCATION_UPDATING_ACCEPTED);
+    }
+
+    void rejected(RejectCause cause) {
+        if (state() == MobileRegistrationState.LOCATION_UPDATING_INITIATED) {
+            rejectCause = Optional.of(cause);
+        }
+        fire(
+                FINAL.contains(cause)
+                        ? MobileRegistrationEvent.LOCATION_UPDATING_FORBIDDEN
+                        : MobileRegistrationEvent.LOCATION_UPDATING_REJECTED);
+    }
+
+    /** TS 24.008, 4.3.2.5. */
+    void authenticationRejected() {
+        rejectCause = Optional.of(RejectCause.ILLEGAL_MS);
+        cardRefused = true;
+        fire(MobileRegistrationEvent.AUTHENTICATION_REJECTED);
+    }
+
+    private void perform(MobileRegistrationAction action) {
+        switch (action) {
+            case SEARCH_CELL -> searchCell();
+            case SEND_LOCATION_UPDATING_REQUEST -> sendLocationUpdatingRequest();
+            case TAKE_NEW_IDENTITY -> takeNewIdentity();
+            case FORGET_IDENTITY -> forgetIdentity();
+            case SEND_IMSI_DETACH -> sendImsiDetach();
+            case RELEASE_CHANNEL -> context.radio().release();
+            case PAUSE -> pause();
+            case STOP_TIMERS -> context.timers().stop(StationTimer.T3210, StationTimer.T3211, StationTimer.T3220);
+            case REPORT_REGISTERED -> reportRegistered();
+            case REPORT_UNREGISTERED -> reportUnregistered();
+        }
+    }
+
+    private void searchCell() {
+        context.radio().release();
+        if (cellFound) {
+            fire(MobileRegistrationEvent.CELL_FOUND);
+        }
+    }
+
+    private void start(StationTimer timer, long nanos, MobileRegistrationEvent expired) {
+        context.timers().start(timer, nanos, () -> fire(expired));
+    }
+
+    /** The first message of a radio connection, so an open connection is released first. */
+    private void sendLocationUpdatingRequest() {
+        context.radio().release();
+        context.radio()
+                .send(new LocationUpdatingRequest(LocationUpdatingType.IMSI_ATTACH, keySequence, area, identity()));
+        start(StationTimer.T3210, StationTimer.T3210.nanos(), MobileRegistrationEvent.T3210_EXPIRED);
+    }
+
+    private void takeNewIdentity() {
+        offeredIdentity.ifPresent(offered -> {
+            if (offered instanceof Tmsi newTmsi) {
+                tmsi = Optional.of(newTmsi);
+                context.radio().send(new TmsiReallocationComplete());
+            } else if (offered instanceof Imsi) {
+                tmsi = Optional.empty();
+            }
+        });
+    }
+
+    private void forgetIdentity() {
+        tmsi = Optional.empty();
+        keySequence = NO_KEY;
+    }
+
+    /** On a connection of its own: the network no longer reads one that it is about to release. */
+    private void sendImsiDetach() {
+        context.radio().release();
+        context.radio().send(new ImsiDetachIndication(identity()));
+        start(StationTimer.T3220, StationTimer.T3220.nanos(), MobileRegistrationEvent.T3220_EXPIRED);
+    }
+
+    private void pause() {
+        start(StationTimer.T3211, pause * StationTimer.T3211.nanos(), MobileRegistrationEvent.T3211_EXPIRED);
+        pause = Math.min(2 * pause, MAX_PAUSE);
+    }
+
+    private void reportRegistered() {
+        lastReport = new StationEvent.Registered(context.identity().number());
+        context.log().trace(Level.INFO, "registered");
+        context.events().add(lastReport);
+    }
+
+    private void reportUnregistered() {
+        StationEvent report = new StationEvent.Unregistered(rejectCause);
+        if (!report.equals(lastReport)) {
+            lastReport = report;
+            context.log()
+                    .trace(
+                            Level.INFO,
+                            "unregistered {0}",
+                            rejectCause.map(RejectCause::title).orElse(""));
+            context.events().add(report);
+        }
+    }
+}

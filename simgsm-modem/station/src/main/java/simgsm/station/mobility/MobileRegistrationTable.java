@@ -1,0 +1,97 @@
+package simgsm.station.mobility;
+
+import static simgsm.station.mobility.MobileRegistrationAction.*;
+import static simgsm.station.mobility.MobileRegistrationEvent.*;
+import static simgsm.station.mobility.MobileRegistrationState.*;
+
+import java.util.EnumSet;
+import simgsm.state.StateTable;
+
+/** How a mobile registers, stays registered and leaves (TS 24.008, 4.4.4, 4.3.4 and 4.2.2). */
+public final class MobileRegistrationTable {
+    public static final StateTable<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> TABLE =
+            new StateTable<>("mobile registration", NULL);
+
+    static {
+        TABLE.on(NULL, POWER_ON, NO_CELL_AVAILABLE, STOP_TIMERS, SEARCH_CELL)
+                .on(IMSI_DETACH_INITIATED, POWER_ON, NO_CELL_AVAILABLE, STOP_TIMERS, SEARCH_CELL)
+                .on(NO_CELL_AVAILABLE, CELL_FOUND, LOCATION_UPDATING_INITIATED, SEND_LOCATION_UPDATING_REQUEST);
+        updating();
+        registered();
+        leaving();
+    }
+
+    private MobileRegistrationTable() {}
+
+    private static void updating() {
+        var updating = LOCATION_UPDATING_INITIATED;
+        var again = ATTEMPTING_TO_UPDATE;
+        TABLE.on(
+                        updating,
+                        LOCATION_UPDATING_ACCEPTED,
+                        NORMAL_SERVICE,
+                        STOP_TIMERS,
+                        TAKE_NEW_IDENTITY,
+                        REPORT_REGISTERED)
+                .on(
+                        updating,
+                        LOCATION_UPDATING_REJECTED,
+                        again,
+                        STOP_TIMERS,
+                        FORGET_IDENTITY,
+                        REPORT_UNREGISTERED,
+                        PAUSE)
+                .on(
+                        updating,
+                        LOCATION_UPDATING_FORBIDDEN,
+                        LIMITED_SERVICE,
+                        STOP_TIMERS,
+                        FORGET_IDENTITY,
+                        REPORT_UNREGISTERED)
+                .on(
+                        EnumSet.of(updating, NORMAL_SERVICE),
+                        AUTHENTICATION_REJECTED,
+                        LIMITED_SERVICE,
+                        STOP_TIMERS,
+                        FORGET_IDENTITY,
+                        REPORT_UNREGISTERED)
+                .on(updating, T3210_EXPIRED, again, RELEASE_CHANNEL, REPORT_UNREGISTERED, PAUSE)
+                .on(updating, CHANNEL_RELEASED, again, STOP_TIMERS, REPORT_UNREGISTERED, PAUSE)
+                .on(again, T3211_EXPIRED, updating, SEND_LOCATION_UPDATING_REQUEST);
+    }
+
+    private static void registered() {
+        TABLE.on(
+                        NORMAL_SERVICE,
+                        FORGOTTEN_BY_NETWORK,
+                        LOCATION_UPDATING_INITIATED,
+                        FORGET_IDENTITY,
+                        SEND_LOCATION_UPDATING_REQUEST)
+                .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, LIMITED_SERVICE, NORMAL_SERVICE), CHANNEL_RELEASED)
+                // The answer to a request that was sent twice: the network pages by the identity that it gave last.
+                .stay(EnumSet.of(NORMAL_SERVICE), LOCATION_UPDATING_ACCEPTED, TAKE_NEW_IDENTITY);
+    }
+
+    private static void leaving() {
+        var unregistered = EnumSet.range(NO_CELL_AVAILABLE, LIMITED_SERVICE);
+        TABLE.on(
+                        EnumSet.range(NO_CELL_AVAILABLE, NORMAL_SERVICE),
+                        LINK_LOST,
+                        NO_CELL_AVAILABLE,
+                        STOP_TIMERS,
+                        FORGET_IDENTITY,
+                        REPORT_UNREGISTERED)
+                .stay(EnumSet.of(NULL), LINK_LOST)
+                .on(unregistered, POWER_OFF, NULL, STOP_TIMERS, RELEASE_CHANNEL, FORGET_IDENTITY, REPORT_UNREGISTERED)
+                .on(
+                        NORMAL_SERVICE,
+                        POWER_OFF,
+                        IMSI_DETACH_INITIATED,
+                        SEND_IMSI_DETACH,
+                        FORGET_IDENTITY,
+                        REPORT_UNREGISTERED)
+                .on(IMSI_DETACH_INITIATED, CHANNEL_RELEASED, NULL, STOP_TIMERS)
+                .on(IMSI_DETACH_INITIATED, T3220_EXPIRED, NULL, RELEASE_CHANNEL)
+                .on(IMSI_DETACH_INITIATED, LINK_LOST, NULL, STOP_TIMERS);
+    }
+}

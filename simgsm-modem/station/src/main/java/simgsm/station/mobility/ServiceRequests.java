@@ -1,0 +1,207 @@
+package simgsm.station.mobility;
+
+import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
+import simgsm.air.MobilityManagement.CmServiceAbort;
+import simgsm.air.MobilityManagement.CmServiceRequest;
+import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.RejectCause;
+import simgsm.station.context.StationContext;
+import simgsm.station.context.StationTimer;
+
+/** Mobility management connections for calls and short messages: one request at a time (TS 24.008, 4.5.1). */
+public final class ServiceRequests {
+    /** A machine that needs a connection. */
+    public interface ServiceUser {
+        void connected();
+
+        void refused(RejectCause cause);
+
+        /** The radio connection has been lost or released. */
+        void lost();
+    }
+
+    /** Repetitions of a request that a channel release has crossed. */
+    private static final int MAX_REPEATS = 3;
+
+    private final StationContext context;
+    private final MobileRegistration registration;
+    private final Map<ServiceType, ServiceUser> users = new EnumMap<>(ServiceType.class);
+    private final Deque<ServiceType> waiting = new ArrayDeque<>();
+    private final Set<ServiceType> active = EnumSet.noneOf(ServiceType.class);
+    /** The request that the network has not answered yet, or null. */
+    private ServiceType pending;
+
+    /** Whether the user of the pending request no longer needs it. */
+    private boolean pendingReleased;
+
+    private int repeats;
+    /** A pending request was released: no further request before the channel is released (TS 24.008, 4.5.1.7). */
+    private boolean aborting;
+
+    public ServiceRequests(StationContext context, MobileRegistration registration) {
+        this.context = context;
+        this.registration = registration;
+    }
+
+    public void setUser(ServiceType service, ServiceUser user) {
+        users.put(service, user);
+    }
+
+    /** Requests a connection; its user is called when the network has answered. */
+    public void request(ServiceType service) {
+        if (service == pending) {
+            pendingReleased = false;
+        } else if (!waiting.contains(service)) {
+            waiting.add(service);
+        }
+        serve();
+    }
+
+    /** Ends a connection or withdraws the request for one. */
+    public void release(ServiceType service) {
+        waiting.remove(service);
+        active.remove(service);
+        if (service == pending) {
+            pendingReleased = true;
+            if (active.isEmpty()) {
+                abort();
+            }
+        }
+    }
+
+    private void abort() {
+        clearPending();
+        if (context.radio().isOpen()) {
+            aborting = true;
+            context.radio().send(new CmServiceAbort());
+        } else {
+            serve();
+        }
+    }
+
+    /** Ends a connection; a request that was made since stays. */
+    public void complete(ServiceType service) {
+        active.remove(service);
+    }
+
+    /** The network has opened this connection by itself. */
+    public void adopt(ServiceType service) {
+        active.add(service);
+    }
+
+    /** Whether the station is registered; until then requests wait. */
+    public boolean isAvailable() {
+        return registration.isRegistered();
+    }
+
+    /** Whether the network has refused the station, so that a request would wait in vain. */
+    public boolean isRefused() {
+        return registration.isRefused();
+    }
+
+    public boolean isIdle() {
+        return active.isEmpty() && waiting.isEmpty() && pending == null;
+    }
+
+    /** Whether the network has to release the unused channel before anything else. */
+    public boolean isAborting() {
+        return aborting;
+    }
+
+    /** Sends the next request if none is pending. */
+    void serve() {
+        if (registration.isRegistered() && pending == null && !aborting && !waiting.isEmpty()) {
+            pending = waiting.poll();
+            pendingReleased = false;
+            context.timers().start(StationTimer.T3230, () -> refused(RejectCause.NETWORK_FAILURE));
+            context.radio().send(new CmServiceRequest(pending, registration.keySequence(), registration.identity()));
+        }
+    }
+
+    void accepted() {
+        if (pending == null) {
+            context.log().trace(Level.DEBUG, "CM SERVICE ACCEPT without a request");
+            return;
+        }
+        ServiceType service = pending;
+        boolean needed = !pendingReleased;
+        clearPending();
+        repeats = 0;
+        if (needed) {
+            active.add(service);
+            users.get(service).connected();
+        }
+        serve();
+    }
+
+    void refused(RejectCause cause) {
+        if (pending == null) {
+            context.log().trace(Level.DEBUG, "CM SERVICE REJECT without a request");
+            return;
+        }
+        ServiceType service = pending;
+        boolean needed = !pendingReleased;
+        clearPending();
+        if (cause == RejectCause.IMSI_UNKNOWN_IN_VLR && ++repeats <= MAX_REPEATS) {
+            repeat(service, needed);
+            registration.fire(MobileRegistrationEvent.FORGOTTEN_BY_NETWORK);
+            return;
+        }
+        repeats = 0;
+        if (needed) {
+            users.get(service).refused(cause);
+        }
+        serve();
+    }
+
+    /** The network has released the channel; a request that crossed the release is repeated. */
+    public void channelReleased() {
+        ServiceType unanswered = pending;
+        boolean needed = !pendingReleased;
+        aborting = false;
+        clearPending();
+        Set<ServiceType> lost = EnumSet.copyOf(active);
+        active.clear();
+        lost.forEach(service -> users.get(service).lost());
+        if (unanswered != null && ++repeats <= MAX_REPEATS) {
+            repeat(unanswered, needed);
+        } else if (unanswered != null) {
+            repeats = 0;
+            users.get(unanswered).refused(RejectCause.NETWORK_FAILURE);
+        }
+        serve();
+    }
+
+    /** The station has left a channel that the network did not release. */
+    public void channelLeft() {
+        aborting = false;
+        serve();
+    }
+
+    public void linkLost() {
+        repeats = 0;
+        aborting = false;
+        waiting.clear();
+        active.clear();
+        clearPending();
+        users.values().forEach(ServiceUser::lost);
+    }
+
+    private void repeat(ServiceType service, boolean needed) {
+        if (needed) {
+            waiting.addFirst(service);
+        }
+    }
+
+    private void clearPending() {
+        pending = null;
+        pendingReleased = false;
+        context.timers().stop(StationTimer.T3230);
+    }
+}

@@ -1,0 +1,31 @@
+package simgsm.station.sms;
+
+import static simgsm.station.sms.IncomingMessageAction.*;
+import static simgsm.station.sms.IncomingMessageEvent.*;
+import static simgsm.station.sms.IncomingMessageState.*;
+
+import java.util.EnumSet;
+import simgsm.state.StateTable;
+
+/** How a mobile takes what the network delivers (TS 24.011, 5.3 and 6.3): each CP-DATA is answered at once. */
+public final class IncomingMessageTable {
+    public static final StateTable<IncomingMessageState, IncomingMessageEvent, IncomingMessageAction> TABLE =
+            new StateTable<>("incoming short message", IDLE);
+
+    static {
+        var waiting = WAIT_FOR_CP_ACK;
+        TABLE.on(IDLE, CP_DATA, waiting, SEND_CP_ACK, TAKE_MESSAGE, START_TC1, SEND_ANSWER)
+                .stay(EnumSet.of(IDLE), RADIO_LOST)
+                .stay(EnumSet.of(waiting), CP_DATA_REPEATED, SEND_CP_ACK)
+                // The next message without CP-ACK: the network has not received the answer to the last one.
+                .on(waiting, CP_DATA, waiting, SEND_CP_ACK, EXPECT_DUPLICATE, TAKE_MESSAGE, START_TC1, SEND_ANSWER)
+                .on(waiting, CP_ACK, IDLE, STOP_TC1)
+                // The network has given the transaction up.
+                .on(waiting, CP_ERROR, IDLE, STOP_TC1, EXPECT_DUPLICATE)
+                .stay(EnumSet.of(waiting), TC1_EXPIRED, START_TC1, SEND_ANSWER)
+                .on(waiting, TC1_EXPIRED_FINALLY, IDLE, EXPECT_DUPLICATE)
+                .on(waiting, RADIO_LOST, IDLE, STOP_TC1, EXPECT_DUPLICATE);
+    }
+
+    private IncomingMessageTable() {}
+}

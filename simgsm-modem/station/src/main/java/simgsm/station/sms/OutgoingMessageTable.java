@@ -1,0 +1,60 @@
+package simgsm.station.sms;
+
+import static simgsm.station.sms.OutgoingMessageAction.*;
+import static simgsm.station.sms.OutgoingMessageEvent.*;
+import static simgsm.station.sms.OutgoingMessageState.*;
+
+import java.util.EnumSet;
+import java.util.Set;
+import simgsm.state.StateTable;
+
+/** How a mobile sends one short message (TS 24.011, 5.3 and 6.3). */
+public final class OutgoingMessageTable {
+    private static final Set<OutgoingMessageState> IN_DIALOGUE = EnumSet.of(WAIT_FOR_CP_ACK, WAIT_FOR_RP_ACK);
+    private static final Set<OutgoingMessageState> BUSY = EnumSet.complementOf(EnumSet.of(IDLE));
+
+    public static final StateTable<OutgoingMessageState, OutgoingMessageEvent, OutgoingMessageAction> TABLE =
+            new StateTable<>("outgoing short message", IDLE);
+
+    static {
+        TABLE.on(IDLE, SEND, MM_CONNECTION_PENDING, START_WAIT, REQUEST_CONNECTION);
+        pending();
+        dialogue();
+        TABLE.on(BUSY, RADIO_LOST_FINALLY, IDLE, STOP_TIMERS, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT)
+                .on(BUSY, POWER_OFF, IDLE, STOP_TIMERS, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT)
+                .stay(EnumSet.of(IDLE), RADIO_LOST)
+                .stay(EnumSet.of(IDLE), POWER_OFF);
+    }
+
+    private OutgoingMessageTable() {}
+
+    private static void pending() {
+        var pending = MM_CONNECTION_PENDING;
+        TABLE.on(pending, MM_CONNECTED, WAIT_FOR_CP_ACK, STOP_TIMERS, START_TR1M, SEND_CP_DATA, START_TC1)
+                .on(pending, MM_REFUSED, IDLE, STOP_TIMERS, REPORT_FAILED, SEND_NEXT)
+                .on(pending, WAIT_EXPIRED, IDLE, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT)
+                .stay(EnumSet.of(pending), RADIO_LOST, REQUEST_CONNECTION);
+    }
+
+    private static void dialogue() {
+        TABLE.on(WAIT_FOR_CP_ACK, CP_ACK, WAIT_FOR_RP_ACK, STOP_TC1)
+                .stay(EnumSet.of(WAIT_FOR_CP_ACK), TC1_EXPIRED, SEND_CP_DATA, START_TC1);
+        for (OutgoingMessageState state : IN_DIALOGUE) {
+            // An answer without CP-ACK acknowledges as well. The request for the next message precedes the last
+            // CP-ACK, so that the network keeps the channel (5.4).
+            TABLE.on(state, RP_ACK, IDLE, STOP_TIMERS, COMPLETE_CONNECTION, REPORT_SENT, SEND_NEXT, SEND_CP_ACK)
+                    .on(state, RP_ERROR, IDLE, STOP_TIMERS, COMPLETE_CONNECTION, REPORT_FAILED, SEND_NEXT, SEND_CP_ACK)
+                    .on(state, CP_ERROR, IDLE, STOP_TIMERS, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT)
+                    .on(state, TR1M_EXPIRED, IDLE, STOP_TIMERS, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT)
+                    .on(
+                            state,
+                            RADIO_LOST,
+                            MM_CONNECTION_PENDING,
+                            STOP_TIMERS,
+                            MARK_REPEATED,
+                            START_WAIT,
+                            REQUEST_CONNECTION);
+        }
+        TABLE.on(WAIT_FOR_CP_ACK, TC1_EXPIRED_FINALLY, IDLE, STOP_TIMERS, RELEASE_CONNECTION, REPORT_FAILED, SEND_NEXT);
+    }
+}

@@ -1,0 +1,62 @@
+package simgsm.phone.handset;
+
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTrace;
+import simgsm.dtmf.ToneTracer;
+import simgsm.speech.AudioOutput;
+import simgsm.speech.CallMixer;
+
+/** The sound at the earpiece, which the tone scope shows too: received speech mixed with the phone's own sound. */
+final class EarpieceOutput {
+    private final AudioOutput output;
+    private final ToneTracer tracer = new ToneTracer();
+    private final CallMixer mix = new CallMixer();
+    private boolean changed;
+
+    EarpieceOutput(AudioOutput output) {
+        this.output = output;
+    }
+
+    /** 20 ms from the far end; mixed with the next frame of {@link #play}. */
+    void receive(short[] frame) {
+        mix.received(frame);
+    }
+
+    /** 20 ms of the phone's own sound; each call plays one frame. */
+    void play(short[] frame) {
+        short[] mixed = mix.sent(frame);
+        output.play(mixed);
+        changed |= tracer.accept(mixed);
+    }
+
+    /** Changes what the scope shows; the sound stays as it is. */
+    void tryOut(ToneExperiment experiment) {
+        tracer.tryOut(experiment);
+        changed = true;
+    }
+
+    /** No further sound for now. */
+    void rest() {
+        tracer.rest();
+        changed = true;
+    }
+
+    void callEnded() {
+        mix.clear();
+    }
+
+    ToneTrace trace() {
+        return tracer.newest();
+    }
+
+    boolean isAudible() {
+        return output.isAudible();
+    }
+
+    /** Whether the scope's picture has changed since the last call. */
+    boolean pollChanged() {
+        boolean was = changed;
+        changed = false;
+        return was;
+    }
+}

@@ -1,0 +1,238 @@
+package simgsm.phone.handset;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneSet;
+import simgsm.dtmf.ToneTrace;
+import simgsm.speech.AudioOutput;
+import simgsm.station.context.StationEvent;
+
+/**
+ * All sound of the handset: keys sent in a call, the far end's keys and speech, and, without a call, key tones and
+ * supervisory tones. The station's speech frames are its clock while there are any, else {@link #timePassed}.
+ */
+final class HandsetAudio {
+    private static final int SAMPLES_PER_FRAME = 160;
+    private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    /** After a longer stall frames are left out instead of played late. */
+    private static final long MAX_CATCH_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+    /** Frames played after the end of a sound, until the scope shows silence. */
+    private static final int TAIL_FRAMES = 8;
+
+    private final EarpieceOutput earpiece;
+    private final KeySender sender;
+    private final KeySender keyTones = new KeySender(keys -> {});
+    private final DtmfReceiver receiver;
+    private final SupervisoryTones supervisory;
+    private final short[] heardFrame = new short[SAMPLES_PER_FRAME];
+    /** Speech of {@link #keyTones}, which goes nowhere. */
+    private final short[] unsentFrame = new short[SAMPLES_PER_FRAME];
+
+    private boolean connected;
+    private boolean networkPlaysTones;
+    private Runnable timeWanted = () -> {};
+    private int localFramesLeft;
+    private boolean localTimeKnown;
+    private long nextLocalFrameNanos;
+
+    /**
+     * No sound yet.
+     *
+     * @param sender sends keys to the far end
+     * @param tones supervisory tones, European or American
+     * @param keyHeard receives each key of the far end at its decision
+     */
+    HandsetAudio(AudioOutput output, KeySender sender, ToneSet tones, Consumer<DtmfKey> keyHeard) {
+        earpiece = new EarpieceOutput(output);
+        supervisory = new SupervisoryTones(tones);
+        this.sender = sender;
+        receiver = new DtmfReceiver(digit -> keyHeard.accept(digit.key()));
+    }
+
+    void accept(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling) {
+            callBegan();
+        } else if (event instanceof StationEvent.Ringing) {
+            callBegan();
+            supervisory.ringing();
+            beginLocally();
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
+            ringBack();
+        } else if (event instanceof StationEvent.Connected) {
+            connected();
+        } else if (event instanceof StationEvent.CallWaits) {
+            supervisory.callWaits();
+        } else if (event instanceof StationEvent.WaitingCallEnded) {
+            stopTones();
+        } else if (event instanceof StationEvent.Released released) {
+            connected = false;
+            sender.drop();
+            earpiece.callEnded();
+            supervisory.ended(released.cause());
+            beginLocally();
+        } else if (event instanceof StationEvent.NetworkPlaysTones tones) {
+            setNetworkPlaysTones(tones.playing());
+        }
+    }
+
+    private void callBegan() {
+        sender.drop();
+        stopTones();
+    }
+
+    private void ringBack() {
+        if (!networkPlaysTones) {
+            supervisory.ringBack();
+            beginLocally();
+        }
+    }
+
+    private void connected() {
+        connected = true;
+        networkPlaysTones = false;
+        receiver.reset();
+        keyTones.drop();
+        stopTones();
+        localFramesLeft = 0;
+    }
+
+    private void setNetworkPlaysTones(boolean playing) {
+        if (playing != networkPlaysTones) {
+            networkPlaysTones = playing;
+            stopTones();
+            earpiece.callEnded();
+            beginLocally();
+        }
+    }
+
+    boolean networkPlaysTones() {
+        return networkPlaysTones;
+    }
+
+    /** Queues keys for the far end; they are sent once a call is connected. */
+    void press(List<DtmfKey> keys) {
+        sender.press(keys);
+    }
+
+    /** A key goes down and sounds until {@link #keyUp}: to the far end in a call, else at the earpiece only. */
+    void keyDown(DtmfKey key) {
+        if (connected) {
+            sender.down(key);
+        } else {
+            keyTones.down(key);
+            beginLocally();
+        }
+    }
+
+    void keyUp() {
+        sender.up();
+        keyTones.up();
+    }
+
+    /** Drops the keys that have not been sent. @return them */
+    String dropKeys() {
+        return sender.drop();
+    }
+
+    boolean keysAreSent() {
+        return sender.isIdle();
+    }
+
+    /** Ends the supervisory tone. */
+    void stopTones() {
+        supervisory.stop();
+    }
+
+    /** Fills the next 20 ms for the far end. @return whether a view has to show a change */
+    boolean fillFrame(short[] speech) {
+        if (!connected) {
+            Arrays.fill(speech, (short) 0);
+            return networkPlaysTones && playLocalFrame();
+        }
+        DtmfKey before = sender.sounding();
+        sender.read(speech, heardFrame);
+        earpiece.play(heardFrame);
+        return earpiece.pollChanged() || before != sender.sounding();
+    }
+
+    /** 20 ms from the far end, or from the network, whose tones are no keys; nor is our own call waiting tone. */
+    void hear(short[] frame) {
+        if (connected) {
+            receiver.accept(frame);
+        }
+        if (connected && !supervisory.isIdle()) {
+            short[] mixed = frame.clone();
+            supervisory.addTo(mixed);
+            earpiece.receive(mixed);
+        } else if (connected || networkPlaysTones) {
+            earpiece.receive(frame);
+        }
+    }
+
+    /** The key that sounds now. */
+    Optional<DtmfKey> sounding() {
+        return Optional.ofNullable((connected ? sender : keyTones).sounding());
+    }
+
+    void tryOut(ToneExperiment experiment) {
+        earpiece.tryOut(experiment);
+    }
+
+    ToneTrace trace() {
+        return earpiece.trace();
+    }
+
+    boolean isAudible() {
+        return earpiece.isAudible();
+    }
+
+    void whenTimeIsWanted(Runnable action) {
+        timeWanted = action;
+    }
+
+    private void beginLocally() {
+        boolean idle = localFramesLeft == 0;
+        localFramesLeft = TAIL_FRAMES;
+        if (idle) {
+            localTimeKnown = false;
+            timeWanted.run();
+        }
+    }
+
+    boolean wantsTime() {
+        return localFramesLeft > 0 && !networkPlaysTones;
+    }
+
+    /** @return whether a view has to show a change */
+    boolean timePassed(long nowNanos) {
+        if (!localTimeKnown || nowNanos - nextLocalFrameNanos > MAX_CATCH_UP_NANOS) {
+            nextLocalFrameNanos = nowNanos;
+            localTimeKnown = true;
+        }
+        boolean changed = false;
+        while (wantsTime() && nextLocalFrameNanos <= nowNanos) {
+            changed |= playLocalFrame();
+            nextLocalFrameNanos += FRAME_NANOS;
+        }
+        return changed;
+    }
+
+    private boolean playLocalFrame() {
+        DtmfKey before = keyTones.sounding();
+        keyTones.read(unsentFrame, heardFrame);
+        supervisory.addTo(heardFrame);
+        earpiece.play(heardFrame);
+        boolean silent = keyTones.isIdle() && supervisory.isIdle();
+        localFramesLeft = silent ? Math.max(0, localFramesLeft - 1) : TAIL_FRAMES;
+        if (localFramesLeft == 0 && !networkPlaysTones) {
+            earpiece.rest();
+        }
+        return earpiece.pollChanged() || before != keyTones.sounding();
+    }
+}

@@ -1,0 +1,17 @@
+package simgsm.phone.handset;
+
+import simgsm.air.Cause;
+import simgsm.dtmf.DtmfKey;
+import simgsm.station.context.StationEvent;
+
+/** What a handset adds to the events of its station. */
+public sealed interface HandsetEvent extends StationEvent.OfTerminal {
+    /** The last tone of these keys has been sent. @param keys as they were pressed, without blanks */
+    record KeysSent(String keys) implements HandsetEvent {}
+
+    /** The network refuses signalled keys. @param keys those that were not sent */
+    record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
+
+    /** A key from the far end, at its decision, while its tone sounds. */
+    record ToneHeard(DtmfKey key) implements HandsetEvent {}
+}
