@@ -44,15 +44,19 @@ class LayeringTest {
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.draw simgsm.ui
             simgsm.ui.window         : simgsm.console simgsm.draw simgsm.ui
-            simgsm.station           : simgsm.octets simgsm.net simgsm.state simgsm.air simgsm.abis simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.timer
-            simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.state simgsm.timer
+            simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.dtmf
+            simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
+            simgsm.station.call      : simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
+            simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
+            simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms
+            simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.audio       : simgsm.speech
-            simgsm.tools.load        : simgsm.air simgsm.console simgsm.station
-            simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station
+            simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
+            simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
-            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.state simgsm.timer
+            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context
             simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.handset
-            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
+            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
@@ -79,12 +83,12 @@ class LayeringTest {
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
-            simrobot.control         : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
-            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.console simgsm.draw simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
+            simrobot.control         : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
             simrobot.app             : vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
             simrobot                 : vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.ui.window simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
@@ -230,7 +234,7 @@ class LayeringTest {
         "simgsm.abis",
         "simgsm.sms",
         "simgsm.dtmf",
-        "simgsm.station",
+        "simgsm.station..",
         "simgsm.modem",
         "simgsm.center.msc..",
         "simgsm.center.smpp",

@@ -37,8 +37,7 @@ public final class VirtualPhone {
     VirtualPhone(VirtualSuite suite, StationIdentity identity, Sim sim) {
         this.suite = suite;
         handset = new Handset(identity.number(), KeyMode.IN_BAND, this::note, AudioOutput.SILENT, () -> Instant.EPOCH);
-        station = new MobileStation(
-                identity, sim, StationOptions.STANDARD, handset::fillFrame, handset::accept);
+        station = new MobileStation(identity, sim, StationOptions.STANDARD, handset::fillFrame, handset::accept);
         handset.attach(station);
     }
 
@@ -80,7 +79,7 @@ public final class VirtualPhone {
             releaseCauses.add(released.cause().code());
         } else if (event instanceof StationEvent.MessageSent) {
             sentCount++;
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             messages.add(message.text());
         }
     }

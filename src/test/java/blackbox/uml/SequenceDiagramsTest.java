@@ -14,8 +14,8 @@ import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.octets.OctetString;
 import simgsm.sim.SimCard;
-import simgsm.station.mobility.Sim;
 import simgsm.sim.Subscription;
+import simgsm.station.mobility.Sim;
 
 /** Sequences, each recorded from a run of the real exchange, phones, modem, verifier and robot with a clock moved by hand. */
 class SequenceDiagramsTest {

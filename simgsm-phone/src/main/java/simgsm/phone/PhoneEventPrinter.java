@@ -23,9 +23,9 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
 
     @Override
     public void accept(StationEvent event) {
-        if (event instanceof StationEvent.Registered registered) {
+        if (event instanceof StationEvent.StationRegistered registered) {
             console.emit(Event.of("registered").with("number", registered.number()));
-        } else if (event instanceof StationEvent.Unregistered unregistered) {
+        } else if (event instanceof StationEvent.StationUnregistered unregistered) {
             Event line = Event.of("unregistered");
             console.emit(unregistered
                     .cause()
@@ -35,7 +35,7 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
             print(ofCall);
         } else if (event instanceof StationEvent.OfSubmittedMessage message) {
             print(message);
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             console.emit(Event.of("sms").with("from", message.from()).with("text", message.text()));
         } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
             console.emit(Event.of("broadcast")

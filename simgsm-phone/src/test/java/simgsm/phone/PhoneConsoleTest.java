@@ -109,9 +109,9 @@ class PhoneConsoleTest {
 
     @Test
     void registrationIsToldWithTheNetworksCauseIfThereIsOne() {
-        handset.accept(new StationEvent.Registered(new Msisdn("5550100")));
-        handset.accept(new StationEvent.Unregistered(Optional.empty()));
-        handset.accept(new StationEvent.Unregistered(Optional.of(RejectCause.ILLEGAL_MS)));
+        handset.accept(new StationEvent.StationRegistered(new Msisdn("5550100")));
+        handset.accept(new StationEvent.StationUnregistered(Optional.empty()));
+        handset.accept(new StationEvent.StationUnregistered(Optional.of(RejectCause.ILLEGAL_MS)));
         assertEquals(List.of("registered number=5550100", "unregistered", "unregistered cause=3"), lines());
     }
 
@@ -170,7 +170,7 @@ class PhoneConsoleTest {
         printer.accept(new StationEvent.MessageSent(7, ROBOT, 2));
         printer.accept(new StationEvent.MessageFailed(7, ROBOT, RpCause.UNASSIGNED_NUMBER));
         printer.accept(new StationEvent.MessageDelivered(256 + 7, ROBOT));
-        printer.accept(new StationEvent.MessageReceived("5550200", "3 Done: #**20."));
+        printer.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done: #**20."));
         printer.accept(new StationEvent.BroadcastReceived(50, 1, "hello"));
         assertEquals(
                 List.of(
@@ -190,7 +190,7 @@ class PhoneConsoleTest {
 
     @Test
     void theInboxIsListedAndClosed() throws Exception {
-        handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
+        handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bytes.reset();
         assertEquals(
                 List.of(

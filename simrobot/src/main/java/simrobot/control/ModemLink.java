@@ -84,10 +84,10 @@ final class ModemLink implements ModemPort {
             trace = tracer.newest();
         } else if (event instanceof ModemEvent ofModem) {
             accept(ofModem);
-        } else if (event instanceof StationEvent.Registered registered) {
+        } else if (event instanceof StationEvent.StationRegistered registered) {
             RobotEvent reported = new RobotEvent.Registered(registered.number().digits());
             simulation.execute(() -> control.tell(reported));
-        } else if (event instanceof StationEvent.Unregistered unregistered) {
+        } else if (event instanceof StationEvent.StationUnregistered unregistered) {
             String code = unregistered
                     .cause()
                     .map(reject -> Integer.toString(reject.code()))
@@ -99,7 +99,7 @@ final class ModemLink implements ModemPort {
             simulation.execute(() -> control.callBegan(number, caller));
         } else if (event instanceof StationEvent.Released released) {
             callEnded(released.cause());
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             // as operators are listed: without the plus sign of an international number
             String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
             simulation.execute(() -> control.message(sender, message.text()));
@@ -120,7 +120,7 @@ final class ModemLink implements ModemPort {
         } else if (event instanceof ModemEvent.SpeechProcessed speech) {
             heardSamples += speech.samples();
             simulation.execute(() -> control.speech(speech.samples()));
-        } else if (event instanceof ModemEvent.ToneSent sent) {
+        } else if (event instanceof ModemEvent.ReplyToneSent sent) {
             simulation.execute(() -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
             tonesToLeave = Math.max(0, tonesToLeave - 1);
             clearIfSilent();

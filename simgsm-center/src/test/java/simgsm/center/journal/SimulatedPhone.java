@@ -93,10 +93,10 @@ final class SimulatedPhone {
     }
 
     private void accept(StationEvent event) {
-        if (event instanceof StationEvent.Unregistered) {
+        if (event instanceof StationEvent.StationUnregistered) {
             // A refusal may be temporary; that of a card would not be.
             Invariant.holds(!station.snapshot().cardRefused(), () -> number + " has its card refused");
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             account.shown(new Account.Key(message.from(), number.digits(), message.text()));
         } else if (event instanceof StationEvent.MessageSent sent) {
             account.acknowledged(sending.remove(sent.id()));

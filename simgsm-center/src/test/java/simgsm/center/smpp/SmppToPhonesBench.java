@@ -53,9 +53,9 @@ public final class SmppToPhonesBench {
     }
 
     private void accept(StationEvent event) {
-        if (event instanceof StationEvent.Registered) {
+        if (event instanceof StationEvent.StationRegistered) {
             attached.countDown();
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             int count = shown;
             if (count < MAX_SAMPLES) {
                 String stamp = message.text().substring(message.text().length() - STAMP_LENGTH);

@@ -149,7 +149,7 @@ public final class Modem {
     private void reportTonesSent() {
         for (DtmfKey key = generated.poll(); key != null; key = generated.poll()) {
             idleSamples = 0;
-            listener.accept(new ModemEvent.ToneSent(key));
+            listener.accept(new ModemEvent.ReplyToneSent(key));
             if (phase == Phase.DENIED) {
                 station.clear(Cause.NORMAL_CALL_CLEARING);
             }

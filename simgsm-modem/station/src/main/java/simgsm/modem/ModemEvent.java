@@ -13,5 +13,5 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     record SpeechProcessed(int samples) implements ModemEvent {}
 
     /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent whole. */
-    record ToneSent(DtmfKey key) implements ModemEvent {}
+    record ReplyToneSent(DtmfKey key) implements ModemEvent {}
 }

@@ -62,7 +62,7 @@ final class Replies {
             failed(failed);
         } else {
             listener.accept(event);
-            if (event instanceof StationEvent.Registered) {
+            if (event instanceof StationEvent.StationRegistered) {
                 sendKept();
             } else if (event instanceof StationEvent.ReminderDue) {
                 reminded();

@@ -257,7 +257,7 @@ final class CalledModem implements Uplink {
             told.add("key " + decided.digit().key().symbol());
         } else if (event instanceof ModemEvent.SpeechProcessed speech) {
             speechTimeSamples += speech.samples();
-        } else if (event instanceof ModemEvent.ToneSent sent) {
+        } else if (event instanceof ModemEvent.ReplyToneSent sent) {
             told.add("tone " + sent.key().symbol());
         }
     }

@@ -28,9 +28,9 @@ final class ReportedEvents implements Consumer<StationEvent> {
             heard.add(speech.samples());
         } else if (event instanceof StationEvent.OfMessage message) {
             accept(message);
-        } else if (event instanceof StationEvent.Registered registered) {
+        } else if (event instanceof StationEvent.StationRegistered registered) {
             lines.add("registered " + registered.number());
-        } else if (event instanceof StationEvent.Unregistered unregistered) {
+        } else if (event instanceof StationEvent.StationUnregistered unregistered) {
             lines.add("unregistered"
                     + unregistered.cause().map(c -> " " + c.code()).orElse(""));
         } else if (event instanceof StationEvent.Calling calling) {
@@ -70,7 +70,7 @@ final class ReportedEvents implements Consumer<StationEvent> {
         } else if (event instanceof StationEvent.MessageUndelivered undelivered) {
             lines.add(
                     "undelivered " + undelivered.id() + " to " + undelivered.to() + ", status " + undelivered.status());
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             lines.add("message from " + message.from() + ": " + message.text());
         } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
             lines.add("broadcast " + broadcast.channel() + " in " + broadcast.pages() + ": " + broadcast.text());

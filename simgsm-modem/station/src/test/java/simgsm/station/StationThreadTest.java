@@ -60,9 +60,9 @@ class StationThreadTest {
 
     private MobileStation station(String number) {
         Consumer<StationEvent> listener = event -> {
-            if (event instanceof StationEvent.Registered registered) {
+            if (event instanceof StationEvent.StationRegistered registered) {
                 told.add("registered " + registered.number());
-            } else if (event instanceof StationEvent.Unregistered) {
+            } else if (event instanceof StationEvent.StationUnregistered) {
                 told.add("unregistered " + number);
             }
         };

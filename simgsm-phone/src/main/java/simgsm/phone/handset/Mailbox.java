@@ -31,7 +31,7 @@ final class Mailbox {
 
     /** @return the folder to which a message was added, if one was */
     Optional<MessageFolder> accept(StationEvent.OfMessage event) {
-        if (event instanceof StationEvent.MessageReceived message) {
+        if (event instanceof StationEvent.ShortMessageReceived message) {
             return Optional.of(received(MessageFolder.INBOX, message.from(), message.text(), 1));
         }
         if (event instanceof StationEvent.BroadcastReceived broadcast) {

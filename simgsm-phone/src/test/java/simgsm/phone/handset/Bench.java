@@ -155,7 +155,7 @@ public final class Bench {
             events.add("sms-failed " + failed.to() + " " + failed.cause().code());
         } else if (event instanceof StationEvent.MessageDelivered delivered) {
             events.add("sms-delivered " + delivered.to() + " " + delivered.id());
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             events.add("sms " + message.from() + " " + message.text());
         } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
             events.add("broadcast " + broadcast.channel() + " " + broadcast.text());

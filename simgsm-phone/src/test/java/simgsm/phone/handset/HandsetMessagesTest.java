@@ -50,8 +50,8 @@ class HandsetMessagesTest {
     @Test
     void theInboxIsListedOldestFirstAndReadAfterwards() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
-        bench.handset.accept(new StationEvent.MessageReceived("Robot", "4 Collision"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("Robot", "4 Collision"));
         List<StoredMessage> first = bench.handset.readInbox();
         assertEquals(
                 List.of("3 Done", "4 Collision"),
@@ -111,7 +111,7 @@ class HandsetMessagesTest {
         assertEquals(Delivery.SENT, shownDelivery(bench));
         bench.handset.accept(new StationEvent.MessageDelivered(0, new Msisdn("5")));
         assertEquals(Delivery.DELIVERED, shownDelivery(bench));
-        bench.handset.accept(new StationEvent.MessageReceived("5", "3 Done"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5", "3 Done"));
         bench.tap(PhoneKey.OK);
         assertEquals(
                 new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
@@ -134,7 +134,7 @@ class HandsetMessagesTest {
     @Test
     void enterOpensAnswersAndSendsButNeverCallsFromAList() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bench.tap(PhoneKey.DOWN);
         for (int i = 0; i < 2; i++) {
             enter(bench);
@@ -186,7 +186,7 @@ class HandsetMessagesTest {
     @Test
     void aMessageIsReadInTheListAndAnswered() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         assertEquals(1, bench.snapshot().unread());
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
         assertEquals(
@@ -202,9 +202,9 @@ class HandsetMessagesTest {
     @Test
     void aMessageThatComesWhileOneIsReadDoesNotChangeWhatIsRead() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("1", "old"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("1", "old"));
         bench.tap(PhoneKey.DOWN, PhoneKey.OK);
-        bench.handset.accept(new StationEvent.MessageReceived("2", "new"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("2", "new"));
         assertEquals(
                 new Screen.MessageView(MessageFolder.INBOX, 1, 0),
                 bench.snapshot().screen());
@@ -213,8 +213,8 @@ class HandsetMessagesTest {
     @Test
     void theHashKeyErasesTheMessageShown() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("1", "old"));
-        bench.handset.accept(new StationEvent.MessageReceived("2", "new"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("1", "old"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("2", "new"));
         bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.HASH);
         assertEquals(
                 List.of("old"),
@@ -226,7 +226,7 @@ class HandsetMessagesTest {
     @Test
     void theSenderOfAMessageIsCalledWithTheGreenKey() {
         Bench bench = new Bench();
-        bench.handset.accept(new StationEvent.MessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bench.tap(PhoneKey.DOWN, PhoneKey.CALL);
         assertEquals(List.of("sms 5550200 3 Done", "calling 5550200"), bench.events);
     }
@@ -244,7 +244,7 @@ class HandsetMessagesTest {
     void aFullBoxForgetsItsOldest() {
         Bench bench = new Bench();
         for (int i = 0; i <= Mailbox.CAPACITY; i++) {
-            bench.handset.accept(new StationEvent.MessageReceived("1", "m" + i));
+            bench.handset.accept(new StationEvent.ShortMessageReceived("1", "m" + i));
         }
         assertEquals(Mailbox.CAPACITY, bench.snapshot().inbox().size());
         assertEquals("m1", bench.snapshot().inbox().get(0).text());

@@ -108,7 +108,7 @@ class LcdScreensTest {
 
     private static void messages(Bench bench) {
         for (int i = 0; i < 5; i++) {
-            bench.handset.accept(new StationEvent.MessageReceived(
+            bench.handset.accept(new StationEvent.ShortMessageReceived(
                     "5550200", "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0. ".repeat(4) + i));
         }
     }

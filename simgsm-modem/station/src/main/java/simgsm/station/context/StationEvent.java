@@ -15,10 +15,10 @@ public sealed interface StationEvent {
     /** An event that a phone or a modem adds to those of its station. */
     non-sealed interface OfTerminal extends StationEvent {}
 
-    record Registered(Msisdn number) implements StationEvent {}
+    record StationRegistered(Msisdn number) implements StationEvent {}
 
     /** At each loss of service and at each new cause, not at every further attempt. @param cause if the network refused */
-    record Unregistered(Optional<RejectCause> cause) implements StationEvent {}
+    record StationUnregistered(Optional<RejectCause> cause) implements StationEvent {}
 
     /** The snapshot has changed. */
     record StationChanged() implements StationEvent {}
@@ -107,7 +107,7 @@ public sealed interface StationEvent {
     record MessageUndelivered(int id, Msisdn to, int status) implements OfSubmittedMessage {}
 
     /** A whole message, without duplicates. @param from a number, or an alphanumeric address */
-    record MessageReceived(String from, String text) implements OfMessage {}
+    record ShortMessageReceived(String from, String text) implements OfMessage {}
 
     record BroadcastReceived(int channel, int pages, String text) implements OfMessage {}
 }

@@ -227,13 +227,13 @@ public final class MobileRegistration {
     }
 
     private void reportRegistered() {
-        lastReport = new StationEvent.Registered(context.identity().number());
+        lastReport = new StationEvent.StationRegistered(context.identity().number());
         context.log().trace(Level.INFO, "registered");
         context.events().add(lastReport);
     }
 
     private void reportUnregistered() {
-        StationEvent report = new StationEvent.Unregistered(rejectCause);
+        StationEvent report = new StationEvent.StationUnregistered(rejectCause);
         if (!report.equals(lastReport)) {
             lastReport = report;
             context.log()

@@ -146,7 +146,7 @@ final class MessageReceiver {
                             deliver.originator(),
                             deliver.userData(),
                             context.timers().nowNanos())
-                    .ifPresent(text -> context.events().add(new StationEvent.MessageReceived(from, text)));
+                    .ifPresent(text -> context.events().add(new StationEvent.ShortMessageReceived(from, text)));
         } else if (tpdu instanceof StatusReportTpdu report) {
             reports.arrived(report);
         }

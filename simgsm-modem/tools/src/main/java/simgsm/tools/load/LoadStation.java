@@ -75,9 +75,9 @@ final class LoadStation implements SpeechSource {
     private void accept(StationEvent event) {
         if (event instanceof StationEvent.SpeechReceived speech) {
             hear(speech.samples());
-        } else if (event instanceof StationEvent.Registered) {
+        } else if (event instanceof StationEvent.StationRegistered) {
             observer.attached(this);
-        } else if (event instanceof StationEvent.Unregistered unregistered) {
+        } else if (event instanceof StationEvent.StationUnregistered unregistered) {
             observer.refused(this, unregistered.cause().map(RejectCause::toString).orElse("no service"));
         } else if (event instanceof StationEvent.Ringing) {
             station.answer();
@@ -85,7 +85,7 @@ final class LoadStation implements SpeechSource {
             observer.connected(this);
         } else if (event instanceof StationEvent.Released released) {
             observer.released(this, released.cause());
-        } else if (event instanceof StationEvent.MessageReceived message) {
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
             observer.messageArrived(message.text());
         } else if (event instanceof StationEvent.MessageFailed failed) {
             observer.messageFailed(failed.id(), this, failed.cause());
