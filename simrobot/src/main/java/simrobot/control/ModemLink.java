@@ -121,7 +121,8 @@ final class ModemLink implements ModemPort {
             heardSamples += speech.samples();
             simulation.execute(() -> control.speech(speech.samples()));
         } else if (event instanceof ModemEvent.ReplyToneSent sent) {
-            simulation.execute(() -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
+            simulation.execute(
+                    () -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
             tonesToLeave = Math.max(0, tonesToLeave - 1);
             clearIfSilent();
         }

@@ -78,7 +78,8 @@ final class LoadStation implements SpeechSource {
         } else if (event instanceof StationEvent.StationRegistered) {
             observer.attached(this);
         } else if (event instanceof StationEvent.StationUnregistered unregistered) {
-            observer.refused(this, unregistered.cause().map(RejectCause::toString).orElse("no service"));
+            observer.refused(
+                    this, unregistered.cause().map(RejectCause::toString).orElse("no service"));
         } else if (event instanceof StationEvent.Ringing) {
             station.answer();
         } else if (event instanceof StationEvent.Connected) {
