@@ -99,10 +99,10 @@ public final class SimRobot implements AutoCloseable {
             throw new IllegalArgumentException(
                     "another robot has the number " + identity.number() + ", expected a free one");
         }
-        CallAudioListener listener = CallAudioListener.both(options.listener(), callMonitor.listener(robot.name()));
+        CallAudioListener listener = CallAudioListener.both(options.recorder(), callMonitor.listener(robot.name()));
         StationOptions heard = new StationOptions(options.codec(), listener);
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
-        recorders.put(added, options.listener());
+        recorders.put(added, options.recorder());
         tracks.follow(robot);
         told.forEach(each -> each.accept(added));
         robots.add(added);
