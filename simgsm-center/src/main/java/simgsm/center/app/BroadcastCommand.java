@@ -24,7 +24,7 @@ final class BroadcastCommand {
     private final Center center;
     private final Console console;
 
-    /** What stands before the channel. */
+    /** The options before the channel. */
     private static final class Options {
         Optional<String> language = Optional.empty();
         Duration period = BroadcastOrder.DEFAULT_PERIOD;

@@ -32,7 +32,7 @@ public final class Center implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(Center.class.getName());
 
-    /** Ten pictures a second are enough for an eye. */
+    /** 10 snapshots a second. */
     private static final long SNAPSHOT_PERIOD_NANOS = 100_000_000;
 
     private final DataDirectory data;
@@ -65,13 +65,13 @@ public final class Center implements AutoCloseable {
     }
 
     /**
-     * Takes the data directory and the port; {@link #start} then lets the terminals in.
+     * Locks the data directory and opens the ports; terminals are accepted from {@link #start} on.
      *
-     * @throws IOException naming the directory or the port that is not to be had
+     * @throws IOException naming the directory or port that is not available
      */
     public static Center open(CenterSettings settings, Path data, int port) throws IOException {
         InetAddress address = settings.address();
-        warnOfStrangers(address, settings.home());
+        warnIfOpen(address, settings.home());
         DataDirectory directory = DataDirectory.take(data);
         try {
             return open(directory, CenterLoop.open(address, port), settings);
@@ -81,7 +81,7 @@ public final class Center implements AutoCloseable {
         }
     }
 
-    private static void warnOfStrangers(InetAddress address, HomeSettings home) {
+    private static void warnIfOpen(InetAddress address, HomeSettings home) {
         if (address.isLoopbackAddress()) {
             return;
         }
@@ -90,7 +90,7 @@ public final class Center implements AutoCloseable {
         } else {
             LOG.log(
                     Level.WARNING,
-                    "listening on {0}: open network, whoever reaches this address may register under any number;"
+                    "listening on {0}: open network, a terminal that reaches this address may register under any number;"
                             + " --hlr FILE closes it",
                     address.getHostAddress());
         }
@@ -123,7 +123,7 @@ public final class Center implements AutoCloseable {
         return new HostPort(near.getHostAddress(), port()).toString();
     }
 
-    /** Whether it listens for other machines, too. */
+    /** Whether it listens on an address that other machines reach. */
     boolean isReachedByOthers() {
         return !address.isLoopbackAddress();
     }
@@ -132,7 +132,7 @@ public final class Center implements AutoCloseable {
         return loop.port();
     }
 
-    /** Where applications find it by SMPP, if they may. */
+    /** The port for SMPP, if it is served. */
     public OptionalInt smppPort() {
         return smppPort;
     }
@@ -168,7 +168,7 @@ public final class Center implements AutoCloseable {
         return loop.ask(question);
     }
 
-    /** Sends a text to everybody attached; IllegalArgumentException says what is wrong with it. */
+    /** Sends a text to all attached subscribers. @throws IllegalArgumentException saying what is wrong with the order */
     BroadcastView broadcast(BroadcastOrder order) {
         return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
     }
@@ -178,7 +178,7 @@ public final class Center implements AutoCloseable {
         return ask(exchange -> exchange.stopBroadcast(id));
     }
 
-    /** From now on {@link #snapshot} is kept fresh; without a window nobody pays for it. To be called before start. */
+    /** Updates {@link #snapshot} from now on, at most 10 times a second. To be called before {@link #start}. */
     void publishSnapshots() {
         loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> snapshot.set(exchange.snapshot()));
     }

@@ -15,7 +15,7 @@ import simgsm.center.smsc.ShortMessage;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.console.Event;
 
-/** The console's words for what happens and for what is there. */
+/** Console events of the exchange's events and lists. */
 public final class CenterEventPrinter {
     private CenterEventPrinter() {}
 
@@ -33,7 +33,7 @@ public final class CenterEventPrinter {
         return of(message);
     }
 
-    /** All fields at once, because these come by the ten thousand a second. */
+    /** Made from one map, since there are up to 10 000 of these per second. */
     private static Event of(ExchangeEvent.MessageChanged message) {
         Map<String, String> fields = new LinkedHashMap<>();
         fields.put("id", Long.toString(message.id()));
@@ -50,20 +50,20 @@ public final class CenterEventPrinter {
                 .with("state", subscriber.isAttached() ? "attached" : otherwise);
     }
 
-    /** Of the list, which says besides how long the call has been active. */
+    /** A row of the list of calls, with the seconds since the call became active. */
     public static Event of(CallView call) {
         return parties(Event.of("call"), call.from(), call.to())
                 .with("state", word(call.state()))
                 .with("seconds", call.activeSeconds());
     }
 
-    /** What waits was accepted and nothing else yet. */
+    /** A waiting message: its state is accepted. */
     public static Event of(ShortMessage message) {
         return parties(Event.of("queued").with("id", message.id()), message.from(), message.to())
                 .with("state", word(MessageState.ACCEPTED));
     }
 
-    /** What has happened to a message, and what is next; times are universal. */
+    /** The history of a message and its next attempt; times in UTC. */
     public static Event of(MessageHistory history) {
         ShortMessage message = history.message();
         Event event = parties(Event.of("message").with("id", message.id()), message.from(), message.to())

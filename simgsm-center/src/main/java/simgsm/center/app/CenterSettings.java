@@ -16,15 +16,15 @@ import simgsm.console.UsageException;
 import simgsm.dtmf.ToneSet;
 
 /**
- * What the command line says, read whole before anything is begun.
+ * The options of the command line.
  *
- * @param port empty for the usual one
+ * @param port empty for the default
  * @param smppPort empty for no SMPP
- * @param data empty for the usual place
+ * @param data empty for the default directory
  * @param capture empty for none
- * @param home who may come
- * @param tones of the network's own; empty when phones make them
- * @param callWaiting whether a second call is offered to who is in one
+ * @param home the SIMs that may register
+ * @param tones made by the network; empty when phones make them
+ * @param callWaiting whether a second call is offered to a busy phone
  */
 public record CenterSettings(
         InetAddress address,
@@ -40,7 +40,7 @@ public record CenterSettings(
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
-    /** @throws IOException naming the file of SIMs that is not what it should be */
+    /** @throws IOException naming the file of SIMs that cannot be read */
     public static CenterSettings read(Arguments arguments) throws UsageException, IOException {
         return new CenterSettings(
                 arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
@@ -64,7 +64,7 @@ public record CenterSettings(
         return arguments.path("capture").map(file -> CapturePlan.of(file, limitMib));
     }
 
-    /** Challenges and temporary identities are not to be guessed, unless a run is to repeat. */
+    /** Challenges and temporary identities are unpredictable, unless {@code --seed} makes a run repeatable. */
     private static RandomGenerator random(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? new SplittableRandom(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE))

@@ -24,7 +24,7 @@ import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowPlace;
 
-/** The centre with its window: what the window's operator may do, and the wait for the window's end. */
+/** The centre with its window: performs the window's actions and waits for its end. */
 public final class CenterWindow implements CenterActions {
     private static final long FIRST_PHONE = 5550101;
     private static final long FIRST_ROBOT = 5550201;
@@ -103,7 +103,7 @@ public final class CenterWindow implements CenterActions {
         return center.home().isClosed() ? spareCard() : free(next);
     }
 
-    /** A card that nobody uses, one that was not given out before if there is one. */
+    /** A SIM that is not attached, preferably one that was not given out before. */
     private synchronized String spareCard() throws IOException {
         Set<String> attached = center.ask(exchange -> exchange.subscribers().stream()
                 .filter(Subscriber::isAttached)
@@ -124,7 +124,7 @@ public final class CenterWindow implements CenterActions {
         return chosen;
     }
 
-    /** The next number that nobody has registered yet. */
+    /** The next number that has never registered. */
     private String free(AtomicLong next) {
         return center.ask(exchange -> {
             String number = Long.toString(next.getAndIncrement());
@@ -138,7 +138,7 @@ public final class CenterWindow implements CenterActions {
     private synchronized void start(String jar, String number, Function<WindowCascade, WindowPlace> place)
             throws IOException {
         if (children == null) {
-            children = ChildPrograms.besideUs();
+            children = ChildPrograms.besideOwnJar();
         }
         if (cascade == null) {
             cascade = new WindowCascade(Display.usableArea());

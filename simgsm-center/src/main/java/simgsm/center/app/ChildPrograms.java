@@ -11,8 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Other programs of the suite, run as processes of their own. Each holds the far end of a pipe from us as its standard
- * input, and ends when that ends: so they go when we go, whatever it is that kills us.
+ * Other programs of the suite as child processes. The standard input of each is a pipe from this process, and each ends with
+ * its input, so they exit with this process, even on SIGKILL.
  */
 public final class ChildPrograms implements AutoCloseable {
     private static final long FAREWELL_MILLIS = 3_000;
@@ -25,11 +25,11 @@ public final class ChildPrograms implements AutoCloseable {
     }
 
     /**
-     * Looks for the programs beside our own jar.
+     * Looks for the programs in the folder of this program's jar.
      *
-     * @throws IOException if we do not run from a jar
+     * @throws IOException if this program does not run from a jar
      */
-    public static ChildPrograms besideUs() throws IOException {
+    public static ChildPrograms besideOwnJar() throws IOException {
         try {
             Path own = Path.of(ChildPrograms.class
                     .getProtectionDomain()
@@ -46,7 +46,7 @@ public final class ChildPrograms implements AutoCloseable {
         }
     }
 
-    /** Starts a program; its log goes where ours goes. Its standard output is the caller's to read or to discard. */
+    /** Starts a program. Its standard error is this program's; the caller reads or discards its standard output. */
     public Process start(String jar, List<String> arguments, ProcessBuilder.Redirect output) throws IOException {
         Path program = jars.resolve(jar);
         if (!Files.isReadable(program)) {
@@ -67,7 +67,7 @@ public final class ChildPrograms implements AutoCloseable {
         return System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
     }
 
-    /** Ends their input, then, for those that do not go by themselves, their lives. */
+    /** Closes their standard input, and destroys those that have not ended after 3 s. */
     @Override
     public void close() {
         for (Process process : processes) {

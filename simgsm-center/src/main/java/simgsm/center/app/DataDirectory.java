@@ -14,7 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 
-/** Where the centre keeps what must outlive it. One process at a time owns it, by a lock that dies with the process. */
+/** The directory of messages and subscribers. One process at a time owns it, by a file lock that ends with the process. */
 public final class DataDirectory implements AutoCloseable {
     private static final String LOCK_FILE = "lock";
     private static final String OURS = "simgsm";
@@ -30,9 +30,9 @@ public final class DataDirectory implements AutoCloseable {
     }
 
     /**
-     * Makes the directory if need be and takes it.
+     * Creates the directory if it is missing, and locks it.
      *
-     * @throws IOException naming the directory if it cannot be made or another process has it
+     * @throws IOException naming the directory if it cannot be made or another process holds it
      */
     static DataDirectory take(Path directory) throws IOException {
         Path path = directory.toAbsolutePath().normalize();
@@ -58,7 +58,7 @@ public final class DataDirectory implements AutoCloseable {
         }
     }
 
-    /** The file system names only the path where it refuses. */
+    /** A reason in words, where the exception's message is only the path. */
     private static String reason(IOException e) {
         if (e instanceof FileAlreadyExistsException) {
             return "there is a file of that name";
@@ -77,7 +77,7 @@ public final class DataDirectory implements AutoCloseable {
         }
     }
 
-    /** {@code $XDG_DATA_HOME/simgsm} if that is set to an absolute path, else what the platform's users expect. */
+    /** {@code $XDG_DATA_HOME/simgsm} if that is set to an absolute path, else the platform's usual directory. */
     public static Path defaultPath(Map<String, String> environment, Properties system) {
         Optional<Path> xdg = absolute(environment.get("XDG_DATA_HOME"));
         if (xdg.isPresent()) {

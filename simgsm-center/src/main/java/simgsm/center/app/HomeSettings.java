@@ -15,13 +15,13 @@ import simgsm.console.UsageException;
 import simgsm.sim.SimFile;
 
 /**
- * Whose network it is.
+ * Which SIMs may register.
  *
  * @param file lists the cards of a closed network; empty for an open one
- * @param cards what the file holds
+ * @param cards of the file
  */
 public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredEquipment) {
-    /** @throws IOException naming the file, and the line, that is not what it should be */
+    /** @throws IOException naming the file, and the line, that is invalid */
     static HomeSettings read(Arguments arguments) throws UsageException, IOException {
         Optional<Path> file = arguments.path("hlr");
         return new HomeSettings(
@@ -56,7 +56,7 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
                 .toList();
     }
 
-    /** What a terminal with this number is started with. */
+    /** The options with which a terminal with this number is started. */
     public List<String> wordsFor(String number) {
         List<String> words = new ArrayList<>(List.of("--number", number));
         file.ifPresent(

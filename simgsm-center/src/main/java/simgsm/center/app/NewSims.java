@@ -23,9 +23,9 @@ import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
 import simgsm.sim.SimFile;
 
-/** {@code --new-sim}: what an operator does when he has cards made. Each key is written twice, to the list and to its card. */
+/** {@code --new-sim}: makes SIMs with new keys, and writes each to the list and to a file of its own. */
 public final class NewSims {
-    /** A class, a school; whoever needs more asks twice. */
+    /** In one run. */
     static final int MOST_AT_ONCE = 1_000;
 
     private static final String HEADING = "# SimGSM: the SIMs of a closed network; keep it secret, the keys are in it";
@@ -92,7 +92,7 @@ public final class NewSims {
         return OctetString.of(key);
     }
 
-    /** Cards first: a card that no list has is harmless, a list with lost keys is not. */
+    /** Cards first: after a failure a card without a list entry is harmless, a list entry without its card is not. */
     private static void write(Path list, List<SimCard> cards, PrintStream out) throws IOException {
         Path folder = list.toAbsolutePath().getParent();
         for (SimCard card : cards) {
@@ -121,7 +121,7 @@ public final class NewSims {
         return "sim number=" + card.number() + " imsi=" + card.imsi() + " k=" + card.k() + " opc=" + card.opc();
     }
 
-    /** What has to come before the first new line. */
+    /** The heading of a new list, or a missing line break at the end of the list. */
     private static String beginning(Path list) throws IOException {
         try {
             String text = Files.readString(list);
@@ -131,7 +131,7 @@ public final class NewSims {
         }
     }
 
-    /** A new file is its owner's alone, where the file system knows owners. */
+    /** A new file is readable by its owner only, where the file system is POSIX. */
     private static void writeSecretly(Path file, String text) throws IOException {
         boolean knowsOwners = file.getFileSystem().supportedFileAttributeViews().contains("posix");
         if (knowsOwners && !Files.exists(file)) {

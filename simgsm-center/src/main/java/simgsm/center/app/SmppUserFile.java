@@ -10,14 +10,14 @@ import java.util.Map;
 import java.util.Properties;
 import simgsm.center.smpp.SmppUsers;
 
-/** Who may bind by SMPP: {@code system-id=password}, a line each. */
+/** The applications that may bind by SMPP: {@code system-id=password}, a line each. */
 final class SmppUserFile {
     static final String NAME = "smpp-users.properties";
 
     private SmppUserFile() {}
 
     /**
-     * Reads the file of a data directory; without it any application of this machine may bind.
+     * Reads the file of a data directory; without it any local application may bind.
      *
      * @throws IOException naming the file if it cannot be read or holds what SMPP cannot carry
      */

@@ -3,20 +3,20 @@ package simgsm.center.app;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * Where the windows of programs go that the operator starts: phones down from the top left corner, robots down from the top
- * right, each a step further than the one before, so that none hides another.
+ * Places of the windows of started programs: phones from the top left corner, robots from the top right, each 36 pixels
+ * further down and inwards than the one before.
  */
 final class WindowCascade {
     private static final int STEP = 36;
     private static final int STEPS = 10;
-    /** A robot's window with its frame. */
+    /** Of a robot's window with its frame, in pixels. */
     private static final int ROBOT_WIDTH = 1_130;
 
     private final WindowPlace area;
     private int phones;
     private int robots;
 
-    /** @param area what of the screen may be covered */
+    /** @param area usable area of the screen */
     WindowCascade(WindowPlace area) {
         this.area = area;
     }

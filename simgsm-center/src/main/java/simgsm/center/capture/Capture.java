@@ -6,16 +6,15 @@ import java.net.InetSocketAddress;
 import java.time.Instant;
 
 /**
- * A capture that is running. The loop hands in packets and never waits for the disk: a thread of its own writes what has
- * come while it was busy. With the disk full, capturing stops; with a disk too slow, packets are left out. Both are said
- * in the log, and the centre goes on.
+ * A running capture. Packets are added without waiting for the disk; a thread writes them. When the disk is full, capturing
+ * stops; when it is too slow, packets are left out. Both are logged, and the centre goes on.
  */
 public final class Capture implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Capture.class.getName());
     /** Packets that wait for the disk; two such buffers exist at most. */
     private static final int MOST_WAITING_OCTETS = 16 * 1024 * 1024;
 
-    /** Packets are written together, so that a busy loop does not make a busy disk. */
+    /** Packets of this time are written together. */
     private static final int GATHERING_MILLIS = 50;
 
     private static final long NANOS_PER_MICRO = 1_000;
@@ -35,7 +34,7 @@ public final class Capture implements AutoCloseable {
     private Capture(CapturePlan plan) throws IOException {
         this.plan = plan;
         this.file = PcapFile.create(plan.file());
-        // A program that ends by a signal does not wait for it: what it writes is whole at any time.
+        // The file holds whole records at any time, so the thread may end with the process.
         thread.setDaemon(true);
         thread.start();
     }
@@ -60,7 +59,7 @@ public final class Capture implements AutoCloseable {
         return e instanceof java.nio.file.AccessDeniedException ? "access denied" : e.getMessage();
     }
 
-    /** A peer has connected: its packets from now on. */
+    /** The packets of a new connection. */
     public WireTap conversation(InetSocketAddress peer, InetSocketAddress center) {
         return new TcpConversation(this, IpHeader.between(peer.getAddress(), center.getAddress()), peer.getPort());
     }
@@ -131,7 +130,7 @@ public final class Capture implements AutoCloseable {
         }
     }
 
-    /** Writes what is still to be written. */
+    /** Writes the remaining packets and ends the capture. */
     @Override
     public void close() {
         end();

@@ -3,10 +3,10 @@ package simgsm.center.capture;
 import java.nio.file.Path;
 
 /**
- * Where a capture goes.
+ * File and limit of a capture.
  *
- * @param file is overwritten if it is there
- * @param limitOctets when the file has grown so long it is put aside as {@link #previous()}, and begun anew
+ * @param file is overwritten if it exists
+ * @param limitOctets a file of this length is renamed to {@link #previous()}, and a new one begun
  */
 public record CapturePlan(Path file, long limitOctets) {
     public static final int DEFAULT_LIMIT_MIB = 1024;
@@ -19,7 +19,7 @@ public record CapturePlan(Path file, long limitOctets) {
         return new CapturePlan(file, limitMib * OCTETS_PER_MIB);
     }
 
-    /** The part before the present one: {@code lesson.1.pcap} of {@code lesson.pcap}. */
+    /** The name of the part before the current one: {@code lesson.1.pcap} of {@code lesson.pcap}. */
     Path previous() {
         String name = file.getFileName().toString();
         int dot = name.lastIndexOf('.');

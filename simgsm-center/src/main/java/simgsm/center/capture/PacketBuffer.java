@@ -2,7 +2,7 @@ package simgsm.center.capture;
 
 import java.nio.ByteBuffer;
 
-/** Packets as the file will have them, one record after the other; grows as far as it may. */
+/** Packets as records of the file; grows up to a limit. */
 final class PacketBuffer {
     /** Seconds, microseconds, octets here, octets on the wire: 4 octets each. */
     static final int RECORD_HEADER_LENGTH = 16;
@@ -44,12 +44,12 @@ final class PacketBuffer {
         return records.position();
     }
 
-    /** What is in it, to be written; {@link #clear} afterwards. */
+    /** The records, to be written; {@link #clear} follows. */
     ByteBuffer contents() {
         return records.duplicate().flip();
     }
 
-    /** A burst's room is given back. */
+    /** Also releases the memory of a burst. */
     void clear() {
         if (records.capacity() > INITIAL_CAPACITY && records.position() < INITIAL_CAPACITY / 2) {
             records = ByteBuffer.allocate(INITIAL_CAPACITY);

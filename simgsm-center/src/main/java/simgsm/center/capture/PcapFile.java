@@ -21,7 +21,7 @@ final class PcapFile {
 
     private final Path path;
     private final FileChannel channel;
-    /** Up to here everything is whole. */
+    /** Length of the whole records. */
     private long size;
 
     private PcapFile(Path path) throws IOException {
@@ -60,7 +60,7 @@ final class PcapFile {
         size += count;
     }
 
-    /** Puts this file aside under another name, in the place of whatever had it, and begins a new one. */
+    /** Renames this file, replacing an older one of that name, and begins a new one. */
     PcapFile startAnew(Path aside) throws IOException {
         channel.close();
         Files.move(path, aside, StandardCopyOption.REPLACE_EXISTING);
@@ -71,7 +71,7 @@ final class PcapFile {
         channel.close();
     }
 
-    /** After a failure: what was written in part is cut off again, if that much is still possible. */
+    /** Closes the file after a failure; a record written in part is cut off if possible. */
     void abandon() {
         try (channel) {
             channel.truncate(size);

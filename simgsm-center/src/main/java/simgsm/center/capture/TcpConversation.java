@@ -5,11 +5,11 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 
 /**
- * One peer's connection as TCP would have it between two machines that keep up: its handshake, one segment a message, an
- * acknowledgement where a side has said much without hearing anything, its end. Sequence numbers begin at 0 on each side.
+ * One peer's connection as TCP segments: handshake, one segment per message, an acknowledgement when half of the window is
+ * unacknowledged, and the end. Sequence numbers begin at 0 on each side.
  */
 final class TcpConversation implements WireTap {
-    /** Where Wireshark looks for IPA. */
+    /** The port at which Wireshark decodes IPA. */
     static final int CENTER_PORT = 3003;
 
     private static final int FIN = 0x01;
@@ -20,7 +20,7 @@ final class TcpConversation implements WireTap {
     private static final int TCP_HEADER_LENGTH = 20;
     private static final byte TCP_HEADER_WORDS = 5;
     private static final short WINDOW = (short) 0xffff;
-    /** Half of the window: no side ever seems to wait for the other. */
+    /** Half of the window, so that neither side appears to wait. */
     private static final int MOST_UNACKNOWLEDGED = 0x7fff;
 
     private final Capture capture;

@@ -2,9 +2,9 @@ package simgsm.center.capture;
 
 import simgsm.abis.IpaFrame;
 
-/** Told of what passes on one connection. */
+/** Receives the frames of one connection. */
 public interface WireTap {
-    /** Where nobody listens. */
+    /** For a connection that is not captured. */
     WireTap NONE = new WireTap() {
         @Override
         public void received(IpaFrame frame) {}
@@ -18,9 +18,9 @@ public interface WireTap {
 
     void received(IpaFrame frame);
 
-    /** @param wire a frame that has left, as it was on the wire */
+    /** @param wire a frame that has been sent, as on the wire */
     void sent(byte[] wire);
 
-    /** Once is enough. */
+    /** Called once. */
     void closed(boolean isByPeer);
 }

@@ -33,7 +33,7 @@ final class DemoConsole {
         reader.start();
     }
 
-    /** Enters a command; it shows in the transcript. */
+    /** Enters a command and adds it to the transcript. */
     void command(String line) throws DemoFailure {
         transcript.line(name, "> " + line);
         try {
@@ -44,7 +44,7 @@ final class DemoConsole {
         }
     }
 
-    /** Waits for the next event of this name that holds these fields, "key=value". Events before it are passed over. */
+    /** Waits for the next event of this name that holds these fields, "key=value". Earlier events are skipped. */
     Event await(int seconds, String event, String... fields) throws DemoFailure, InterruptedException {
         return await(seconds, event, candidate -> holds(candidate, fields), String.join(" ", fields));
     }
@@ -70,7 +70,7 @@ final class DemoConsole {
         }
     }
 
-    /** Waits for the program's own end, which must be a good one. */
+    /** Waits until the program has ended, with status 0. */
     void awaitEnd(int seconds) throws DemoFailure, InterruptedException {
         if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
             throw new DemoFailure(name + ": expected to end within " + seconds + " s");

@@ -1,6 +1,6 @@
 package simgsm.center.demo;
 
-/** A step of the demo that did not go as it should; the text says which and what was expected. */
+/** A failed step of the demo; the text names the program and what was expected. */
 final class DemoFailure extends Exception {
     DemoFailure(String text) {
         super(text);

@@ -25,7 +25,7 @@ record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int 
     private static final int LEAST_ZOOM_PERCENT = 50;
     private static final int ZOOM_STEP_PERCENT = 5;
 
-    /** @param area what of the screen may be covered */
+    /** @param area usable area of the screen */
     static DemoLayout of(WindowPlace area) {
         WindowPlace phone = new WindowPlace(area.x(), area.y(), 0, 0);
         int zoom = zoomPercent(area);

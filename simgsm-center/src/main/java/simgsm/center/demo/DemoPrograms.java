@@ -16,7 +16,7 @@ import simgsm.center.app.HomeSettings;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 
-/** The demo's centre with its temporary data, and the phone and the SimRobot that go with it. */
+/** The demo's centre with its temporary data, and its phone and SimRobot as child processes. */
 final class DemoPrograms implements AutoCloseable {
     static final String PHONE_NUMBER = "5550100";
     static final String ROBOT_NUMBER = "5550200";
@@ -36,7 +36,7 @@ final class DemoPrograms implements AutoCloseable {
         this.atExit = new Thread(this::end, "end of the demo");
     }
 
-    /** The demo plays two parts; a closed network must have their SIMs. */
+    /** A closed network must list the SIMs of the phone and the robot. */
     private static void requireCards(HomeSettings home) throws UsageException {
         List<Msisdn> parts = List.of(new Msisdn(PHONE_NUMBER), new Msisdn(ROBOT_NUMBER));
         if (home.isClosed() && !home.numbers().containsAll(parts)) {
@@ -45,10 +45,10 @@ final class DemoPrograms implements AutoCloseable {
         }
     }
 
-    /** Opens the centre, on a free port if the usual one is taken; the children are not started yet. */
+    /** Opens the centre, on any free port if the default one is taken. The children are not started. */
     static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
         requireCards(settings.home());
-        ChildPrograms children = ChildPrograms.besideUs();
+        ChildPrograms children = ChildPrograms.besideOwnJar();
         Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
         Center center = open(settings, settings.data().orElse(temporary));
         DemoPrograms programs = new DemoPrograms(arguments, temporary, center, children);
@@ -133,7 +133,7 @@ final class DemoPrograms implements AutoCloseable {
                 }
             });
         } catch (IOException e) {
-            // It is a temporary directory; the system sweeps it sooner or later.
+            // The system removes temporary directories.
         }
     }
 }

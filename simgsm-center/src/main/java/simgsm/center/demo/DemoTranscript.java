@@ -3,7 +3,7 @@ package simgsm.center.demo;
 import java.io.PrintStream;
 import java.util.Locale;
 
-/** Prints what happens in a demo, a line each: when, who, what. Any thread may print. */
+/** Prints the events of a demo, one per line: seconds, program, event. Any thread may print. */
 final class DemoTranscript {
     private static final double NANOS_PER_SECOND = 1e9;
 

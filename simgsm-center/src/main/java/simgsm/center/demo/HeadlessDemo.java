@@ -11,7 +11,7 @@ import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
 
-/** The demo without a display: the same programs, played by a script, with a transcript for the reader. */
+/** The demo without a display: the same programs, driven by a script, with a printed transcript. */
 public final class HeadlessDemo {
     private HeadlessDemo() {}
 

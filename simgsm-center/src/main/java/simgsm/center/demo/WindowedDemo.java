@@ -8,7 +8,7 @@ import simgsm.console.Arguments;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 
-/** The demo with a display: three windows side by side, ready to dial; closing the centre's ends them all. */
+/** The demo with a display: three windows side by side, ready to dial; closing the centre's window ends all. */
 public final class WindowedDemo {
     private WindowedDemo() {}
 

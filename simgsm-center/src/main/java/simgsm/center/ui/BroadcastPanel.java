@@ -32,16 +32,16 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * Cell broadcast: channel, language, how often, a text and how many pages it takes; below, what is repeated and can be
+ * Cell broadcast: channel, language, repetition, text and number of pages; below, the repeated broadcasts, which can be
  * stopped.
  */
 final class BroadcastPanel extends JPanel {
-    /** The channel that handsets listen to when they are new: area names (050). */
+    /** The default channel of handsets: area names (050). */
     private static final int FIRST_CHANNEL = 50;
 
     private static final int MAX_CHANNEL = 0xffff;
     private static final int RUNNING_UNITS = 110;
-    /** Room for two lines of text at least, in however low a window. */
+    /** Two lines of text, also in a low window. */
     private static final int LEAST_TEXT_UNITS = 42;
 
     /** The first one names none. */
@@ -69,7 +69,7 @@ final class BroadcastPanel extends JPanel {
     private final UserAction send;
     private final UserAction stop;
     private final JButton stopButton;
-    /** What became of the latest broadcast, and how to stop one: only when there is something to say. */
+    /** The result of the latest broadcast and the button that stops one; hidden when both are absent. */
     private final JPanel outcome;
 
     BroadcastPanel(TextBundle texts, CenterActions operator, Background background) {
@@ -94,7 +94,7 @@ final class BroadcastPanel extends JPanel {
         ComponentNames.name(result, "broadcast.result", texts.of("window.broadcast.result"));
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
-        // Tab leads on, as everywhere; a broadcast has no use for it.
+        // Tab moves the focus.
         text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.getDocument().addDocumentListener(new Counter());
@@ -157,7 +157,7 @@ final class BroadcastPanel extends JPanel {
         return label;
     }
 
-    /** The broadcasts that are repeated; without any the text has their room. */
+    /** Shows the repeated broadcasts; without any the text has their room. */
     void show(List<BroadcastView> broadcasts) {
         if (running.isVisible() == broadcasts.isEmpty()) {
             running.setVisible(!broadcasts.isEmpty());
@@ -228,7 +228,7 @@ final class BroadcastPanel extends JPanel {
         showOutcome();
     }
 
-    /** Pages as the text grows; a text that is too long or empty cannot be sent. */
+    /** Shows the number of pages; a text that is too long or empty cannot be sent. */
     private void count() {
         String written = text.getText();
         try {

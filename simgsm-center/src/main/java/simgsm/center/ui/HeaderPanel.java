@@ -17,7 +17,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.window.WindowKeys;
 
-/** Name, port, what is going on in numbers, and the way out. */
+/** Name, port, counts, rates, and the buttons for appearance and quitting. */
 final class HeaderPanel extends JPanel {
     private final TextBundle texts;
     private final JLabel title = new JLabel("SMSyCT");

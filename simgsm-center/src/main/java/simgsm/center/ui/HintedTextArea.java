@@ -8,7 +8,7 @@ import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** A text area that says, while it is empty, what belongs there: in a low window there is no line for a label. */
+/** A text area that shows a hint while it is empty, which takes no room for a label. */
 final class HintedTextArea extends JTextArea {
     private final String hint;
 

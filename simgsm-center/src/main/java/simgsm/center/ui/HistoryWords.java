@@ -17,7 +17,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** What has happened to a message, in the operator's words and time. */
+/** The history of a message, in the user's language and time zone. */
 final class HistoryWords {
     private static final ZoneId ZONE = ZoneId.systemDefault();
     private static final DateTimeFormatter CLOCK =
@@ -27,7 +27,7 @@ final class HistoryWords {
 
     private HistoryWords() {}
 
-    /** Where it stands; a message that has ended, how. */
+    /** The state of a message; of one that has ended, how it ended. */
     static StateWord state(MessageRow row, TextBundle texts) {
         MessageHistory history = row.history();
         if (history.waitReason() == WaitReason.ENDED) {
@@ -45,12 +45,12 @@ final class HistoryWords {
         };
     }
 
-    /** When the schedule has the next attempt begin; empty if no time is set. */
+    /** The time of the next scheduled attempt; empty if there is none. */
     static String next(MessageRow row) {
         return row.history().nextTry().map(CLOCK::format).orElse("");
     }
 
-    /** The whole course, a line for each event. */
+    /** One line per event. */
     static List<String> lines(MessageHistory history, TextBundle texts) {
         ShortMessage message = history.message();
         List<String> lines = new ArrayList<>();
@@ -83,7 +83,7 @@ final class HistoryWords {
         return lines;
     }
 
-    /** With the day where it is another than that of the first event. */
+    /** With the date, if it differs from that of the first event. */
     private static String clock(Instant at, Instant first) {
         boolean isSameDay = LocalDate.ofInstant(at, ZONE).equals(LocalDate.ofInstant(first, ZONE));
         return (isSameDay ? CLOCK : DAY).format(at);

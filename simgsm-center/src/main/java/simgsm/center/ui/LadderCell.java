@@ -80,8 +80,8 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
     }
 
     /**
-     * A name that is longer than its arrow spreads over the neighbouring columns: nothing else stands in this row. A
-     * terminal without a line of its own is told by its number in front of the name, at the centre's line.
+     * A name that is longer than its arrow extends over the neighbouring columns. Messages of a terminal without a lifeline
+     * are drawn at the centre's line, with the terminal's number before the name.
      */
     private void paintArrow(Graphics2D g, LadderEntry entry) {
         int width = getWidth();
@@ -112,7 +112,7 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         g.drawString(fitted, (float) x, (float) (y - Theme.exact(6)));
     }
 
-    /** Keeps the lifelines that a long arrow crosses, or a long name, from running through it. */
+    /** Hides the lifelines behind the name. */
     private void paintPlate(Graphics2D g, double x, double width) {
         g.setColor(Theme.color(isSelected ? Ink.ACCENT_WASH : Ink.CARD));
         Drawing.fillCrisp(g, x - Theme.exact(3), Theme.exact(4), width + Theme.exact(6), getHeight() - Theme.exact(15));

@@ -10,12 +10,12 @@ import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** The rungs. Fills the window's width, or scrolls once the lifelines would stand too close. */
+/** The list of messages. Fills the window's width; scrolls when the lifelines would be too close. */
 final class LadderList extends JList<LadderRow> {
     private final LadderCell cell;
     private final String empty;
 
-    /** @param empty what stands there before the first message */
+    /** @param empty is shown before the first message */
     LadderList(LadderModel model, LadderCell cell, String empty) {
         super(model);
         this.cell = cell;

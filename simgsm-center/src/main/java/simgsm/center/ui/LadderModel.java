@@ -6,7 +6,7 @@ import java.util.Optional;
 import javax.swing.AbstractListModel;
 import simgsm.center.msc.LadderEntry;
 
-/** The rungs that are shown: what the snapshots hold, less what was cleared and what is filtered out. */
+/** The messages shown: those of the snapshots, without cleared and filtered ones. */
 final class LadderModel extends AbstractListModel<LadderRow> {
     private final List<LadderRow> rows = new ArrayList<>();
     private List<LadderEntry> entries = List.of();
@@ -16,7 +16,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     private Optional<String> terminal = Optional.empty();
 
     /**
-     * Takes over a snapshot: drops what it has forgotten and adds what is new, so that a selection stays where it is.
+     * Takes over a snapshot: removes rows that the snapshot no longer has and adds new ones, so that a selection is kept.
      *
      * @param newEntries the latest ones, oldest first
      * @param newCount the number of the last one
@@ -42,7 +42,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** Hides all that has passed so far. */
+    /** Hides all messages so far. */
     void clear() {
         clearedUpTo = count;
         rebuild();
@@ -81,7 +81,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** A terminal that has told its number bears it in what it sent before, too. */
+    /** A terminal whose number has become known has it in its earlier messages too. */
     private void rename() {
         for (int i = 0; i < rows.size(); i++) {
             LadderRow row = rows.get(i);

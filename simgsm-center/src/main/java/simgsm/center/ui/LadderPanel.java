@@ -23,13 +23,13 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Who sent which GSM message to whom, live; below, what the chosen message says. */
+/** The GSM messages between terminals and centre, live; below, the fields of the selected message. */
 final class LadderPanel extends JPanel {
     private static final Dimension LIST_UNITS = new Dimension(560, 240);
     private static final Dimension DETAIL_UNITS = new Dimension(540, 150);
 
     private static final int LOW_UNITS = 330;
-    /** Of the width, when the message stands beside the ladder. */
+    /** The ladder's share of the width when the message is next to it. */
     private static final double LADDER_SHARE = 0.58;
 
     private final TextBundle texts;
@@ -110,7 +110,7 @@ final class LadderPanel extends JPanel {
         return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderCell.HEIGHT_UNITS);
     }
 
-    /** Out of the way until there is something to read. */
+    /** Hidden until a message is selected. */
     private JPanel makeDetailPane() {
         detail.setEditable(false);
         detail.setLineWrap(true);
@@ -151,7 +151,7 @@ final class LadderPanel extends JPanel {
         list.fit();
     }
 
-    /** Keeps the choice while numbers come and go. */
+    /** Keeps the selection when numbers are added or removed. */
     private void updateChoice() {
         List<String> sorted = new ArrayList<>(terminals);
         sorted.sort(String::compareTo);
@@ -179,7 +179,7 @@ final class LadderPanel extends JPanel {
         followed();
     }
 
-    /** Shows only what this subscriber sends and receives. */
+    /** Shows only the messages from and to this subscriber. */
     void choose(String number) {
         if (terminals.contains(number)) {
             who.setSelectedItem(number);
@@ -198,12 +198,12 @@ final class LadderPanel extends JPanel {
         }
     }
 
-    /** After the layout, which has yet to hear of the new rows. */
+    /** After the layout of the new rows. */
     private void showEnd() {
         SwingUtilities.invokeLater(() -> list.ensureIndexIsVisible(model.getSize() - 1));
     }
 
-    /** Whoever reads an older message does not want it to run away. */
+    /** Selecting an older message stops following the latest. */
     private void chosen(int index) {
         if (index >= 0 && index < model.getSize() - 1 && list.isFocusOwner()) {
             follow.setSelected(false);
@@ -230,7 +230,7 @@ final class LadderPanel extends JPanel {
         return getHeight() > 0 && getHeight() < Theme.px(LOW_UNITS);
     }
 
-    /** Below the ladder, or beside it where the window is low. */
+    /** Below the ladder, or next to it in a low window. */
     private void placeDetail() {
         split.setOrientation(isLow() ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT);
         if (isLow()) {

@@ -6,9 +6,9 @@ import simgsm.air.Direction;
 import simgsm.center.msc.LadderEntry;
 
 /**
- * A rung with its number.
+ * A message with its number.
  *
- * @param number how many messages had passed with this one; never used twice
+ * @param number counts messages from 1; never used twice
  */
 record LadderRow(long number, LadderEntry entry) {
     private static final DateTimeFormatter CLOCK =

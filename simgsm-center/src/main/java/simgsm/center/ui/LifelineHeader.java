@@ -9,7 +9,7 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** The heads of the lifelines, above the ladder. */
+/** The names of the lifelines, above the ladder. */
 final class LifelineHeader extends PaintedComponent {
     private static final double HEIGHT_UNITS = 36;
     private static final double BOX_UNITS = 24;

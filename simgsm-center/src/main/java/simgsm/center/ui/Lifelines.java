@@ -7,25 +7,25 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
- * Who stands where on the ladder: the centre in the middle, terminals in the order of their numbers on both sides.
+ * The order of the lifelines: the centre in the middle, terminals in the order of their numbers on both sides.
  *
  * <pre>
  *   | time |   5550100      M3      5550200   | tag |
  * </pre>
  */
 record Lifelines(List<String> names) {
-    /** More terminals than these would leave no room for names; the latest ones win. */
+    /** With more there is no room for names; those of the latest messages have a lifeline. */
     static final int MAX_TERMINALS = 7;
 
-    /** Columns beside the lines, in units. */
+    /** Columns left and right of the lines, in units. */
     static final int TIME_UNITS = 92;
 
     static final int TAG_UNITS = 38;
-    /** The outer lines stand so far from the columns beside them that their heads find room. */
+    /** Distance of the outer lines from the columns, for the names above them. */
     private static final int HALF_HEAD_UNITS = 44;
 
     private static final int LEAST_GAP_UNITS = 72;
-    /** What a head has around its name: its box, and the way to its neighbour. */
+    /** Around a name: its box, and the distance to the next. */
     static final int HEAD_MARGIN_UNITS = 24;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
@@ -38,7 +38,7 @@ record Lifelines(List<String> names) {
         return new Lifelines(List.copyOf(names));
     }
 
-    /** Where a line stands, in pixels; -1 for a terminal that has none. */
+    /** X of a line in pixels; -1 for a terminal without one. */
     double x(String name, int width) {
         int index = names.indexOf(name);
         if (index < 0) {
@@ -48,7 +48,7 @@ record Lifelines(List<String> names) {
         return names.size() == 1 ? first + gap(width) / 2 : first + gap(width) * index;
     }
 
-    /** How far apart two neighbours stand, in pixels. */
+    /** Distance of two lines in pixels. */
     double gap(int width) {
         double room = width - Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
         return room / Math.max(1, names.size() - 1);

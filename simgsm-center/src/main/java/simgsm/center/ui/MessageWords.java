@@ -17,7 +17,7 @@ import simgsm.sms.TpduCodec;
 import simgsm.trace.MessageText;
 import simgsm.trace.TpduText;
 
-/** All that a message says, in lines: its fields, a short message or broadcast page inside, its octets. */
+/** A message as lines of text: its fields, those of a short message or broadcast page inside, and its octets. */
 final class MessageWords {
     static final int WIDE = 16;
     static final int NARROW = 8;

@@ -14,7 +14,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
-/** The queue of messages and those that have ended lately; below, the history of the one that is chosen. */
+/** The queue of messages and those that have ended recently; below, the history of the selected one. */
 final class MessagesPanel extends JPanel {
     private static final int HISTORY_UNITS = 132;
 

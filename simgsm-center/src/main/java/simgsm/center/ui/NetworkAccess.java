@@ -1,11 +1,11 @@
 package simgsm.center.ui;
 
-/** Who may register. */
+/** Which terminals may register. */
 public enum NetworkAccess {
-    /** Anybody on this machine, under any free number. */
+    /** Terminals on this machine, with any free number. */
     OPEN,
-    /** Anybody who reaches the port from another machine, too. */
+    /** Terminals on other machines too. */
     OPEN_TO_OTHERS,
-    /** The SIMs of a list alone. */
+    /** Only SIMs of a list. */
     CLOSED
 }

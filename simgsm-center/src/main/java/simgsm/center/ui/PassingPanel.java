@@ -16,8 +16,8 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
 /**
- * The panel of the paper's figure 4, live: which telephone calls or writes (TEL entrante), through which centre (TEL
- * intermedio), to which telephone (TEL saliente), and the message.
+ * The panel of the paper's figure 4, live: the calling or sending telephone (TEL entrante), the centre (TEL
+ * intermedio), the called or receiving telephone (TEL saliente), and the message.
  */
 final class PassingPanel extends JPanel {
     private static final int ONE_ROW_UNITS = 1100;
@@ -80,7 +80,7 @@ final class PassingPanel extends JPanel {
         revalidate();
     }
 
-    /** A window that is wide, and then often low, has everything in one row. */
+    /** In a wide window all fields are in one row. */
     @Override
     public void doLayout() {
         boolean hasRoom = getWidth() >= Theme.px(ONE_ROW_UNITS);
@@ -98,7 +98,7 @@ final class PassingPanel extends JPanel {
         });
     }
 
-    /** What has become of the call: its state, or that it is over. */
+    /** The state of the call, or that it is over. */
     private String callWord(ExchangeSnapshot snapshot, ExchangeSnapshot.Passing passing) {
         return snapshot.calls().stream()
                 .filter(call -> call.from().equals(passing.from()) && call.to().equals(passing.to()))
@@ -116,7 +116,7 @@ final class PassingPanel extends JPanel {
         }
     }
 
-    /** A text that grows shows its newest end. */
+    /** A growing text shows its end. */
     private static void setToEnd(JTextField field, String text) {
         boolean grows = !field.getText().isEmpty() && text.startsWith(field.getText());
         if (!field.getText().equals(text)) {

@@ -3,13 +3,13 @@ package simgsm.center.ui;
 import simgsm.center.msc.LadderEntry;
 import simgsm.draw.Ink;
 
-/** Whose message it is, by the protocol discriminator; each has a tag to read beside its colour. */
+/** The protocol of a message, by its discriminator; each has a tag and a colour. */
 enum Protocol {
     CALL_CONTROL("CC", Ink.ACCENT),
     MOBILITY_MANAGEMENT("MM", Ink.GOOD),
     SHORT_MESSAGES("SMS", Ink.WARNING),
     RADIO_RESOURCE("RR", Ink.QUIET),
-    /** Paging and cell broadcast, which need no radio connection. */
+    /** Paging and cell broadcast. */
     COMMON_CHANNEL("RSL", Ink.QUIET);
 
     private static final int DISCRIMINATOR_MASK = 0x0f;

@@ -2,7 +2,7 @@ package simgsm.center.ui;
 
 import simgsm.center.msc.ExchangeSnapshot;
 
-/** How much passes a second, from two looks at what has passed so far. */
+/** Messages and speech frames per second, from the counts at two times. */
 final class Rates {
     private static final double NANOS_PER_SECOND = 1e9;
 
@@ -15,7 +15,7 @@ final class Rates {
     private long messagesPerSecond;
     private long framesPerSecond;
 
-    /** What has passed by now. */
+    /** Takes over the counts so far. */
     void saw(ExchangeSnapshot snapshot) {
         messages = snapshot.ladderCount();
         frames = snapshot.speechFrames();

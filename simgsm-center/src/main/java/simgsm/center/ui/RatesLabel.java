@@ -5,7 +5,7 @@ import java.awt.Graphics;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 
-/** Words that are shown whole or, where a narrow window has no room for them, not at all. */
+/** A label that is hidden when it does not fit. */
 final class RatesLabel extends JLabel {
     RatesLabel() {
         setHorizontalAlignment(SwingConstants.TRAILING);

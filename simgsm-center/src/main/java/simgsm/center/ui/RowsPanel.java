@@ -23,17 +23,17 @@ import simgsm.ui.Drawing;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 
-/** A table of a snapshot's rows; says in words when there are none. */
+/** A table of a snapshot's rows, with a text for the empty table. */
 final class RowsPanel<T> extends JPanel {
-    /** These say who it is, and what about; in a narrow window the columns behind them give way. */
+    /** The first columns keep their width in a narrow window. */
     private static final int FIRM_COLUMNS = 2;
 
     private final RowsModel<T> model;
     private final JTable table;
-    /** What tells the rows apart, however they change. */
+    /** What identifies a row when it changes. */
     private Function<T, Object> identity = row -> row;
 
-    /** @param name for tests and, in words, for assistive technology; @param empty what stands there without rows */
+    /** @param name of the component; @param title for assistive technology; @param empty text without rows */
     RowsPanel(String name, String title, String empty, List<Column<T>> columns) {
         super(new BorderLayout());
         setOpaque(false);
@@ -55,13 +55,13 @@ final class RowsPanel<T> extends JPanel {
         dress();
     }
 
-    /** Rows that change stay chosen as long as they are still the same by this. */
+    /** A changed row stays selected if this is equal. */
     RowsPanel<T> identifiedBy(Function<T, Object> newIdentity) {
         identity = newIdentity;
         return this;
     }
 
-    /** Calls back with the row that the user chooses. */
+    /** Calls back with the row that the user selects. */
     RowsPanel<T> onChoice(Consumer<T> choice) {
         table.getSelectionModel().addListSelectionListener(event -> {
             if (!event.getValueIsAdjusting()) {
@@ -71,7 +71,7 @@ final class RowsPanel<T> extends JPanel {
         return this;
     }
 
-    /** Takes over the rows; the chosen one stays chosen if it is still there. */
+    /** Takes over the rows; the selection is kept if its row is still there. */
     void show(List<T> rows) {
         Optional<T> chosen = selected();
         if (model.update(rows) && chosen.isPresent()) {

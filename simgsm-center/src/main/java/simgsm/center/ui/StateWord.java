@@ -3,7 +3,7 @@ package simgsm.center.ui;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** A state as a table shows it: shape and word, the colour only helps. */
+/** A state in a table: shape, colour and word. */
 record StateWord(StatusMark mark, Ink ink, String word) {
     /** For assistive technology and for sorting. */
     @Override

@@ -12,7 +12,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** The three tables and their columns. */
+/** The four tables and their columns. */
 final class Tables {
     private Tables() {}
 
@@ -104,7 +104,7 @@ final class Tables {
                 + (row.left().isPresent() ? "/" + (row.sent() + row.left().getAsInt()) : "");
     }
 
-    /** What was dialled; nothing for what cannot be a number. */
+    /** The dialled number; empty for an empty one. */
     private static Object number(String dialled) {
         return dialled.isEmpty() ? "" : new Msisdn(dialled);
     }
