@@ -4,6 +4,7 @@ import blackbox.SuiteTrace;
 import blackbox.VirtualPhone;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -70,6 +71,13 @@ final class SequenceTrace implements SuiteTrace {
 
     void begin() {
         isRecording = true;
+    }
+
+    /** Records what has no order of its own, sorted, so that every run prints the same. */
+    void inAnyOrder(Runnable run) {
+        int from = lines.size();
+        run.run();
+        lines.subList(from, lines.size()).sort(Comparator.comparing(Line::toString));
     }
 
     /** Adds an arrow. */
