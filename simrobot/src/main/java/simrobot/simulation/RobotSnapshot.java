@@ -10,8 +10,8 @@ import vericommand.RobotStatus;
  *
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param turnRadiansPerSecond anticlockwise
- * @param sonarRangesMeters sixteen, sonar 0 first; empty when nobody watches this robot
- * @param simulated false of a real robot, which SimRobot only drives; its camera is its own
+ * @param sonarRangesMeters sixteen, sonar 0 first; empty with over 16 robots unless this one is watched
+ * @param simulated false for a real robot, which has no simulated camera
  */
 public record RobotSnapshot(
         String name,

@@ -15,7 +15,7 @@ import simrobot.world.ObstacleGrid;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
 
-/** The floor with all its robots. Robots are looked up by place, so the cost per robot does not grow with their number. */
+/** The floor with its obstacles and robots. Robots are looked up by place, so the cost per robot is constant. */
 final class SimulatedFloor implements Floor {
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
@@ -43,11 +43,12 @@ final class SimulatedFloor implements Floor {
     private SimulatedRobot seer;
 
     SimulatedFloor(World world) {
-        load(world);
+        load(world, new ObstacleGrid(world));
     }
 
-    void load(World world) {
-        obstacles = new ObstacleGrid(world);
+    /** @param grid of the same world */
+    void load(World world, ObstacleGrid grid) {
+        obstacles = grid;
         treadmills = world.treadmills();
         ground = world.ground();
     }

@@ -2,11 +2,13 @@ package simrobot.simulation;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -20,22 +22,22 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * A world, its robots and their time, which moves in fixed steps and knows no clock: the same seed and the same acts at
- * the same steps give the same poses, bit for bit. One thread owns it; {@link SimulationThread} is that thread where the
- * simulation runs at a pace, a test drives it by hand.
+ * A world, its robots and simulated time, which advances in steps of 10 ms and uses no clock: the same seed and the same acts
+ * at the same steps give the same poses, bit for bit. Owned by one thread: {@link SimulationThread}, or a caller that steps
+ * it by hand.
  */
 public final class Simulation {
     public static final long STEP_NANOS = 10_000_000;
 
-    /** With more robots than this, snapshots hold the sonars of those watched only. */
-    private static final int SONARS_FOR_ALL = 16;
+    /** With more robots, snapshots hold the sonar ranges of the watched robot only. */
+    private static final int MAX_ROBOTS_WITH_SONARS = 16;
 
     private final Map<String, SimulatedRobot> byName = new HashMap<>();
     private final List<LongConsumer> stepListeners = new ArrayList<>();
     private final List<Supplier<RobotSnapshot>> guests = new ArrayList<>();
     private final Random random;
-    private final SimulatedFloor crowd;
-    /** In the order in which they were added; a new list at every change, so that who walks it may add and remove. */
+    private final SimulatedFloor floor;
+    /** In the order in which they were added; a new list at every change, so robots may be added while it is iterated. */
     private List<SimulatedRobot> robots = List.of();
 
     private final long seed;
@@ -48,7 +50,7 @@ public final class Simulation {
     /** An empty floor of this world; the seed feeds {@link #random()}. */
     public Simulation(World world, long seed) {
         this.world = world;
-        crowd = new SimulatedFloor(world);
+        floor = new SimulatedFloor(world);
         random = new Random(seed);
         this.seed = seed;
     }
@@ -62,12 +64,12 @@ public final class Simulation {
         return timeNanos;
     }
 
-    /** The one source of chance, so that a seed repeats a run. */
+    /** The one source of random numbers, so that a seed repeats a run. */
     public Random random() {
         return random;
     }
 
-    /** Wheels and sonars of robots that are added from now on err so much: 0 not at all, 1 as MobileSim's, at most 10. */
+    /** Sets the errors of wheels and sonars of robots added from now on: 0 none, 1 MobileSim's, at most 10. */
     public void setNoise(double scale) {
         noise = scale;
     }
@@ -83,20 +85,20 @@ public final class Simulation {
         return Optional.ofNullable(byName.get(name));
     }
 
-    /** Puts a robot on the first home that is free, or near the middle of the world when none is. */
+    /** Adds a robot on the first free home, or near the first home when none is free. */
     public SimulatedRobot addRobot(String name) {
         return addRobots(List.of(name)).get(0);
     }
 
-    /** The same for many at once, in their order. */
+    /** Adds several robots in their order. */
     public List<SimulatedRobot> addRobots(List<String> names) {
-        StartPlaces parking = new StartPlaces(world, (x, y) -> crowd.isFree(null, x, y));
+        StartPlaces places = new StartPlaces(world, (x, y) -> floor.isFree(null, x, y));
         List<SimulatedRobot> added = new ArrayList<>(names.size());
         try {
             for (String name : names) {
                 requireNew(name);
-                Home spot = parking.next();
-                added.add(settle(name, spot.position(), spot.headingRadians()));
+                Home place = places.next();
+                added.add(create(name, place.position(), place.headingRadians()));
             }
         } catch (NoSuchElementException full) {
             throw new IllegalStateException(
@@ -107,14 +109,14 @@ public final class Simulation {
         return added;
     }
 
-    /** Puts a robot exactly there. */
+    /** Adds a robot at this pose. */
     public SimulatedRobot addRobot(String name, Position position, double headingRadians) {
         requireNew(name);
-        if (!crowd.isFree(null, position.xMeters(), position.yMeters())) {
+        if (!floor.isFree(null, position.xMeters(), position.yMeters())) {
             throw new IllegalArgumentException("no free place for robot " + name + " at " + position.xMeters() + " "
                     + position.yMeters() + ": something is in the way there");
         }
-        SimulatedRobot robot = settle(name, position, headingRadians);
+        SimulatedRobot robot = create(name, position, headingRadians);
         robots = Stream.concat(robots.stream(), Stream.of(robot)).toList();
         return robot;
     }
@@ -125,83 +127,73 @@ public final class Simulation {
         }
     }
 
-    /** On the floor, but not yet among {@link #robots}. */
-    private SimulatedRobot settle(String name, Position position, double headingRadians) {
+    /** Puts a robot on the floor, but not yet among {@link #robots}. */
+    private SimulatedRobot create(String name, Position position, double headingRadians) {
         SimulatedRobot robot =
-                new SimulatedRobot(name, nextNumber++, crowd, position.xMeters(), position.yMeters(), headingRadians);
+                new SimulatedRobot(name, nextNumber++, floor, position.xMeters(), position.yMeters(), headingRadians);
         robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
         byName.put(name, robot);
-        crowd.moved(robot);
+        floor.moved(robot);
         return robot;
     }
 
-    /** Takes a robot off the floor; a motion under way is aborted. */
+    /** Removes a robot; its motion is aborted. */
     public void removeRobot(SimulatedRobot robot) {
         robot.setPower(false);
         byName.remove(robot.name(), robot);
         robots = robots.stream().filter(other -> other != robot).toList();
-        crowd.remove(robot);
+        floor.remove(robot);
         watched = watched == robot ? null : watched;
     }
 
     /**
-     * Changes the world while running: every robot stands still and goes to a home.
+     * Replaces the world: every robot stops and goes to a home, its trail is cleared.
      *
      * @throws IllegalArgumentException when the robots do not all fit into it; then nothing has changed
      */
     public void load(World next) {
-        List<Home> spots = StartPlaces.spots(next, robots.size());
-        robots.forEach(SimulatedRobot::halt);
-        robots.forEach(crowd::remove);
-        world = next;
-        crowd.load(next);
-        for (int i = 0; i < robots.size(); i++) {
-            Home spot = spots.get(i);
-            SimulatedRobot robot = robots.get(i);
-            robot.place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
-            robot.trail().clear();
-        }
+        replace(next, new ObstacleGrid(next), robots);
+        robots.forEach(robot -> robot.trail().clear());
     }
 
     /**
-     * Changes the world around the robots: they stand still and stay where they are. Those who would stand in something, or
+     * Changes the world around the robots: they stop and stay where they are. Robots that would overlap an obstacle, or be
      * outside, go to homes.
      *
-     * @return how many had to go
+     * @return the number of robots that went to homes
      * @throws IllegalArgumentException when these do not all fit into it; then nothing has changed
      */
     public int change(World next) {
         ObstacleGrid obstacles = new ObstacleGrid(next);
-        List<SimulatedRobot> going = new ArrayList<>();
-        List<Position> staying = new ArrayList<>();
-        for (SimulatedRobot robot : robots) {
-            double x = robot.xMeters();
-            double y = robot.yMeters();
-            if (next.ground().contains(x, y) && obstacles.isFree(x, y, Pioneer2Dx.RADIUS_METERS)) {
-                staying.add(new Position(x, y));
-            } else {
-                going.add(robot);
-            }
-        }
-        List<Home> spots = StartPlaces.spots(next, obstacles, going.size(), staying);
-        robots.forEach(SimulatedRobot::halt);
-        going.forEach(crowd::remove);
-        world = next;
-        crowd.load(next);
-        for (int i = 0; i < going.size(); i++) {
-            Home spot = spots.get(i);
-            going.get(i).place(spot.position().xMeters(), spot.position().yMeters(), spot.headingRadians());
-        }
-        for (SimulatedRobot robot : robots) {
-            if (!going.contains(robot)) {
-                // what it had run into may be gone
-                robot.place(robot.xMeters(), robot.yMeters(), robot.headingRadians());
-            }
-        }
-        return going.size();
+        List<SimulatedRobot> displaced = robots.stream()
+                .filter(robot -> !next.ground().contains(robot.xMeters(), robot.yMeters())
+                        || !obstacles.isFree(robot.xMeters(), robot.yMeters(), Pioneer2Dx.RADIUS_METERS))
+                .toList();
+        replace(next, obstacles, displaced);
+        return displaced.size();
     }
 
-    /** A robot that is not simulated here, but is to be seen among the others; nothing bumps into it. */
+    private void replace(World next, ObstacleGrid obstacles, List<SimulatedRobot> displaced) {
+        Set<SimulatedRobot> leaving = new HashSet<>(displaced);
+        List<SimulatedRobot> staying =
+                robots.stream().filter(robot -> !leaving.contains(robot)).toList();
+        List<Position> occupied = staying.stream()
+                .map(robot -> new Position(robot.xMeters(), robot.yMeters()))
+                .toList();
+        List<Home> homes = StartPlaces.find(next, obstacles, displaced.size(), occupied);
+        robots.forEach(SimulatedRobot::halt);
+        displaced.forEach(floor::remove);
+        world = next;
+        floor.load(next, obstacles);
+        for (int i = 0; i < homes.size(); i++) {
+            Home home = homes.get(i);
+            displaced.get(i).place(home.position().xMeters(), home.position().yMeters(), home.headingRadians());
+        }
+        // placed anew, for the obstacle that a robot has touched may be gone
+        staying.forEach(robot -> robot.place(robot.xMeters(), robot.yMeters(), robot.headingRadians()));
+    }
+
+    /** Adds a robot that is not simulated but shown in snapshots; others do not collide with it. */
     public void addGuest(Supplier<RobotSnapshot> guest) {
         guests.add(guest);
     }
@@ -212,12 +204,12 @@ public final class Simulation {
 
     // ---- time ----------------------------------------------------------------------------------------------------
 
-    /** Told the time after each step, on the owner thread. */
+    /** Adds a listener for the time after each step, called on the owner thread. */
     public void addStepListener(LongConsumer listener) {
         stepListeners.add(listener);
     }
 
-    /** Moves everything on by one step. */
+    /** Advances time by 10 ms. */
     public void step() {
         timeNanos += STEP_NANOS;
         for (SimulatedRobot robot : robots) {
@@ -241,26 +233,26 @@ public final class Simulation {
 
     // ---- replay --------------------------------------------------------------------------------------------------
 
-    /** Adds robots exactly as they were, wherever that is. */
+    /** Adds robots in their recorded states, at any place. */
     public void restoreRobots(List<String> names, List<RobotState> states) {
         List<SimulatedRobot> restored = new ArrayList<>(names.size());
         for (int i = 0; i < names.size(); i++) {
             RobotState state = states.get(i);
-            Position place = new Position(state.xMeters(), state.yMeters());
-            restored.add(settle(names.get(i), place, state.headingRadians()).restore(state));
+            Position at = new Position(state.xMeters(), state.yMeters());
+            restored.add(create(names.get(i), at, state.headingRadians()).restore(state));
         }
         robots = Stream.concat(robots.stream(), restored.stream()).toList();
     }
 
-    /** The robots have been restored as they were at this time. */
+    /** Sets the time to which the robots have been restored. */
     public void restoredAt(long nanos) {
         timeNanos = nanos;
         layTrails();
     }
 
-    // ---- pictures ------------------------------------------------------------------------------------------------
+    // ---- snapshots ------------------------------------------------------------------------------------------------
 
-    /** This robot's sonars are in every snapshot, however many robots there are; null watches none. */
+    /** Puts this robot's sonar ranges into every snapshot, whatever the number of robots; null for none. */
     public void watch(SimulatedRobot robot) {
         watched = robot;
     }
@@ -276,7 +268,7 @@ public final class Simulation {
     }
 
     private RobotSnapshot snapshot(SimulatedRobot robot) {
-        boolean sonars = robots.size() <= SONARS_FOR_ALL || robot == watched;
+        boolean sonars = robots.size() <= MAX_ROBOTS_WITH_SONARS || robot == watched;
         return new RobotSnapshot(
                 robot.name(),
                 robot.status(),

@@ -6,7 +6,7 @@ import java.util.Optional;
 import simrobot.world.World;
 
 /**
- * The whole simulation at one instant; immutable.
+ * A simulation at one instant; immutable.
  *
  * @param timeNanos simulated time since the start
  */

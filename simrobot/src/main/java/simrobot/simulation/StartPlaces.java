@@ -15,35 +15,35 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * Finds places for robots that nobody has put anywhere: the world's homes in their order, then free places in ever wider
- * rings around the first home. What was not free once is not tried again, so a thousand robots take a thousand times as
- * long as one.
+ * Finds places for robots without a given one: the world's homes in their order, then free places on square rings of growing
+ * size around the first home. A place that was occupied once is not tried again, so the cost is linear in the number of
+ * robots.
  */
 final class StartPlaces {
     private static final double RASTER_METERS = 0.75;
     private static final int MAX_RINGS = 400;
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
-    /** True when a robot fits there. */
+    /** True if a robot fits there. */
     interface Free {
         boolean at(double xMeters, double yMeters);
     }
 
     private final World world;
     private final Free free;
-    private final Position middle;
+    private final Position center;
     private final Queue<Position> ring = new ArrayDeque<>();
     private int nextHome;
     private int nextRing;
 
-    /** For robots that are put where they are told before the next place is asked for. */
+    /** @param free takes a robot into account as soon as it stands on its place */
     StartPlaces(World world, Free free) {
         this.world = world;
         this.free = free;
-        middle = middle(world);
+        center = center(world);
     }
 
-    /** @throws NoSuchElementException when there is none left */
+    /** The next free place. @throws NoSuchElementException when there is none left */
     Home next() {
         while (nextHome < world.homes().size()) {
             Home home = world.homes().get(nextHome++);
@@ -53,7 +53,7 @@ final class StartPlaces {
         }
         while (!ring.isEmpty() || nextRing < MAX_RINGS) {
             if (ring.isEmpty()) {
-                layRing(nextRing++);
+                fillRing(nextRing++);
             }
             Position place = ring.remove();
             if (isFree(place)) {
@@ -67,34 +67,33 @@ final class StartPlaces {
         return free.at(place.xMeters(), place.yMeters());
     }
 
-    /** Places for so many robots at once, on the floor without any. */
-    static List<Home> spots(World world, int count) {
-        return spots(world, new ObstacleGrid(world), count, List.of());
-    }
-
-    /** The same beside robots that stay where they are. */
-    static List<Home> spots(World world, ObstacleGrid obstacles, int count, List<Position> staying) {
+    /**
+     * Places for a number of robots at once, in a world where other robots stand already.
+     *
+     * @throws IllegalArgumentException when there are too few
+     */
+    static List<Home> find(World world, ObstacleGrid obstacles, int count, List<Position> occupied) {
         DiscGrid taken = new DiscGrid();
-        for (int i = 0; i < staying.size(); i++) {
-            taken.put(count + i, staying.get(i).xMeters(), staying.get(i).yMeters());
+        for (int i = 0; i < occupied.size(); i++) {
+            taken.put(count + i, occupied.get(i).xMeters(), occupied.get(i).yMeters());
         }
-        StartPlaces parking = new StartPlaces(
+        StartPlaces places = new StartPlaces(
                 world, (x, y) -> obstacles.isFree(x, y, RADIUS) && !taken.isCrowded(-1, x, y, 2 * RADIUS));
-        List<Home> spots = new ArrayList<>(count);
+        List<Home> found = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {
             try {
-                Home spot = parking.next();
-                taken.put(i, spot.position().xMeters(), spot.position().yMeters());
-                spots.add(spot);
+                Home place = places.next();
+                taken.put(i, place.position().xMeters(), place.position().yMeters());
+                found.add(place);
             } catch (NoSuchElementException full) {
                 throw new IllegalArgumentException("no free place for robot " + (i + 1) + " in " + world.name());
             }
         }
-        return spots;
+        return found;
     }
 
-    /** The first home, or near the origin (MobileSim's start). */
-    private static Position middle(World world) {
+    /** The first home, else the origin if the world contains it (as in MobileSim), else the world's middle. */
+    private static Position center(World world) {
         if (!world.homes().isEmpty()) {
             return world.homes().get(0).position();
         }
@@ -102,12 +101,12 @@ final class StartPlaces {
         return bounds.contains(0, 0) ? new Position(0, 0) : bounds.center();
     }
 
-    private void layRing(int number) {
+    private void fillRing(int number) {
         for (int row = -number; row <= number; row++) {
             boolean edge = Math.abs(row) == number;
             for (int column = -number; column <= number; column += edge || number == 0 ? 1 : 2 * number) {
                 ring.add(new Position(
-                        middle.xMeters() + column * RASTER_METERS, middle.yMeters() + row * RASTER_METERS));
+                        center.xMeters() + column * RASTER_METERS, center.yMeters() + row * RASTER_METERS));
             }
         }
     }

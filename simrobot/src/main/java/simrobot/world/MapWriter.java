@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.List;
 
 /**
  * Writes a world as ARIA's {@code .map}, millimetres and degrees. What {@link MapReader} reads from it is the same world, to
@@ -68,44 +67,23 @@ public final class MapWriter {
 
     private void headers() {
         row("2D-Map");
-        double[] lines = new Bounds().around(world.segments()).corners();
-        row("LineMinPos:", millimeters(lines[0]), millimeters(lines[1]));
-        row("LineMaxPos:", millimeters(lines[2]), millimeters(lines[3]));
+        Bounds walls = new Bounds();
+        world.segments().forEach(walls::add);
+        bounds("LineMinPos:", "LineMaxPos:", walls);
         row("NumLines:", String.valueOf(world.segments().size()));
         row("LinesAreSorted: false");
         Bounds points = new Bounds();
-        world.points().forEach(p -> points.grow(p.xMeters(), p.yMeters()));
-        row("MinPos:", millimeters(points.corners()[0]), millimeters(points.corners()[1]));
-        row("MaxPos:", millimeters(points.corners()[2]), millimeters(points.corners()[3]));
+        world.points().forEach(points::add);
+        bounds("MinPos:", "MaxPos:", points);
         row("NumPoints:", String.valueOf(world.points().size()));
         row("PointsAreSorted: false");
         row("Resolution:", millimeters(world.pointDiameterMeters()));
     }
 
-    /** What the headers tell; 0 where there is nothing. */
-    private static final class Bounds {
-        private final double[] corners = {
-            Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
-        };
-
-        Bounds around(List<Segment> walls) {
-            walls.forEach(wall -> {
-                grow(wall.x1Meters(), wall.y1Meters());
-                grow(wall.x2Meters(), wall.y2Meters());
-            });
-            return this;
-        }
-
-        void grow(double x, double y) {
-            corners[0] = Math.min(corners[0], x);
-            corners[1] = Math.min(corners[1], y);
-            corners[2] = Math.max(corners[2], x);
-            corners[3] = Math.max(corners[3], y);
-        }
-
-        double[] corners() {
-            return corners[0] > corners[2] ? new double[4] : corners;
-        }
+    private void bounds(String from, String to, Bounds bounds) {
+        Area area = bounds.or(new Area(0, 0, 0, 0, 0));
+        row(from, millimeters(area.minXMeters()), millimeters(area.minYMeters()));
+        row(to, millimeters(area.maxXMeters()), millimeters(area.maxYMeters()));
     }
 
     // ---- cairns ----------------------------------------------------------------------------------------------------

@@ -44,7 +44,10 @@ public final class ObstacleGrid {
         segments = new double[4 * segmentCount];
         points = new double[2 * pointCount];
         copy(walls, world.points());
-        Area bounds = obstacleBounds();
+        Bounds around = new Bounds();
+        walls.forEach(around::add);
+        world.points().forEach(around::add);
+        Area bounds = around.or(new Area(0, 0, 0, 0, 0));
         double width = bounds.maxXMeters() - bounds.minXMeters();
         double height = bounds.maxYMeters() - bounds.minYMeters();
         cell = cellSize(width, height);
@@ -71,22 +74,6 @@ public final class ObstacleGrid {
             points[2 * i] = dots.get(i).xMeters();
             points[2 * i + 1] = dots.get(i).yMeters();
         }
-    }
-
-    private Area obstacleBounds() {
-        double x1 = Double.POSITIVE_INFINITY;
-        double y1 = Double.POSITIVE_INFINITY;
-        double x2 = Double.NEGATIVE_INFINITY;
-        double y2 = Double.NEGATIVE_INFINITY;
-        for (double[] corners : new double[][] {segments, points}) {
-            for (int i = 0; i < corners.length; i += 2) {
-                x1 = Math.min(x1, corners[i]);
-                x2 = Math.max(x2, corners[i]);
-                y1 = Math.min(y1, corners[i + 1]);
-                y2 = Math.max(y2, corners[i + 1]);
-            }
-        }
-        return x1 > x2 ? new Area(0, 0, 0, 0, 0) : new Area(x1, y1, x2, y2, 0);
     }
 
     /** A few obstacles a cell where they are dense, a metre where they are not. */

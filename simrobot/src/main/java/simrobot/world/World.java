@@ -4,10 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.stream.Stream;
 
 /**
- * Everything that stands or lies on the floor; immutable.
+ * The floor and everything on it; immutable.
  *
  * @param name for titles: the file's name without folder
  * @param segments walls; they stop robots and sonar
@@ -31,10 +30,10 @@ public record World(
         List<Treadmill> treadmills,
         List<Goal> goals) {
 
-    /** Robots get this much floor when a world has no obstacle at all, in metres. */
+    /** Half the side of a world without anything in it. */
     private static final double BARE_FLOOR_METERS = 10;
 
-    /** Two robots side by side. */
+    /** Width of two robots side by side. */
     private static final double ROOM_METERS = 1;
 
     public World {
@@ -52,12 +51,12 @@ public record World(
         }
     }
 
-    /** A floor without anything on it. */
+    /** A world without anything in it. */
     public static World bare() {
         return ofSegments("bare", List.of());
     }
 
-    /** A floor with nothing but walls. */
+    /** A world of walls only. */
     public static World ofSegments(String name, List<Segment> segments) {
         WorldBuilder builder = new WorldBuilder(name);
         segments.forEach(builder::add);
@@ -87,36 +86,23 @@ public record World(
         return all;
     }
 
-    /** The smallest upright rectangle around all that the world holds. */
+    /** The smallest upright rectangle around everything in the world. */
     public Area bounds() {
-        double[] box = {
-            Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
-        };
-        Stream.concat(segments.stream(), forbiddenLines.stream()).forEach(s -> {
-            grow(box, s.x1Meters(), s.y1Meters());
-            grow(box, s.x2Meters(), s.y2Meters());
-        });
-        points.forEach(p -> grow(box, p.xMeters(), p.yMeters()));
-        homes.forEach(
-                home -> grow(box, home.position().xMeters(), home.position().yMeters()));
-        goals.forEach(
-                goal -> grow(box, goal.position().xMeters(), goal.position().yMeters()));
-        Stream.of(
-                        boxes.stream().map(Box::area),
-                        forbiddenAreas.stream(),
-                        treadmills.stream().map(Treadmill::area))
-                .flatMap(areas -> areas)
-                .flatMap(area -> area.corners().stream())
-                .forEach(p -> grow(box, p.xMeters(), p.yMeters()));
-        if (box[0] > box[2]) {
-            return new Area(-BARE_FLOOR_METERS, -BARE_FLOOR_METERS, BARE_FLOOR_METERS, BARE_FLOOR_METERS, 0);
-        }
-        return new Area(box[0], box[1], box[2], box[3], 0);
+        Bounds bounds = new Bounds();
+        segments.forEach(bounds::add);
+        forbiddenLines.forEach(bounds::add);
+        points.forEach(bounds::add);
+        homes.forEach(home -> bounds.add(home.position()));
+        goals.forEach(goal -> bounds.add(goal.position()));
+        boxes.forEach(box -> box.area().corners().forEach(bounds::add));
+        forbiddenAreas.forEach(area -> area.corners().forEach(bounds::add));
+        treadmills.forEach(belt -> belt.area().corners().forEach(bounds::add));
+        return bounds.or(new Area(-BARE_FLOOR_METERS, -BARE_FLOOR_METERS, BARE_FLOOR_METERS, BARE_FLOOR_METERS, 0));
     }
 
     /**
-     * Where robots may be put: within the bounds. A world that is less than 1 m wide or deep, such as a single wall,
-     * encloses nothing; it is 20 m of bare floor around its middle, with that on it.
+     * The area in which robots may be placed: the bounds, or, for a world less than 1 m wide or deep such as a single wall,
+     * 20 m of floor around its middle.
      */
     public Area ground() {
         Area bounds = bounds();
@@ -133,12 +119,5 @@ public record World(
                 Math.max(bounds.maxXMeters(), middle.xMeters() + BARE_FLOOR_METERS),
                 Math.max(bounds.maxYMeters(), middle.yMeters() + BARE_FLOOR_METERS),
                 0);
-    }
-
-    private static void grow(double[] box, double x, double y) {
-        box[0] = Math.min(box[0], x);
-        box[1] = Math.min(box[1], y);
-        box[2] = Math.max(box[2], x);
-        box[3] = Math.max(box[3], y);
     }
 }
