@@ -92,7 +92,7 @@ final class SimulatedFloor implements Floor {
 
     private static Encounter earlier(Encounter first, SimulatedRobot other, double x, double y, double dx, double dy) {
         MovingDisc disc = new MovingDisc(x, y, dx, dy, RADIUS);
-        disc.meetDisc(other.xMeters(), other.yMeters(), RADIUS);
+        disc.addDisc(other.xMeters(), other.yMeters(), RADIUS);
         Contact contact = disc.contact();
         return first.contact().earlier(contact) == contact && contact.touches() ? new Encounter(contact, other) : first;
     }

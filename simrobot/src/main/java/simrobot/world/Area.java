@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A rectangle on the floor. The four numbers are its corners before it is turned; the turn is about the map's ORIGIN, as
- * ARIA does it with the areas of its maps.
+ * A rectangle on the floor. The first four numbers are its corners before the rotation, which is about the map's origin, as
+ * in ARIA's maps.
  */
 public record Area(double minXMeters, double minYMeters, double maxXMeters, double maxYMeters, double rotationRadians) {
     public Area {
@@ -56,7 +56,7 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
                 rotationRadians);
     }
 
-    /** A place as the area's own corners count, before they are turned. */
+    /** A place in the area's own frame, before the rotation. */
     public Position local(double xMeters, double yMeters) {
         if (rotationRadians == 0) {
             return new Position(xMeters, yMeters);

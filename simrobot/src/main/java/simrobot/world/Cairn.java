@@ -19,7 +19,7 @@ final class Cairn {
         tokens.end();
     }
 
-    /** Old maps leave description, icon and name out. */
+    /** The name; old maps have no description, icon and name. */
     private static String nameOf(LineTokens tokens) throws WorldFormatException {
         if (!tokens.hasMore()) {
             return "";
@@ -50,7 +50,7 @@ final class Cairn {
         return name;
     }
 
-    /** Turned by the cairn's heading about the map's origin, as ARIA turns it. */
+    /** Rotated by the cairn's heading about the map's origin, as in ARIA. */
     Optional<Area> area() {
         return corners.length == 0 ? Optional.empty() : Optional.of(areaTurnedBy(headingRadians));
     }
@@ -60,13 +60,13 @@ final class Cairn {
         return areaTurnedBy(headingRadians);
     }
 
-    /** The heading means something else here (a belt's direction), so the corners are places in the map. */
+    /** Not rotated, for the heading is a belt's direction. */
     Area requiredUprightArea(String type) throws WorldFormatException {
         requireCorners(type);
         return areaTurnedBy(0);
     }
 
-    /** A line is never turned. */
+    /** A line is not rotated. */
     Segment requiredLine() throws WorldFormatException {
         requireCorners("ForbiddenLine");
         return new Segment(corners[0], corners[1], corners[2], corners[3]);
@@ -84,7 +84,7 @@ final class Cairn {
                 return metersPerSecond;
             }
         } catch (NumberFormatException notANumber) {
-            // falls through to the same complaint
+            // reported below
         }
         throw tokens.fault('"' + name + '"', expected + " of at most 10000");
     }

@@ -1,7 +1,7 @@
 package simrobot.world;
 
 /**
- * What a sonar hears: everything between two rays from one place, its nearest part first.
+ * The field of a sonar: the area between two rays from one place.
  *
  * <pre>
  *              left ray
@@ -53,7 +53,7 @@ public final class Cone {
         this.rightY = rightY;
     }
 
-    /** Whether a part of the disc may be inside and nearer than {@code within}; false is certain. */
+    /** Quick test: false if the disc is certainly outside or farther than {@code within}. */
     public boolean mayHold(double px, double py, double radius, double within) {
         double fx = px - x;
         double fy = py - y;
@@ -63,7 +63,7 @@ public final class Cone {
                 && fx * fx + fy * fy <= reach * reach;
     }
 
-    /** Infinite when the point is not inside. */
+    /** The distance to a point; infinite when it is not inside. */
     public double distanceToPoint(double px, double py) {
         double fx = px - x;
         double fy = py - y;
@@ -71,7 +71,7 @@ public final class Cone {
         return inside ? Math.sqrt(fx * fx + fy * fy) : Double.POSITIVE_INFINITY;
     }
 
-    /** To the nearest place of the segment's part that is inside; infinite when no part is. */
+    /** The distance to the nearest point of the segment's part inside; infinite when no part is. */
     public double distanceToSegment(double x1, double y1, double x2, double y2) {
         double ax = x1 - x;
         double ay = y1 - y;

@@ -1,10 +1,10 @@
 package simrobot.world;
 
 /**
- * How far a disc may go along a straight way before it touches something.
+ * The first contact of a disc on a straight path.
  *
- * @param fraction of the way that is free, 0..1; 1 when nothing is touched
- * @param normalX with normalY the unit vector from what is touched to the disc's centre; both 0 when nothing is
+ * @param fraction free share of the path, 0..1; 1 without a contact
+ * @param normalX with normalY the unit vector from the obstacle to the disc's centre; both 0 without a contact
  */
 public record Contact(double fraction, double normalX, double normalY) {
     public static final Contact NONE = new Contact(1, 0, 0);
@@ -13,7 +13,7 @@ public record Contact(double fraction, double normalX, double normalY) {
         return this != NONE;
     }
 
-    /** The contact that comes first; on a tie this one. */
+    /** The earlier of two contacts; on a tie this one. */
     public Contact earlier(Contact other) {
         return other.touches() && (!touches() || other.fraction < fraction) ? other : this;
     }

@@ -3,12 +3,11 @@ package simrobot.world;
 import java.util.Arrays;
 
 /**
- * Discs of one size that move about, found by where they are; asking costs the same among ten and among ten thousand.
+ * A spatial index of moving discs; the cost of a query does not grow with the number of discs.
  *
- * <p>The floor is wrapped on a torus of square cells, so memory goes by the number of discs and not by the floor's size.
- * A cell lists the discs whose middles are in it, and also those in cells far away that are wrapped upon it: each is tested
- * exactly, so that costs a little time and changes no answer. Discs have numbers from 0 that their owner gives. One thread
- * owns it.
+ * <p>The floor is wrapped on a torus of square cells, so memory is proportional to the number of discs and not to the floor.
+ * A cell lists the discs whose centres are in it or in a distant cell that wraps onto it; each is tested exactly. The owner
+ * numbers the discs from 0. For one thread.
  */
 public final class DiscGrid {
     private static final double CELL_METERS = 4;
@@ -18,13 +17,13 @@ public final class DiscGrid {
     private int side = LEAST_SIDE;
     private int count;
 
-    /** The first disc of each cell. */
+    /** The first disc of each cell's list. */
     private int[] heads = emptyCells(LEAST_SIDE);
 
     private int[] next = {};
     private int[] previous = {};
 
-    /** Where each disc's middle is, in cells; {@link #isIn} says whether it is anywhere. */
+    /** The cell of each disc's centre; valid if {@link #isIn}. */
     private int[] columns = {};
 
     private int[] rows = {};
@@ -49,9 +48,9 @@ public final class DiscGrid {
 
     // ---- moving --------------------------------------------------------------------------------------------------
 
-    /** Puts a disc there, whether it was somewhere before or not. */
+    /** Adds a disc, or moves it. */
     public void put(int disc, double x, double y) {
-        makeRoom(disc);
+        reserve(disc);
         int column = line(x);
         int row = line(y);
         boolean stays = isIn[disc] && columns[disc] == column && rows[disc] == row;
@@ -67,7 +66,7 @@ public final class DiscGrid {
         ys[disc] = y;
     }
 
-    /** Takes a disc away; one that is not there stays so. */
+    /** Removes a disc, if it is there. */
     public void remove(int disc) {
         if (disc < isIn.length && isIn[disc]) {
             unlink(disc);
@@ -75,7 +74,7 @@ public final class DiscGrid {
         }
     }
 
-    private void makeRoom(int disc) {
+    private void reserve(int disc) {
         if (disc >= xs.length) {
             int room = Math.max(2 * xs.length, disc + 1);
             xs = Arrays.copyOf(xs, room);
@@ -89,7 +88,7 @@ public final class DiscGrid {
         }
     }
 
-    /** More cells than discs. */
+    /** Keeps at least as many cells as discs. */
     private void growTorus() {
         if (count > side * side) {
             side *= 2;
@@ -126,18 +125,18 @@ public final class DiscGrid {
         isIn[disc] = false;
     }
 
-    // ---- asking --------------------------------------------------------------------------------------------------
+    // ---- queries --------------------------------------------------------------------------------------------------
 
     /**
-     * Finds the discs whose middles are in an upright rectangle, each once, in no order that means anything;
-     * {@link #found} names them until the next question.
+     * Finds the discs whose centres are in an upright rectangle, each once, in no particular order; {@link #found} returns
+     * them until the next query.
      *
-     * @return how many
+     * @return their number
      */
     public int near(double minX, double minY, double maxX, double maxY) {
         int left = line(minX);
         int low = line(minY);
-        // whoever asks for more than there is sees each cell once
+        // a rectangle larger than the torus visits each cell once
         int right = Math.min(line(maxX), left + side - 1);
         int high = Math.min(line(maxY), low + side - 1);
         int size = 0;
@@ -153,12 +152,12 @@ public final class DiscGrid {
         return size;
     }
 
-    /** One of the discs that were found, from 0. */
+    /** A disc that was found. @param i from 0 */
     public int found(int i) {
         return found[i];
     }
 
-    /** Whether the middle of a disc, other than that one's, is nearer to the place than so much. */
+    /** Whether the centre of a disc other than {@code except} is nearer to the place than {@code within}. */
     public boolean isCrowded(int except, double x, double y, double within) {
         for (int i = near(x - within, y - within, x + within, y + within) - 1; i >= 0; i--) {
             double dx = xs[found[i]] - x;

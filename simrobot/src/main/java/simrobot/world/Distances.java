@@ -1,10 +1,10 @@
 package simrobot.world;
 
-/** Plane geometry between a place, a ray and an obstacle; metres, directions as unit vectors. */
+/** Distances in the plane; metres, directions as unit vectors. */
 public final class Distances {
     private Distances() {}
 
-    /** From a place to the nearest place of a segment. */
+    /** From a point to a segment. */
     public static double toSegment(double x, double y, double x1, double y1, double x2, double y2) {
         double ux = x2 - x1;
         double uy = y2 - y1;
@@ -16,7 +16,7 @@ public final class Distances {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Along a ray to a segment; infinite when it is missed. A ray that runs along the segment misses it. */
+    /** Along a ray to a segment; infinite when it misses. A ray parallel to the segment misses it. */
     public static double alongRay(
             double x, double y, double ux, double uy, double x1, double y1, double x2, double y2) {
         double sx = x2 - x1;
@@ -29,7 +29,8 @@ public final class Distances {
         double fy = y1 - y;
         double t = fx * sy - fy * sx;
         double s = fx * uy - fy * ux;
-        // 0 <= t and 0 <= s <= cross, all turned so that cross is positive: by signs, for a processor cannot guess them
+        // hit if 0 <= t and 0 <= s <= cross, for positive cross; tested by sign bits, which avoids mispredicted
+        // branches
         double sign = Math.copySign(1, cross);
         double ahead = t * sign + 0.0;
         double along = s * sign + 0.0;
@@ -40,7 +41,7 @@ public final class Distances {
         return missed < 0 || cross == 0 ? Double.POSITIVE_INFINITY : t / cross;
     }
 
-    /** Along a ray to the rim of a disc; 0 from inside, infinite when it is missed. */
+    /** Along a ray to the rim of a disc; 0 from inside, infinite when it misses. */
     public static double alongRayToDisc(double x, double y, double ux, double uy, double px, double py, double radius) {
         double fx = px - x;
         double fy = py - y;

@@ -1,6 +1,6 @@
 package simrobot.world;
 
-/** Coordinates that are no finite number are refused where they enter the model. */
+/** Rejects coordinates that are not finite. */
 final class Finite {
     private Finite() {}
 

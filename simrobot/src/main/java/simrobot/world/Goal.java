@@ -3,10 +3,10 @@ package simrobot.world;
 import java.util.Objects;
 
 /**
- * A named place that is only drawn.
+ * A named place; drawn only.
  *
  * @param type Goal, GoalWithHeading or Dock, as the map spells it
- * @param headingRadians anticlockwise from +X; a plain goal's means nothing
+ * @param headingRadians anticlockwise from +X; without meaning for the type Goal
  */
 public record Goal(String type, String name, Position position, double headingRadians) {
     public Goal {

@@ -4,9 +4,9 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 
-/** One line of a world file, cut into words; a word in double quotes may hold blanks and {@code \"}. */
+/** One line of a world file, split into words; a word in double quotes may contain blanks and {@code \"}. */
 final class LineTokens {
-    /** Coordinates beyond this, in millimetres (a million kilometres), are slips and would ruin the arithmetic. */
+    /** Coordinates beyond a million kilometres are errors of the file. */
     private static final double MAX_MILLIMETERS = 1e12;
 
     private final String source;
@@ -27,7 +27,7 @@ final class LineTokens {
         return next < words.size();
     }
 
-    /** The next word, which must be there, without taking it. */
+    /** The next word without taking it; only when {@link #hasMore}. */
     String peek() {
         return words.get(next);
     }
@@ -48,12 +48,12 @@ final class LineTokens {
                 return value;
             }
         } catch (NumberFormatException notANumber) {
-            // falls through to the same complaint
+            // reported below
         }
         throw fault('"' + word + '"', expected);
     }
 
-    /** The double that is nearest to the number of millimetres as it is written, so that a map survives reading and writing. */
+    /** Millimetres as metres, rounded once from the decimal text, so that reading and writing a map loses nothing. */
     double meters(String what) throws WorldFormatException {
         number(what + " in mm");
         return thousandth(words.get(next - 1));
@@ -79,7 +79,7 @@ final class LineTokens {
         return new WorldFormatException(source, line, found, expected);
     }
 
-    /** Java also reads "1f", "0x1p3" or "NaN"; a map never means those. */
+    /** Excludes "1f", "0x1p3" and "NaN", which Double.parseDouble accepts. */
     private static boolean isDecimal(String word) {
         for (int i = 0; i < word.length(); i++) {
             if ("0123456789+-.eE".indexOf(word.charAt(i)) < 0) {

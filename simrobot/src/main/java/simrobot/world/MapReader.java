@@ -5,16 +5,15 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * ARIA's {@code .map}: a first line {@code 2D-Map}, headers {@code Key: value} in any order, then {@code LINES} with a
+ * Reads ARIA's {@code .map}: a first line {@code 2D-Map}, headers {@code Key: value} in any order, then {@code LINES} with a
  * wall per line and {@code DATA} with a point per line, millimetres and degrees.
  *
- * <p>Counts and bounds in the headers are not believed, as ARIA does not believe them: what is there is read. Unknown
- * headers and unknown cairns are skipped.
+ * <p>Counts and bounds in the headers are ignored, as in ARIA. Unknown headers and unknown cairns are skipped.
  */
 public final class MapReader {
     private static final String MAGIC = "2D-Map";
 
-    /** In lower case; the others are objects of other programs. */
+    /** Cairns that are read, in lower case. */
     private static final Set<String> KNOWN_CAIRNS = Set.of(
             "robothome",
             "goal",
@@ -89,15 +88,15 @@ public final class MapReader {
         return line.chars().allMatch(c -> Character.isLetterOrDigit(c) || c == '_');
     }
 
-    /** The headers that matter; the others may hold whatever they like, open quotes included. */
+    /** The value of a header that is read; empty for others, which may contain anything, even an open quote. */
     private static String headerValue(String line) {
         String value = line.substring(line.indexOf(':') + 1).strip();
-        boolean matters = switch (key(line)) {
+        boolean isRead = switch (key(line)) {
             case "Resolution" -> true;
             case "Cairn" -> KNOWN_CAIRNS.contains(firstWord(value));
             default -> false;
         };
-        return matters ? value : "";
+        return isRead ? value : "";
     }
 
     private static String firstWord(String text) {
@@ -117,7 +116,7 @@ public final class MapReader {
             case "Cairn" -> cairn(tokens);
             case "Resolution" -> resolution(tokens);
             default -> {
-                // counts, bounds, origins, infos of other programs
+                // counts, bounds, origins, headers of other programs
             }
         }
     }

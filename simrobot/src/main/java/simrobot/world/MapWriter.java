@@ -10,8 +10,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
 /**
- * Writes a world as ARIA's {@code .map}, millimetres and degrees. What {@link MapReader} reads from it is the same world, to
- * the last bit of every coordinate.
+ * Writes a world as ARIA's {@code .map}, millimetres and degrees. {@link MapReader} reads the same world from it, to the last
+ * bit of every coordinate.
  */
 public final class MapWriter {
     private final StringBuilder out = new StringBuilder();
@@ -111,7 +111,7 @@ public final class MapWriter {
         }
     }
 
-    /** A home's area is turned by the home's heading: one that is not cannot be written and is left out. */
+    /** The format rotates a home's area by the home's heading; an area with another rotation is left out. */
     private void home(Home home) {
         String area = home.area()
                 .filter(a -> a.rotationRadians() == home.headingRadians())
@@ -145,8 +145,8 @@ public final class MapWriter {
     private static String quoted(String name) {
         StringBuilder quoted = new StringBuilder("\"");
         name.chars().forEach(c -> {
-            boolean marked = c == '"' || c == '\\';
-            quoted.append(marked ? "\\" : "").append(Character.isISOControl(c) ? ' ' : (char) c);
+            boolean escaped = c == '"' || c == '\\';
+            quoted.append(escaped ? "\\" : "").append(Character.isISOControl(c) ? ' ' : (char) c);
         });
         return quoted.append('"').toString();
     }
@@ -160,12 +160,12 @@ public final class MapWriter {
         world.points().forEach(point -> row(millimeters(point.xMeters()), millimeters(point.yMeters())));
     }
 
-    /** The shortest decimal from which the reader makes the same metres again. */
+    /** The shortest decimal that is read as the same number of metres. */
     private static String millimeters(double meters) {
         return plain(BigDecimal.valueOf(meters).movePointRight(3));
     }
 
-    /** Round degrees where they make the same radians again, else all digits. */
+    /** Degrees rounded to 1e-6 if they are read as the same radians, else with all digits. */
     static String degrees(double radians) {
         double exact = Math.toDegrees(radians);
         BigDecimal round = BigDecimal.valueOf(Math.rint(exact * 1e6)).movePointLeft(6);

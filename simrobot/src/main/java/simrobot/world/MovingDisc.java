@@ -1,17 +1,16 @@
 package simrobot.world;
 
 /**
- * A disc that sets out along a straight way, and what it meets there; continuous, so nothing is skipped and contact is
- * found where it happens.
+ * Continuous collision detection for a disc on a straight path: obstacles are never skipped, whatever the path's length.
  *
- * <p>The disc stops when its rim is {@link #SKIN_METERS} short of the obstacle. From there on (the touch zone) an obstacle
- * holds it only against motion TOWARDS it: away and along stay free, whatever the rounding.
+ * <p>The disc stops when its rim is {@link #SKIN_METERS} short of the obstacle. Within that distance an obstacle blocks only
+ * motion towards it; motion away from it and along it stays free, whatever the rounding.
  */
 public final class MovingDisc {
-    /** The gap that is left at contact, so that rounding never puts the rim inside the wall. */
+    /** The gap left at a contact, so that rounding never puts the rim inside the wall. */
     public static final double SKIN_METERS = 1e-7;
 
-    /** Motion is "towards" when its cosine with the way out is below this: far above rounding, far below any angle meant. */
+    /** Motion is towards an obstacle if its cosine with the normal is below this: above rounding error, below any real angle. */
     private static final double TOWARDS = -1e-11;
 
     private final double x;
@@ -25,7 +24,7 @@ public final class MovingDisc {
     private double normalY;
     private boolean touched;
 
-    /** A disc of this radius with its centre at (x, y), about to go by (dx, dy); metres. */
+    /** A disc of this radius with its centre at (x, y), on a path by (dx, dy); metres. */
     public MovingDisc(double x, double y, double dx, double dy, double radiusMeters) {
         this.x = x;
         this.y = y;
@@ -35,13 +34,13 @@ public final class MovingDisc {
         this.length = Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** The earliest contact with all that was met. */
+    /** The earliest contact with the obstacles so far. */
     public Contact contact() {
         return touched ? new Contact(fraction, normalX, normalY) : Contact.NONE;
     }
 
-    /** Meets a wall. */
-    public void meetSegment(double x1, double y1, double x2, double y2) {
+    /** Adds a wall. */
+    public void addSegment(double x1, double y1, double x2, double y2) {
         if (isBeside(x1, x2, x, dx) || isBeside(y1, y2, y, dy)) {
             return;
         }
@@ -49,20 +48,20 @@ public final class MovingDisc {
         double uy = y2 - y1;
         double wall = Math.sqrt(ux * ux + uy * uy);
         if (wall > 0) {
-            meetFlank(x1, y1, ux / wall, uy / wall, wall);
+            addFlank(x1, y1, ux / wall, uy / wall, wall);
         }
-        meetPoint(x1, y1);
-        meetPoint(x2, y2);
+        addPoint(x1, y1);
+        addPoint(x2, y2);
     }
 
-    /** Whether the wall lies, along one axis, wholly on one side of all that the disc sweeps over. */
+    /** Whether, along one axis, the wall is entirely on one side of the swept area. */
     private boolean isBeside(double wall1, double wall2, double from, double way) {
         return Math.max(wall1, wall2) < Math.min(from, from + way) - reach
                 || Math.min(wall1, wall2) > Math.max(from, from + way) + reach;
     }
 
-    /** Meets the wall's two long sides, its ends left out. */
-    private void meetFlank(double x1, double y1, double ux, double uy, double wall) {
+    /** Tests the wall's two long sides, without its ends. */
+    private void addFlank(double x1, double y1, double ux, double uy, double wall) {
         double fx = x - x1;
         double fy = y - y1;
         double height = ux * fy - uy * fx;
@@ -81,13 +80,13 @@ public final class MovingDisc {
         }
     }
 
-    /** Meets something without size. */
-    public void meetPoint(double px, double py) {
-        meetDisc(px, py, 0);
+    /** Adds a point. */
+    public void addPoint(double px, double py) {
+        addDisc(px, py, 0);
     }
 
-    /** Meets another disc, which stands still. */
-    public void meetDisc(double px, double py, double radiusMeters) {
+    /** Adds another disc, at rest. */
+    public void addDisc(double px, double py, double radiusMeters) {
         double fx = x - px;
         double fy = y - py;
         double b = fx * dx + fy * dy;

@@ -3,8 +3,8 @@ package simrobot.world;
 import java.util.List;
 
 /**
- * A world's obstacles in a uniform grid, so that the questions "how far", "how near" and "what is in the way" cost the
- * same in a cupboard and in a city. Immutable; several threads may ask.
+ * A world's obstacles in a uniform grid, so that ranges, distances and contacts cost the same in small and in large worlds.
+ * Immutable; any thread may read.
  *
  * <p>Each cell lists the obstacles that touch it: {@code items[first[cell] .. first[cell + 1])}; an item below
  * {@code segmentCount} is a segment, the others are points.
@@ -13,7 +13,7 @@ public final class ObstacleGrid {
     private static final double MAX_CELL_METERS = 2;
     private static final double MIN_CELL_METERS = 0.25;
 
-    /** Worlds beyond this get larger cells instead of more. */
+    /** Larger worlds get larger cells instead of more. */
     private static final int MAX_CELLS = 1 << 21;
 
     private final int segmentCount;
@@ -51,7 +51,7 @@ public final class ObstacleGrid {
         double width = bounds.maxXMeters() - bounds.minXMeters();
         double height = bounds.maxYMeters() - bounds.minYMeters();
         cell = cellSize(width, height);
-        // a rim of one cell, so that rounding at the border never leaves the grid
+        // one cell more on each side, so that rounding at the border stays within the grid
         minX = bounds.minXMeters() - cell;
         minY = bounds.minYMeters() - cell;
         columns = (int) (width / cell) + 3;
@@ -76,7 +76,7 @@ public final class ObstacleGrid {
         }
     }
 
-    /** A few obstacles a cell where they are dense, a metre where they are not. */
+    /** About 4 obstacles per cell where they are dense; 0.25 to 2 m. */
     private double cellSize(double width, double height) {
         double wanted = Math.sqrt(4 * (width + 1) * (height + 1) / (segmentCount + pointCount + 1.0));
         double size = Math.max(MIN_CELL_METERS, Math.min(MAX_CELL_METERS, wanted));
@@ -88,7 +88,7 @@ public final class ObstacleGrid {
 
     // ---- filling -------------------------------------------------------------------------------------------------
 
-    /** What is done with each cell that an obstacle touches. */
+    /** Takes each cell that an obstacle touches. */
     private interface CellVisitor {
         void visit(int cellIndex, int item);
     }
@@ -114,22 +114,22 @@ public final class ObstacleGrid {
         }
     }
 
-    /** Row by row the columns that the wall crosses there, a hair wider than it is. */
+    /** Visits row by row the columns that the wall crosses, with a tolerance of 1e-6 cells. */
     private void segmentCells(int i, CellVisitor visitor) {
         boolean upward = segments[4 * i + 1] <= segments[4 * i + 3];
         double xa = segments[4 * i + (upward ? 0 : 2)];
         double ya = segments[4 * i + (upward ? 1 : 3)];
         double xb = segments[4 * i + (upward ? 2 : 0)];
         double yb = segments[4 * i + (upward ? 3 : 1)];
-        double hair = 1e-6 * cell;
-        int last = row(yb + hair);
-        for (int r = row(ya - hair); r <= last; r++) {
-            double from = Math.max(ya, minY + r * cell - hair);
-            double to = Math.min(yb, minY + (r + 1) * cell + hair);
+        double tolerance = 1e-6 * cell;
+        int last = row(yb + tolerance);
+        for (int r = row(ya - tolerance); r <= last; r++) {
+            double from = Math.max(ya, minY + r * cell - tolerance);
+            double to = Math.min(yb, minY + (r + 1) * cell + tolerance);
             double x1 = yb > ya ? xa + (xb - xa) * clamp01((from - ya) / (yb - ya)) : xa;
             double x2 = yb > ya ? xa + (xb - xa) * clamp01((to - ya) / (yb - ya)) : xb;
-            int right = column(Math.max(x1, x2) + hair);
-            for (int c = column(Math.min(x1, x2) - hair); c <= right; c++) {
+            int right = column(Math.max(x1, x2) + tolerance);
+            for (int c = column(Math.min(x1, x2) - tolerance); c <= right; c++) {
                 visitor.visit(r * columns + c, i);
             }
         }
@@ -158,9 +158,9 @@ public final class ObstacleGrid {
         return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - minY) / cell)));
     }
 
-    // ---- asking --------------------------------------------------------------------------------------------------
+    // ---- queries --------------------------------------------------------------------------------------------------
 
-    /** The first thing that a disc touches on its way by (dx, dy); metres. */
+    /** The first contact of a disc on a path by (dx, dy); metres. */
     public Contact sweep(double x, double y, double dx, double dy, double radiusMeters) {
         if (dx == 0 && dy == 0) {
             return Contact.NONE;
@@ -171,25 +171,25 @@ public final class ObstacleGrid {
         int top = row(Math.max(y, y + dy) + rim);
         for (int r = row(Math.min(y, y + dy) - rim); r <= top; r++) {
             for (int c = column(Math.min(x, x + dx) - rim); c <= right; c++) {
-                meetAll(disc, r * columns + c);
+                addAll(disc, r * columns + c);
             }
         }
         return disc.contact();
     }
 
-    private void meetAll(MovingDisc disc, int at) {
+    private void addAll(MovingDisc disc, int at) {
         for (int k = first[at]; k < first[at + 1]; k++) {
             int i = items[k];
             if (i < segmentCount) {
-                disc.meetSegment(segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
+                disc.addSegment(segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);
             } else {
                 int p = 2 * (i - segmentCount);
-                disc.meetPoint(points[p], points[p + 1]);
+                disc.addPoint(points[p], points[p + 1]);
             }
         }
     }
 
-    /** The distance from the place to the nearest obstacle, or {@code within} when none is nearer than that; metres. */
+    /** The distance to the nearest obstacle, at most {@code within}; metres. */
     public double clearance(double x, double y, double within) {
         double nearest = within;
         int right = column(x + within);
@@ -213,7 +213,7 @@ public final class ObstacleGrid {
         return Math.hypot(points[p] - x, points[p + 1] - y);
     }
 
-    /** Whether no obstacle is nearer to the place than the radius. */
+    /** Whether no obstacle is nearer than the radius. */
     public boolean isFree(double x, double y, double radiusMeters) {
         int left = column(x - radiusMeters);
         int right = column(x + radiusMeters);
@@ -228,7 +228,7 @@ public final class ObstacleGrid {
         return true;
     }
 
-    /** The distance at which a cone (a sonar's) first holds an obstacle, or {@code max}; metres and radians. */
+    /** The distance to the nearest obstacle inside a cone, at most {@code maxMeters}. */
     public double coneRange(Cone cone, double maxMeters) {
         double nearest = maxMeters;
         int left = column(cone.minX(maxMeters));
@@ -252,8 +252,8 @@ public final class ObstacleGrid {
     }
 
     /**
-     * The distance along a single ray to the first obstacle, or {@code max}. The ray walks the grid cell by cell
-     * (Amanatides and Woo 1987) and stops in the cell that holds its hit.
+     * The distance along a ray to the first obstacle, at most {@code maxMeters}. The ray is followed cell by cell
+     * (Amanatides and Woo 1987) up to the cell of its hit.
      *
      * @param ux with uy the ray's direction, a unit vector
      */
@@ -299,7 +299,7 @@ public final class ObstacleGrid {
         }
     }
 
-    /** Where a ray from outside comes into the grid; 0 from inside, {@code max} when it never does. */
+    /** The distance at which a ray from outside enters the grid; {@code max} if it does not. */
     private double entry(double x, double y, double ux, double uy, double max) {
         double in = 0;
         double out = max;

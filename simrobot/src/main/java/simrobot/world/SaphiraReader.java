@@ -7,14 +7,14 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Saphira's {@code .wld}: {@code ;} comments, millimetres and degrees. Four integers are a wall, {@code push x y phi}
+ * Reads Saphira's {@code .wld}: {@code ;} comments, millimetres and degrees. Four integers are a wall, {@code push x y phi}
  * and {@code pop} nest frames, {@code position x y phi} is where the robot starts.
  */
 public final class SaphiraReader {
-    /** A file that nests deeper pushes in a loop. */
+    /** Limit of nested frames. */
     static final int MAX_DEPTH = 1000;
 
-    /** A local frame: offset first, then the rotation, inside the frame around it. */
+    /** A local frame: an offset, then a rotation, within the enclosing frame. */
     private record Frame(double x, double y, double radians) {
         Frame inner(double dx, double dy, double turn) {
             Position origin = place(dx, dy);
@@ -68,7 +68,7 @@ public final class SaphiraReader {
         }
     }
 
-    /** The size of Saphira's window on the world; it makes no walls. */
+    /** The size of Saphira's view of the world, which is not used. */
     private static void extent(LineTokens tokens) throws WorldFormatException {
         String which = "the " + tokens.word("width or height");
         if (tokens.meters(which) < 0) {

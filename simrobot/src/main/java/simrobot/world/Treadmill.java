@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A belt in the floor that carries every robot whose centre of rotation is on it. Our own addition to the map format: it
- * makes wheels slip, and so the paper's "infinite loop" can happen.
+ * A belt in the floor that moves every robot whose centre of rotation is on it. An addition to the map format: wheels slip on
+ * it, so that the paper's "infinite loop" can occur.
  *
- * @param area not turned: the file's corners are places in the map
+ * @param area not rotated
  * @param speedMetersPerSecond along the direction; negative runs against it
  * @param directionRadians anticlockwise from +X
  */

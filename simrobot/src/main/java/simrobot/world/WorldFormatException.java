@@ -2,7 +2,7 @@ package simrobot.world;
 
 import java.io.IOException;
 
-/** A world file says something that cannot be read; the message names file, line, what was found and what was expected. */
+/** A world file cannot be read; the message names file, line, what was found and what was expected. */
 public final class WorldFormatException extends IOException {
     private final String source;
     private final int line;
@@ -22,12 +22,12 @@ public final class WorldFormatException extends IOException {
         return source;
     }
 
-    /** What stands there: in quotes when it is the file's own word. */
+    /** What was found, in quotes if it is the file's own text. */
     public String found() {
         return found;
     }
 
-    /** What should, in the words of the format. */
+    /** What the format expects. */
     public String expected() {
         return expected;
     }

@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Reads a world file, ARIA {@code .map} or Saphira {@code .wld}, told apart by its ending. */
+/** Reads a world file, ARIA {@code .map} or Saphira {@code .wld}, by its ending. */
 public final class WorldReader {
-    /** Far above the largest real map known (63,311 points, under 1 MB); a file beyond it is no map. */
+    /** Far above the largest known map (63 311 points, under 1 MB). */
     static final long MAX_FILE_BYTES = 64L << 20;
 
     private WorldReader() {}
@@ -34,7 +34,7 @@ public final class WorldReader {
         return saphira ? SaphiraReader.read(name, text) : MapReader.read(name, text);
     }
 
-    /** UTF-8 when it is valid UTF-8, else Latin-1, which old maps are written in. */
+    /** Decodes UTF-8, or Latin-1 if it is no valid UTF-8, as in old maps. */
     static String decode(byte[] bytes) {
         try {
             String text = StandardCharsets.UTF_8

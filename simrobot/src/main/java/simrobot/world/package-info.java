@@ -1,7 +1,7 @@
 /**
- * Worlds: what the files describe ({@link simrobot.world.World}), how they are read
- * ({@link simrobot.world.WorldReader}), and the grid that answers "how far" and "how near"
- * ({@link simrobot.world.ObstacleGrid}). Read {@code World} first. Metres and radians, headings
- * anticlockwise from +X; the files' millimetres and degrees end at the readers. Needs nothing but the JDK's base.
+ * Worlds: their contents ({@link simrobot.world.World}, read it first), the readers and the writer of world files
+ * ({@link simrobot.world.WorldReader}, {@link simrobot.world.MapWriter}), and the grid that computes distances and contacts
+ * ({@link simrobot.world.ObstacleGrid}). Metres and radians, headings anticlockwise from +X; only readers and writer know the
+ * files' millimetres and degrees. Needs nothing but java.base.
  */
 package simrobot.world;

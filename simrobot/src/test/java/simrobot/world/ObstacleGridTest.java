@@ -98,8 +98,8 @@ class ObstacleGridTest {
             double dx = random.nextGaussian();
             double dy = random.nextGaussian();
             MovingDisc disc = new MovingDisc(x, y, dx, dy, 0.25);
-            walls.forEach(s -> disc.meetSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
-            points.forEach(p -> disc.meetPoint(p.xMeters(), p.yMeters()));
+            walls.forEach(s -> disc.addSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            points.forEach(p -> disc.addPoint(p.xMeters(), p.yMeters()));
             assertEquals(
                     disc.contact().fraction(), grid.sweep(x, y, dx, dy, 0.25).fraction());
         }
