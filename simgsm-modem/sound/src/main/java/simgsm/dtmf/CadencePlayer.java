@@ -1,7 +1,7 @@
 package simgsm.dtmf;
 
 /**
- * Plays a cadence, sample by sample, for whoever takes speech frames from it. Bursts rise and fall softly within their own
+ * Generates a cadence, sample by sample. Bursts rise and fall softly within their own
  * length, so that they do not click; lengths are exact in samples. Owned by one thread.
  */
 public final class CadencePlayer {
@@ -23,7 +23,7 @@ public final class CadencePlayer {
         begin(newCadence, Long.MAX_VALUE);
     }
 
-    /** Plays a cadence from its beginning for so long, in place of what plays. */
+    /** Plays a cadence from its beginning for this time, in place of the current one. */
     public void start(ToneCadence newCadence, int totalMillis) {
         begin(newCadence, (long) totalMillis * SAMPLES_PER_MILLI);
     }

@@ -22,7 +22,7 @@ public final class ClassicReceiver implements KeyReceiver {
     private static final double MOST_TWIST_DB = 4;
     /** A tone over the others of its group. */
     private static final double LEAST_PEAK_DB = 8;
-    /** A tone over its second harmonic: voices have overtones. Short blocks do not tell 2 x 697 Hz from 1336 Hz. */
+    /** A tone over its second harmonic: voices have overtones. Short blocks do not resolve 2 x 697 Hz and 1336 Hz. */
     private static final double LEAST_HARMONIC_DB = 10;
     /** Of all power in the block, the two tones'. */
     private static final double LEAST_SHARE = 0.8;
@@ -41,7 +41,7 @@ public final class ClassicReceiver implements KeyReceiver {
     private DtmfDigit current;
 
     /**
-     * @param candidates told of each block with two strong tones
+     * @param candidates receives each block with two strong tones
      * @param blockSamples {@link #SHORT_BLOCK} or {@link #LONG_BLOCK}
      */
     public ClassicReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, int blockSamples) {

@@ -192,7 +192,7 @@ final class DigitTracker {
         candidates.accept(candidate);
     }
 
-    /** How much a finding tells: a closer look more than a glance. */
+    /** The weight of a result: that of a full examination is higher than that of the first check. */
     private static int rank(KeyCandidate.Finding finding) {
         return switch (finding) {
             case TOO_SHORT, UNSTEADY -> 0;

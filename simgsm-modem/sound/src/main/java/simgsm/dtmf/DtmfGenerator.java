@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.function.Consumer;
 
 /**
- * Makes the sound of keys, sample by sample, for whoever takes speech frames from it: a queue of keys of fixed length,
+ * Generates the tones of keys, sample by sample: a queue of keys of fixed length,
  * and keys that are held down and let go. Durations are exact in samples, a tone runs on unbroken from frame to frame,
  * and between tones there is silence. Owned by one thread.
  */
@@ -22,7 +22,7 @@ public final class DtmfGenerator {
     private Press current;
     private Press held;
 
-    /** @param toneLeft told each key whose tone has left whole, from within {@code read}, after its last sample */
+    /** @param toneLeft receives each key after the last sample of its tone, within {@code read} */
     public DtmfGenerator(ToneShape shape, Consumer<DtmfKey> toneLeft) {
         this.shape = shape;
         this.toneLeft = toneLeft;
@@ -102,8 +102,8 @@ public final class DtmfGenerator {
             }
             sound |= !current.toneDone();
             samples[i] = current.next();
-            if (current.toneDone() && !current.told) {
-                current.told = true;
+            if (current.toneDone() && !current.isReported) {
+                current.isReported = true;
                 toneLeft.accept(current.key);
             }
             if (current != null && current.allDone()) {
@@ -122,7 +122,7 @@ public final class DtmfGenerator {
         private final int rampSamples;
         private long toneSamples;
         private long sent;
-        private boolean told;
+        private boolean isReported;
 
         Press(DtmfKey key, ToneShape shape, long toneSamples) {
             this.key = key;

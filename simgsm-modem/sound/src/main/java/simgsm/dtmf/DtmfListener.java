@@ -1,8 +1,8 @@
 package simgsm.dtmf;
 
-/** Told what a {@link DtmfReceiver} hears, on the thread that feeds it. */
+/** Receives the keys of a {@link DtmfReceiver}, on the thread that calls its {@code accept}. */
 public interface DtmfListener {
-    /** A key is certain; its tone still sounds. Once per key pressed. */
+    /** A key is decided while its tone lasts; once per key pressed. */
     void keyDecided(DtmfDigit digit);
 
     /** The tone of the key last decided has ended: the same key with its whole duration and its final measurements. */

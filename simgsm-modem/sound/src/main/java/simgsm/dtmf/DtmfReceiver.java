@@ -25,7 +25,7 @@ public final class DtmfReceiver implements KeyReceiver {
         this(listener, null);
     }
 
-    /** @param candidates told what the receiver makes of tones that stand out, after each look; null for none */
+    /** @param candidates receives the result of each examination of strong tones; null for none */
     public DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates) {
         this(
                 listener,

@@ -1,7 +1,7 @@
 package simgsm.dtmf;
 
 /**
- * What is measured of two tones at one moment to tell a key from anything else: one number per {@link Kind}. Powers are on
+ * The measures of two tones at one moment that distinguish a key from other sound: one number per {@link Kind}. Powers are on
  * the scale of squared amplitudes.
  */
 final class KeyMeasures {
@@ -39,7 +39,7 @@ final class KeyMeasures {
         REST
     }
 
-    /** The first so many kinds need no spectrum. */
+    /** The number of kinds, from the first, that need no spectrum. */
     static final int OF_TONES = Kind.BEFORE.ordinal();
 
     static final int COUNT = Kind.values().length;
@@ -101,7 +101,7 @@ final class KeyMeasures {
         values[kind.ordinal()] = value;
     }
 
-    /** The third and seventh harmonic of a voice at 232 Hz lie only 0.4 % beside A, the fourth and seventh 0.9 % beside 1, 5, 9 and D. */
+    /** The third and seventh harmonic of a voice at 232 Hz are only 0.4 % from A, the fourth and seventh 0.9 % from 1, 5, 9 and D. */
     private double family(ToneFit fit, double weaker) {
         double ratio = fit.hertz[1] / fit.hertz[0];
         for (int rowHarmonic = HIGHEST_ROW_HARMONIC; rowHarmonic > 0; rowHarmonic--) {

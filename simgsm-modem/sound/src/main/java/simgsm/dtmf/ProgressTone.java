@@ -3,8 +3,8 @@ package simgsm.dtmf;
 import java.util.Optional;
 
 /**
- * The tones that tell a caller how a call goes (ITU-T E.180; TS 22.001, annex F, which calls them supervisory tones).
- * What they sound like is a {@link ToneSet}'s matter.
+ * The call progress tones (ITU-T E.180; the supervisory tones of TS 22.001, annex F). A {@link ToneSet} has their
+ * frequencies and cadences.
  */
 public enum ProgressTone {
     /** The exchange waits for digits. A mobile needs none: it sends the whole number at once. */

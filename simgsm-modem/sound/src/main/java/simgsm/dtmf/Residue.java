@@ -24,15 +24,15 @@ final class Residue {
     /** Far below any sample's step; keeps logarithms finite. */
     private static final double TINY = 1e-12;
 
-    /** Beside the tones, now. */
+    /** Sound other than the tones, now. */
     double rest;
-    /** Beside the tones, before they began. */
+    /** Sound other than the tones, before they began. */
     double restBefore;
     /** At the row's tone, before it began. */
     double rowBefore;
     /** At the column's tone, before it began. */
     double columnBefore;
-    /** The strongest single line beside the tones, now. */
+    /** The strongest spectral line other than the tones, now. */
     double line;
 
     double lineHertz;
@@ -68,7 +68,7 @@ final class Residue {
     /**
      * Measures all fields anew.
      *
-     * @param end just behind the newest sample
+     * @param end index after the newest sample
      * @param onset the first sample of the tones, or a little before
      */
     void measure(short[] samples, int end, int onset, double rowHertz, double columnHertz) {

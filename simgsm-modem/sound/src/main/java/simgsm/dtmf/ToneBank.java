@@ -49,10 +49,10 @@ final class ToneBank {
 
     private final float[][] cosines = new float[TONES][HOP];
     private final float[][] sines = new float[TONES][HOP];
-    /** Row i, column b: the sample i + 1/2 behind the middle of hop b's window. */
+    /** Row i, column b: the sample i + 1/2 after the middle of hop b's window. */
     private final float[] after = new float[HOP * STRIDE];
 
-    /** The one as far before it. */
+    /** The mirror sample, i + 1/2 before the middle. */
     private final float[] before = new float[HOP * STRIDE];
 
     private final float[] even = new float[HOP * STRIDE];

@@ -133,7 +133,7 @@ final class ToneFit {
         return tuned ? 0 : OFF_FREQUENCY_WAIT;
     }
 
-    /** A glance that saves the closer look: so long ago, and before, the tones were far weaker than a moment ago. */
+    /** Early exit: {@code hops} ago and 6 hops before that both tones were 9 dB weaker than 2 hops ago. */
     private boolean isTooEarly(ToneBank bank, int newest, int hops) {
         float weak = FAR_WEAKER * product(bank, newest - 2);
         return product(bank, newest - hops) < weak && product(bank, newest - hops - LONGEST_HOLE) < weak;
@@ -332,7 +332,7 @@ final class ToneFit {
         return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
     }
 
-    /** Whether the tones have sounded for so many hops, and for more where noise blurs their beginning. */
+    /** Whether the tones have lasted this number of hops, or more where noise hides their beginning. */
     boolean isOldEnough(double leastHops) {
         return sinceOnset >= leastHops + NOISE_HOPS * (1 - Math.min(coherence[ROW], coherence[COLUMN]));
     }

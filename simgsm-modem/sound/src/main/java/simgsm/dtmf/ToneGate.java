@@ -6,7 +6,7 @@ package simgsm.dtmf;
  * beside a tone is some 40 dB down, so that mains, dial tone and direct current do not reach it.
  */
 final class ToneGate {
-    /** Weaker tones than -50 dBm0 are nobody's (Q.24: at -55 dBm0 nothing may be heard). */
+    /** Tones below -50 dBm0 are ignored (Q.24: tones at -55 dBm0 must not be decoded). */
     private static final float FLOOR = (float) square(ToneLevel.amplitude(-50));
     /** 13 dB either way; what lies beyond is no key (the finer tests are stricter). */
     private static final float MOST_TWIST = 20;

@@ -13,9 +13,9 @@ public final class ToneTrace {
     public static final double FLOOR_DBM0 = -60;
     /** Fainter tones are no key's, whatever else they are (ITU-T Q.24: at -55 dBm0 nothing may be heard). */
     public static final double LEAST_DBM0 = -50;
-    /** So many decibels may the groups lie apart before the receiver looks no closer. */
+    /** Greatest difference of the groups' levels, dB, at which the receiver examines them further. */
     public static final double MOST_TWIST_DECIBELS = 13;
-    /** A group's four powers together may be so many times the loudest one's. */
+    /** Greatest ratio of the sum of a group's four powers to the strongest one. */
     private static final double MOST_SPREAD = 1.6;
     /** Nothing has sounded yet. */
     public static final ToneTrace EMPTY =

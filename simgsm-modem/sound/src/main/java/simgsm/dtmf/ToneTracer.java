@@ -5,11 +5,11 @@ import java.util.Optional;
 
 /**
  * Collects what a tone scope shows from the sound that passes: feed it frames, ask for the newest {@link ToneTrace}. It
- * listens with a receiver of its own, so the scope measures what it draws, and an experiment disturbs nobody else. Owned
+ * listens with a receiver of its own, so the scope measures what it draws, and an experiment does not disturb other receivers. Owned
  * by one thread.
  */
 public final class ToneTracer {
-    /** Levels are measured over the last 25.6 ms: the frequencies, 73 Hz apart and more, are told apart clearly. */
+    /** Levels are measured over the last 25.6 ms: the frequencies, 73 Hz apart and more, are resolved. */
     private static final int LEVEL_WINDOW = 205;
 
     private static final int FREQUENCIES = 8;
