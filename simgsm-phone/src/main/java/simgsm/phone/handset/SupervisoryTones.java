@@ -9,15 +9,15 @@ import simgsm.dtmf.ToneCadence;
 import simgsm.dtmf.ToneSet;
 
 /**
- * What the phone itself plays to tell how a call goes (TS 22.001, annex F), and its own ring. In GSM these sounds are not
- * sent: the phone makes them from the network's messages, unless the network says that it plays its own.
+ * The supervisory tones of a call (TS 22.001, annex F) and the ringing sound. In GSM the phone makes them from the network's
+ * messages, unless the network announces tones of its own.
  */
 final class SupervisoryTones {
     /** Our own ring: a warble of 20 changes a second, 1 s on, 2 s off. */
     private static final ToneCadence RING = ring();
 
     private static final int WARBLE_MILLIS = 50;
-    /** As long as the network lets it ring, for it ends the call after that. */
+    /** The network ends a call that has rung this long. */
     private static final int LONGEST_MILLIS = 180_000;
 
     private static final int WAITING_MILLIS = 8_000;
@@ -39,22 +39,22 @@ final class SupervisoryTones {
         return new ToneCadence(steps);
     }
 
-    /** We are called. */
+    /** An incoming call. */
     void ringing() {
         player.start(RING, LONGEST_MILLIS);
     }
 
-    /** Another calls while we talk: twice round its tone, which is enough to notice. */
+    /** A second call waits: two periods of the tone. */
     void callWaits() {
         player.start(set.cadence(ProgressTone.CALL_WAITING), WAITING_MILLIS);
     }
 
-    /** The other phone rings. */
+    /** The called phone rings. */
     void ringBack() {
         player.start(set.cadence(ProgressTone.RING_BACK), LONGEST_MILLIS);
     }
 
-    /** A call has ended: what its cause sounds like, for some seconds; most sound like nothing. */
+    /** A call has ended: the tone of its cause for some seconds; most causes have none. */
     void ended(Cause cause) {
         player.stop();
         ProgressTone.ofCause(cause.code()).ifPresent(tone -> player.start(set.cadence(tone), millis(tone)));

@@ -8,7 +8,7 @@ import simgsm.dtmf.DtmfKey;
  * GSM alphabet are on the keys, so that a text keyed here stays short; a keyboard may write any.
  */
 public final class TextEntry {
-    /** So long the last letter may still be changed by the same key. */
+    /** Time in which the same key changes the last letter. */
     public static final long TAP_NANOS = TimeUnit.MILLISECONDS.toNanos(1000);
     /** Longer than any message may be: 255 parts of 153 letters. */
     static final int MAX_CHARACTERS = 39_015;

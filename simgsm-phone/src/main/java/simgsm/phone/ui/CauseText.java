@@ -7,7 +7,7 @@ import simgsm.air.RejectCause;
 import simgsm.console.TextBundle;
 import simgsm.phone.handset.StoredMessage;
 
-/** Causes in words: the user's own where there are any, else the standard's. */
+/** Causes in words: the bundle's where it has any, else the standard's. */
 final class CauseText {
     private CauseText() {}
 

@@ -140,7 +140,7 @@ final class LcdHome {
                 : "lcd.hint.call." + phase.name().toLowerCase(Locale.ROOT);
     }
 
-    /** How the speech is coded, in the middle of what room there is. */
+    /** The codec, centred in the free space of the line. */
     private void codec(LcdPen pen, StationSnapshot station, double from, double to) {
         String words = CodecText.of(station.codec(), station.heardCodec(), language);
         double natural = pen.width(pen.sans(CODEC_SIZE, false), words);
@@ -173,8 +173,8 @@ final class LcdHome {
     }
 
     /**
-     * The key that came back, as on a keycap, and quietly what it would mean from a robot, for nobody knows who keyed it; at
-     * the right those that came before it.
+     * The newest received key, as on a keycap, and in a quiet colour its meaning if a robot has sent it; at the right the
+     * keys before it.
      */
     private void tone(LcdPen pen, String heard, double baseline) {
         if (heard.isEmpty()) {

@@ -11,7 +11,7 @@ import simgsm.phone.handset.TextEntry;
 import simgsm.sms.Alphabet;
 import simgsm.sms.MessageSplitter;
 
-/** Writing a message on the display, naming who gets it, and short notes. */
+/** Text entry on the display, entry of the receiver, progress of a sent message, and notes. */
 final class LcdWriting {
     private static final int LINES = 4;
     private static final double LINE_HEIGHT = 20;
@@ -52,7 +52,7 @@ final class LcdWriting {
         };
     }
 
-    /** How much still fits, and into how many short messages. */
+    /** Characters left in the last part, and number of parts. */
     private void counter(LcdPen pen, String text) {
         MessageSplitter.Measure measure = MessageSplitter.measure(text);
         String alphabet = measure.alphabet() == Alphabet.GSM_7BIT ? "" : "Unicode ";
@@ -92,7 +92,7 @@ final class LcdWriting {
         LcdHome.hint(pen, texts.of("lcd.hint.recipient"));
     }
 
-    /** The way of the message just written, and at the bottom what has come meanwhile. */
+    /** The progress of the message just sent; at the bottom the number of unread messages. */
     void sent(LcdPen pen, HandsetSnapshot phone, StoredMessage message) {
         pen.ink(Ink.LCD_QUIET);
         pen.centred(texts.of("lcd.to") + " " + message.party(), pen.mono(14, true), 62);

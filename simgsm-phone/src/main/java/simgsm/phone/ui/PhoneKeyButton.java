@@ -12,7 +12,7 @@ import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 
-/** One key of the handset. It is down as long as it is held, by mouse, by the space bar or by assistive technology. */
+/** One key of the handset, held down by the mouse, the space bar or assistive technology. */
 final class PhoneKeyButton extends JButton {
     private final PhoneKey key;
     private final PhoneKeyPainter painter;
@@ -38,7 +38,7 @@ final class PhoneKeyButton extends JButton {
         getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "none");
     }
 
-    /** What the key is, and where the keyboard has it under another name. */
+    /** The name of the key, with the name of its counterpart on the keyboard. */
     private String tip(TextBundle texts, String description) {
         return switch (key) {
             case CALL, OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
@@ -76,7 +76,7 @@ final class PhoneKeyButton extends JButton {
         repaint();
     }
 
-    /** Lights the key while its tone sounds, whoever pressed it. */
+    /** Lights the key while its tone sounds. */
     void setSounding(boolean nowSounding) {
         if (sounding != nowSounding) {
             sounding = nowSounding;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
@@ -21,6 +22,9 @@ public final class FakeStation implements StationCommands {
 
     /** How the far end's speech is coded. */
     public Optional<SpeechCodec.Kind> heardCodec = Optional.empty();
+
+    /** Whether a message fails before its submission returns. */
+    public boolean failsAtOnce;
 
     private boolean powered = true;
     private boolean inCall;
@@ -96,6 +100,9 @@ public final class FakeStation implements StationCommands {
     @Override
     public int sendMessage(Msisdn to, String text) {
         asked.add("sms " + to + " " + text);
+        if (failsAtOnce) {
+            listener.accept(new StationEvent.MessageFailed(nextId, to, RpCause.CONGESTION));
+        }
         return nextId++;
     }
 

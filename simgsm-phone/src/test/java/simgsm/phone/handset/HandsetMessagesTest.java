@@ -262,4 +262,30 @@ class HandsetMessagesTest {
                 List.of(Delivery.SENT, Delivery.DELIVERED),
                 bench.snapshot().outbox().stream().map(StoredMessage::delivery).toList());
     }
+
+    @Test
+    void theLateFailureOfAnErasedMessageLeavesLaterMessagesWithItsReferenceAlone() {
+        Bench bench = new Bench();
+        bench.handset.sendMessage(ROBOT, "erased");
+        bench.tap(PhoneKey.UP, PhoneKey.OK, PhoneKey.HASH);
+        assertEquals(List.of(), bench.snapshot().outbox());
+        bench.handset.accept(new StationEvent.MessageFailed(0, ROBOT, RpCause.CONGESTION));
+        for (int i = 1; i <= 256; i++) {
+            bench.handset.sendMessage(ROBOT, "m" + i);
+        }
+        assertEquals(Delivery.SENDING, lastDelivery(bench));
+        StationEvent.MessageSent sent = new StationEvent.MessageSent(256, ROBOT, 1);
+        assertEquals(0, sent.reference());
+        bench.handset.accept(sent);
+        assertEquals(Delivery.SENT, lastDelivery(bench));
+    }
+
+    @Test
+    void aMessageThatFailsWhileItIsSubmittedIsMarked() {
+        Bench bench = new Bench();
+        bench.station.failsAtOnce = true;
+        bench.handset.sendMessage(ROBOT, "x");
+        assertEquals(Delivery.FAILED, lastDelivery(bench));
+        assertEquals(List.of("sms-failed 5550200 42"), bench.events);
+    }
 }
