@@ -148,9 +148,9 @@ class WindowModelTest {
     void aNumberOrAPlaceThatIsTakenIsRefusedWithItsReason() throws Exception {
         assertTrue(add("anna", "5550200", Optional.empty()).contains("another robot has the number 5550200"));
         assertTrue(add("anna", "none", Optional.empty()).contains("not a telephone number"));
-        assertTrue(add("robot", "5550201", Optional.empty()).contains("there already"));
+        assertTrue(add("robot", "5550201", Optional.empty()).contains("there is already"));
         Pose taken = simRobot.onSimulation(robot::pose);
-        assertTrue(add("anna", "5550201", Optional.of(taken)).contains("in the way"));
+        assertTrue(add("anna", "5550201", Optional.of(taken)).contains("occupied"));
         assertEquals(1, simRobot.robots().size());
     }
 
@@ -159,14 +159,14 @@ class WindowModelTest {
         model = modelIn(Locale.forLanguageTag("es"));
         assertEquals("otro robot tiene ya el número 5550200", add("anna", "5550200", Optional.empty()));
         assertEquals("\"none\" no es un número de teléfono de 1 a 15 cifras", add("anna", "none", Optional.empty()));
-        assertTrue(add("a b", "5550201", Optional.empty()).endsWith("hay \"a b\""));
+        assertTrue(add("a b", "5550201", Optional.empty()).endsWith("se encontró \"a b\""));
         assertEquals("ya hay un robot robot", add("robot", "5550201", Optional.empty()));
         Pose taken = simRobot.onSimulation(robot::pose);
-        assertEquals("hay algo en ese lugar", add("anna", "5550201", Optional.of(taken)));
+        assertEquals("el lugar está ocupado", add("anna", "5550201", Optional.of(taken)));
         assertEquals("fuera del mundo", add("anna", "5550201", Optional.of(new Pose(1e5, 0, 0))));
         model.read(Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n"));
         assertEquals(
-                "broken.map:3: hay el final de la línea, se esperaba y2 in mm",
+                "broken.map:3: se encontró el final de la línea, se esperaba y2 in mm",
                 model.snapshot().notice());
         model.read(folder.resolve("nowhere.map"));
         assertTrue(model.snapshot().notice().endsWith("nowhere.map: no existe el archivo"));

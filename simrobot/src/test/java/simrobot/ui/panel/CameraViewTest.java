@@ -38,7 +38,7 @@ class CameraViewTest {
         simulation.addRobot("bob", new Position(1, 0), Math.PI);
         show();
         assertNotEquals(floor, seen());
-        assertEquals("What ann sees", view.getAccessibleContext().getAccessibleName());
+        assertEquals("Camera of ann", view.getAccessibleContext().getAccessibleName());
     }
 
     @Test

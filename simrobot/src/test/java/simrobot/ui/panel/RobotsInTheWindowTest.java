@@ -137,7 +137,7 @@ class RobotsInTheWindowTest {
         bench.settle();
         RobotPreview ghost = bench.floor().placing().preview().orElseThrow();
         assertTrue(ghost.refused());
-        assertEquals("something is in the way there", ghost.text());
+        assertEquals("the place is occupied", ghost.text());
         release();
         bench.settle();
         assertEquals(9, robot.xMeters());

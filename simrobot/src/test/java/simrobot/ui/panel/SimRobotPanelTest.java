@@ -87,15 +87,15 @@ class SimRobotPanelTest {
         bench.simulation.run(600);
         bench.show();
         assertEquals("x: 1.000 m", bench.spoken("odometry.x"));
-        assertEquals("away from truth: 0.000 m", bench.spoken("odometry.error"));
+        assertEquals("position error: 0.000 m", bench.spoken("odometry.error"));
         assertTrue(bench.spoken("pose.battery").matches("battery: 1[23]\\.[0-9] V"), bench.spoken("pose.battery"));
         robot.place(robot.xMeters(), robot.yMeters() + 0.5, robot.headingRadians() + Math.toRadians(30));
         bench.show();
-        assertEquals("away from truth: 0.500 m", bench.spoken("odometry.error"));
-        assertEquals("turned from truth: -30.0 \u00b0", bench.spoken("odometry.turned"));
+        assertEquals("position error: 0.500 m", bench.spoken("odometry.error"));
+        assertEquals("heading error: -30.0 \u00b0", bench.spoken("odometry.turned"));
         robot.resetOdometry();
         bench.show();
-        assertEquals("away from truth: 0.000 m", bench.spoken("odometry.error"));
+        assertEquals("position error: 0.000 m", bench.spoken("odometry.error"));
         assertEquals("x: 0.000 m", bench.spoken("odometry.x"));
     }
 
@@ -171,7 +171,7 @@ class SimRobotPanelTest {
         bench.click("tool.pause");
         bench.show();
         assertTrue(bench.component("tool.step").isEnabled());
-        assertEquals("Go on", bench.spoken("tool.pause"));
+        assertEquals("Resume", bench.spoken("tool.pause"));
         bench.click("tool.step");
         assertEquals(10_000_000, bench.simulation.timeNanos());
         bench.click("tool.pause");
@@ -238,7 +238,7 @@ class SimRobotPanelTest {
         bench.worldChanged = true;
         bench.show();
         assertEquals(
-                "empty.map has been changed on the disk. Ctrl+O, \"Load it again\" takes it over.",
+                "empty.map has been changed on the disk. Ctrl+O, \"Load again\" loads it.",
                 bench.spoken("notice"));
         bench.worldChanged = false;
         bench.show();
@@ -303,7 +303,7 @@ class SimRobotPanelTest {
                 mute.robot(), mute.number(), mute.modem(), mute.heard(), mute.orders(), mute.tones(), true);
         JLabel sound = (JLabel) bench(audible).component("modem.sound");
         assertEquals("", sound.getText());
-        assertEquals("Calls are heard", sound.getToolTipText());
+        assertEquals("Calls are played", sound.getToolTipText());
     }
 
     @Test

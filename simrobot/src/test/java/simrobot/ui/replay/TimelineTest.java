@@ -120,10 +120,10 @@ class TimelineTest {
     @Test
     void theRecordButtonShowsWhetherAFileIsBeingWritten() throws Exception {
         WindowBench live = new WindowBench("empty.map", Locale.ENGLISH, "robot");
-        assertEquals("Record the session in a file", live.spoken("tool.record"));
+        assertEquals("Record the session to a file", live.spoken("tool.record"));
         live.recording = Optional.of(Path.of("a.session"));
         live.show();
-        assertEquals("Recording in a.session; press to end it", live.spoken("tool.record"));
+        assertEquals("Recording to a.session; press to stop", live.spoken("tool.record"));
         live.click("tool.record");
         assertEquals("record false", live.acts.get(live.acts.size() - 1));
     }
