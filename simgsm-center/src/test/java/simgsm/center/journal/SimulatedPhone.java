@@ -11,8 +11,6 @@ import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.air.RejectCause;
-import simgsm.air.RpCause;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.sim.SimCard;

@@ -238,8 +238,7 @@ class SimRobotPanelTest {
         bench.worldChanged = true;
         bench.show();
         assertEquals(
-                "empty.map has been changed on the disk. Ctrl+O, \"Load again\" loads it.",
-                bench.spoken("notice"));
+                "empty.map has been changed on the disk. Ctrl+O, \"Load again\" loads it.", bench.spoken("notice"));
         bench.worldChanged = false;
         bench.show();
         assertFalse(bench.component("notice").getParent().isVisible());
