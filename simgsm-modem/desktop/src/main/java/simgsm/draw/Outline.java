@@ -6,6 +6,9 @@ import java.util.regex.MatchResult;
 
 /** A shape of straight lines and cubic curves. Not to be changed once it is drawn. */
 public final class Outline {
+    /** An empty outline. */
+    public Outline() {}
+
     /** Length of a cubic's handle for a quarter of a circle of radius 1. */
     private static final double QUARTER = 0.5522847498;
 

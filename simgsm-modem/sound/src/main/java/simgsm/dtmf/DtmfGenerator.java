@@ -100,7 +100,7 @@ public final class DtmfGenerator {
                 samples[i] = 0;
                 continue;
             }
-            sound |= !current.toneDone();
+            sound |= !current.isFaded();
             samples[i] = current.next();
             if (current.toneDone() && !current.isReported) {
                 current.isReported = true;
@@ -137,7 +137,12 @@ public final class DtmfGenerator {
             toneSamples = Math.max(sent, (long) shape.toneMillis() * SAMPLES_PER_MILLI);
         }
 
+        /** From here on the tone only falls: its length counts at half amplitude. */
         boolean toneDone() {
+            return sent >= toneSamples;
+        }
+
+        boolean isFaded() {
             return sent - rampSamples >= toneSamples;
         }
 
@@ -146,7 +151,7 @@ public final class DtmfGenerator {
         }
 
         short next() {
-            double value = toneDone() ? 0 : envelope() * (row.next() + column.next());
+            double value = isFaded() ? 0 : envelope() * (row.next() + column.next());
             sent++;
             return (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(value)));
         }
