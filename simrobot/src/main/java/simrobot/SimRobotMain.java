@@ -34,7 +34,7 @@ import simrobot.app.HeadlessReplay;
 import simrobot.app.ListeningPorts;
 import simrobot.app.ReplayModel;
 import simrobot.app.RequestedRobots;
-import simrobot.app.SessionRecord;
+import simrobot.app.SessionRecording;
 import simrobot.app.WindowModel;
 import simrobot.app.WorldFile;
 import simrobot.behaviour.BehaviourKind;
@@ -195,11 +195,12 @@ public final class SimRobotMain {
             Arguments arguments, ProgramWindow window, Built built, ListeningPorts opened, Path worldFile)
             throws UsageException, IOException, InterruptedException {
         Locale language = arguments.language();
-        try (SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
+        try (SessionRecording record = new SessionRecording(built.simRobot().simulation());
                 SimRobot simRobot = built.simRobot();
                 ListeningPorts ports = opened) {
+            startRecording(record, arguments, built);
             endInOrder(simRobot, record);
-            record.listenTo(simRobot);
+            simRobot.onAdded(robot -> robot.listen(record.listener(robot.name())));
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
             simRobot.start();
             ports.start();
@@ -276,11 +277,12 @@ public final class SimRobotMain {
     private static int headless(Arguments arguments, Built built, ListeningPorts opened)
             throws UsageException, IOException, InterruptedException {
         try (Console console = Console.onStandardOutput();
-                SessionRecord record = SessionRecord.open(arguments, built.simulation(), built.simRobot());
+                SessionRecording record = new SessionRecording(built.simRobot().simulation());
                 SimRobot simRobot = built.simRobot();
                 ListeningPorts ports = opened) {
-            Consumer<Event> out = record.with(console::emit);
+            Consumer<Event> out = ((Consumer<Event>) console::emit).andThen(record::event);
             simRobot.onAdded(robot -> robot.listen(event -> out.accept(event.line(robot.name()))));
+            startRecording(record, arguments, built);
             endInOrder(simRobot, record);
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
@@ -298,8 +300,16 @@ public final class SimRobotMain {
         }
     }
 
+    private static void startRecording(SessionRecording record, Arguments arguments, Built built)
+            throws UsageException, IOException {
+        Optional<Path> file = arguments.path("record");
+        if (file.isPresent()) {
+            record.start(file.get(), built.simulation());
+        }
+    }
+
     /** When a signal ends the program. */
-    private static void endInOrder(SimRobot simRobot, SessionRecord record) {
+    private static void endInOrder(SimRobot simRobot, SessionRecording record) {
         Thread end = new Thread(
                 () -> {
                     simRobot.close();

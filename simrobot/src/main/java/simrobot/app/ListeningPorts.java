@@ -1,37 +1,98 @@
 package simrobot.app;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
 import simrobot.control.SimRobot;
+import simrobot.control.TelephoneRobot;
+import simrobot.http.WebServer;
+import simrobot.http.WebSource;
+import simrobot.simulation.SimulationSnapshot;
 
-/** All ports that the program listens on. */
-public record ListeningPorts(P2osPorts pioneers, WebPort web) implements AutoCloseable {
-    /** Opens what the command line asks for; before the simulation starts. */
+/** The ports on which the program listens, as the command line names them: P2OS and HTTP. */
+public final class ListeningPorts implements AutoCloseable {
+    static final int MAX_PORT = 0xffff;
+
+    private final P2osPorts p2os;
+    private final Optional<WebServer> web;
+
+    private ListeningPorts(P2osPorts p2os, Optional<WebServer> web) {
+        this.p2os = p2os;
+        this.web = web;
+    }
+
+    /** Opens the ports, before the simulation starts. They are served from {@link #start} on. */
     public static ListeningPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
-        P2osPorts pioneers = P2osPorts.open(arguments, simRobot);
+        InetAddress address = arguments.value("bind", ListeningPorts::address).orElse(InetAddress.getLoopbackAddress());
+        P2osPorts p2os = P2osPorts.open(arguments, address, simRobot);
         try {
-            return new ListeningPorts(pioneers, WebPort.open(arguments, simRobot));
+            return new ListeningPorts(p2os, web(arguments, address, simRobot));
         } catch (UsageException | IOException e) {
-            pioneers.close();
+            p2os.close();
             throw e;
         }
     }
 
-    /** Adds the ports to what a program says at first. */
+    private static InetAddress address(String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("expected an address of this machine, found " + text);
+        }
+    }
+
+    private static Optional<WebServer> web(Arguments arguments, InetAddress address, SimRobot simRobot)
+            throws UsageException, IOException {
+        if (!arguments.has("http")) {
+            return Optional.empty();
+        }
+        int port = (int) arguments.integer("http", 0, 0, MAX_PORT);
+        return Optional.of(new WebServer(address, port, arguments.language(), new Source(simRobot)));
+    }
+
+    private record Source(SimRobot simRobot) implements WebSource {
+        @Override
+        public SimulationSnapshot scene() throws InterruptedException {
+            return simRobot.onSimulation(simRobot::scene);
+        }
+
+        @Override
+        public String number(String name) {
+            return simRobot.robot(name)
+                    .map(TelephoneRobot::number)
+                    .map(number -> number.digits())
+                    .orElse("");
+        }
+    }
+
+    /** The robots' P2OS ports. */
+    P2osPorts p2os() {
+        return p2os;
+    }
+
+    /** The HTTP port, if there is one. */
+    Optional<Integer> http() {
+        return web.map(WebServer::port);
+    }
+
+    /** Adds the ports to the program's first event. */
     public Event with(Event ready) {
-        return web.with(pioneers.with(ready));
+        Event both = p2os.with(ready);
+        return http().map(port -> both.with("http", port)).orElse(both);
     }
 
     public void start() {
-        pioneers.start();
-        web.start();
+        p2os.start();
+        web.ifPresent(WebServer::start);
     }
 
     @Override
     public void close() {
-        web.close();
-        pioneers.close();
+        web.ifPresent(WebServer::close);
+        p2os.close();
     }
 }

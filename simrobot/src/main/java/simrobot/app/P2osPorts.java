@@ -8,7 +8,6 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
@@ -18,10 +17,9 @@ import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.p2os.P2osServer;
 
-/** The robots' P2OS ports, if the command line asks for them. */
+/** The robots' P2OS ports, one per robot upward from {@code --p2os PORT}; none without the option. */
 final class P2osPorts implements AutoCloseable {
     private static final Logger LOG = System.getLogger(P2osPorts.class.getName());
-    private static final int MAX_PORT = 0xffff;
 
     private final Optional<P2osServer> server;
     private final Map<String, Integer> ports = Collections.synchronizedMap(new LinkedHashMap<>());
@@ -30,16 +28,17 @@ final class P2osPorts implements AutoCloseable {
         this.server = server;
     }
 
-    /** Opens a port for each robot; before the simulation starts. */
-    static P2osPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
-        InetAddress address = ListeningAddress.of(arguments);
+    /** Opens a port for each robot, before the simulation starts. */
+    static P2osPorts open(Arguments arguments, InetAddress address, SimRobot simRobot)
+            throws UsageException, IOException {
         if (!arguments.has("p2os")) {
             return new P2osPorts(Optional.empty());
         }
-        int first = (int) arguments.integer("p2os", 0, 0, MAX_PORT);
-        int robots = simRobot.robots().size();
-        if (first + robots - 1 > MAX_PORT) {
-            throw new UsageException("--p2os: " + robots + " ports upward from " + first + " end above " + MAX_PORT);
+        int first = (int) arguments.integer("p2os", 0, 0, ListeningPorts.MAX_PORT);
+        int last = first + simRobot.robots().size() - 1;
+        if (last > ListeningPorts.MAX_PORT) {
+            throw new UsageException("--p2os: " + simRobot.robots().size() + " ports upward from " + first
+                    + " end above " + ListeningPorts.MAX_PORT);
         }
         P2osServer server = new P2osServer(simRobot.simulation(), address, first);
         P2osPorts opened = new P2osPorts(Optional.of(server));
@@ -53,16 +52,12 @@ final class P2osPorts implements AutoCloseable {
             opened.close();
             throw e;
         }
-        simRobot.onAdded(robot -> {
-            if (robot.simulated().isPresent() && opened.of(robot.name()).isEmpty()) {
-                opened.come(robot);
-            }
-        });
-        simRobot.onRemoved(opened::gone);
+        simRobot.onAdded(opened::added);
+        simRobot.onRemoved(opened::removed);
         return opened;
     }
 
-    /** Adds the ports to what a program says at first. */
+    /** Adds the ports to the program's first event. */
     Event with(Event ready) {
         return ports.isEmpty()
                 ? ready
@@ -74,25 +69,27 @@ final class P2osPorts implements AutoCloseable {
         server.ifPresent(started -> started.start(cause -> FatalError.end("simrobot", cause)));
     }
 
-    /** A robot that comes later gets a port, too, if robots have any. */
-    private void come(TelephoneRobot robot) {
-        try {
-            ports.put(robot.name(), server.orElseThrow().add(robot.simulated().orElseThrow()));
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, robot.name() + " has no P2OS port: " + e.getMessage());
+    /** Opens a port for a robot that is added later. */
+    private void added(TelephoneRobot robot) {
+        if (robot.simulated().isPresent() && !ports.containsKey(robot.name())) {
+            try {
+                ports.put(
+                        robot.name(), server.orElseThrow().add(robot.simulated().get()));
+            } catch (IOException e) {
+                LOG.log(Level.WARNING, robot.name() + " has no P2OS port: " + e.getMessage());
+            }
         }
     }
 
-    private void gone(TelephoneRobot robot) {
+    private void removed(TelephoneRobot robot) {
         if (ports.remove(robot.name()) != null) {
             server.orElseThrow().remove(robot.simulated().orElseThrow());
         }
     }
 
     /** A robot's port, if it has one; any thread may ask. */
-    OptionalInt of(String robot) {
-        Integer port = ports.get(robot);
-        return port == null ? OptionalInt.empty() : OptionalInt.of(port);
+    Optional<Integer> of(String robot) {
+        return Optional.ofNullable(ports.get(robot));
     }
 
     @Override

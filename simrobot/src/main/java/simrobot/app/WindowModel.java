@@ -47,7 +47,7 @@ public final class WindowModel implements OperatorActions {
     private final Fleet fleet;
     private final ListeningPorts ports;
     private final RobotEventLog log;
-    private final SessionButton sessions;
+    private final SessionRecording recording;
     private final FileExports exports;
     private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
@@ -93,7 +93,7 @@ public final class WindowModel implements OperatorActions {
         exports = new FileExports(simRobot.tracks()::csv, new WorldPictures());
         simulation = simRobot.simulation();
         callMonitor = simRobot.callMonitor();
-        sessions = new SessionButton(simulation, (file, why) -> tell(refusals.unwritable(file, why)));
+        recording = new SessionRecording(simulation);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
         simRobot.onAdded(this::come);
         simRobot.onRemoved(this::gone);
@@ -109,7 +109,7 @@ public final class WindowModel implements OperatorActions {
         Line line = new Line(robot, new SentTones());
         robot.listen(line.sent());
         robot.listen(event -> log.add(robot.name(), event));
-        robot.listen(sessions.of(robot.name()));
+        robot.listen(recording.listener(robot.name()));
         log.add(robot.name(), new RobotEvent.Added(robot.number().digits()));
         lines.add(line);
     }
@@ -131,7 +131,7 @@ public final class WindowModel implements OperatorActions {
                 openPorts(),
                 log.newest(),
                 Optional.empty(),
-                sessions.file(),
+                recording.file(),
                 watch.hasChanged());
         if (!now.equals(newest)) {
             newest = now;
@@ -143,9 +143,9 @@ public final class WindowModel implements OperatorActions {
         List<OpenPort> open = new ArrayList<>();
         for (Line line : lines) {
             String name = line.robot().name();
-            ports.pioneers().of(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
+            ports.p2os().of(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
         }
-        ports.web().port().ifPresent(port -> open.add(new OpenPort("HTTP", "", port)));
+        ports.http().ifPresent(port -> open.add(new OpenPort("HTTP", "", port)));
         return open;
     }
 
@@ -350,7 +350,7 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void record(Optional<Path> file) {
-        sessions.record(file);
+        recording.restart(file, (path, why) -> tell(refusals.unwritable(path, why)));
     }
 
     @Override

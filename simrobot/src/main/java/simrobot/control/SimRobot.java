@@ -4,6 +4,7 @@ import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -153,6 +154,11 @@ public final class SimRobot implements AutoCloseable {
     /** The first robot is the one that is meant when nobody says which. */
     public List<TelephoneRobot> robots() {
         return List.copyOf(robots);
+    }
+
+    /** The robot of this name. */
+    public Optional<TelephoneRobot> robot(String name) {
+        return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
     }
 
     /** Where the robots have been. */

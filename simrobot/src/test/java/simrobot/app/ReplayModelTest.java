@@ -62,14 +62,14 @@ class ReplayModelTest {
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
-            SessionButton button = new SessionButton(simRobot.simulation(), (to, problem) -> {
-                throw new AssertionError(problem);
-            });
-            simRobot.onAdded(added -> added.listen(button.of(added.name())));
+            SessionRecording button = new SessionRecording(simRobot.simulation());
+            simRobot.onAdded(added -> added.listen(button.listener(added.name())));
             simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
             simRobot.simulation().setPaused(true);
             simRobot.simulation().start();
-            button.record(Optional.of(file));
+            button.restart(Optional.of(file), (to, problem) -> {
+                throw new AssertionError(problem);
+            });
             simRobot.onSimulation(() -> {
                 robot.start(new Instruction.Forward(100), ended -> {});
                 simulation.run(600);
@@ -77,7 +77,7 @@ class ReplayModelTest {
                 return null;
             });
             assertEquals(Optional.of(file), button.file());
-            button.record(Optional.empty());
+            button.restart(Optional.empty(), (to, problem) -> {});
             simRobot.onSimulation(() -> null);
             assertEquals(Optional.empty(), button.file());
         }
@@ -151,11 +151,11 @@ class ReplayModelTest {
         List<String> problems = new java.util.concurrent.CopyOnWriteArrayList<>();
         try (SimRobot simRobot =
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
-            SessionButton button = new SessionButton(
-                    simRobot.simulation(),
-                    (file, why) -> problems.add(new RefusalTexts(Locale.ENGLISH).unwritable(file, why)));
+            SessionRecording button = new SessionRecording(simRobot.simulation());
             simRobot.simulation().start();
-            button.record(Optional.of(folder.resolve("nowhere").resolve("a.session")));
+            button.restart(
+                    Optional.of(folder.resolve("nowhere").resolve("a.session")),
+                    (file, why) -> problems.add(new RefusalTexts(Locale.ENGLISH).unwritable(file, why)));
             simRobot.onSimulation(() -> null);
             assertEquals(1, problems.size());
             assertTrue(problems.get(0).endsWith("a.session: the folder does not exist"), problems.toString());

@@ -1,0 +1,73 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import simgsm.console.Event;
+import simrobot.control.RobotEvent;
+import simrobot.replay.SessionRecorder;
+import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationThread;
+
+/** A recording of the session that can be started and stopped, by {@code --record} or from the window. */
+public final class SessionRecording implements AutoCloseable {
+    private final SimulationThread simulation;
+    private volatile SessionRecorder recorder;
+    private volatile Path file;
+
+    /** Nothing is recorded yet. */
+    public SessionRecording(SimulationThread simulation) {
+        this.simulation = simulation;
+    }
+
+    /** Starts it; on the simulation's thread, or before that runs. */
+    public void start(Path path, Simulation owned) throws IOException {
+        recorder = SessionRecorder.open(path, owned, simulation);
+        file = path;
+    }
+
+    /** Stops it, and starts another one if a file is named. @param problem takes the failure, on any thread */
+    void restart(Optional<Path> path, BiConsumer<Path, IOException> problem) {
+        simulation.withSimulation(owned -> {
+            close();
+            if (path.isPresent()) {
+                try {
+                    start(path.get(), owned);
+                } catch (IOException e) {
+                    problem.accept(path.get(), e);
+                }
+            }
+        });
+    }
+
+    /** The file that is being written. */
+    Optional<Path> file() {
+        return Optional.ofNullable(file);
+    }
+
+    /** Records an event, if a recording runs; any thread may call. */
+    public void event(Event event) {
+        SessionRecorder current = recorder;
+        if (current != null) {
+            current.event(event);
+        }
+    }
+
+    /** A listener that records the events of a robot. */
+    public Consumer<RobotEvent> listener(String robot) {
+        return event -> event(event.line(robot));
+    }
+
+    /** Stops it; on the simulation's thread, or when that has ended. */
+    @Override
+    public void close() {
+        SessionRecorder current = recorder;
+        recorder = null;
+        file = null;
+        if (current != null) {
+            current.close();
+        }
+    }
+}
