@@ -73,7 +73,7 @@ public final class SimRobotMain {
     public static Options options() {
         return Program.commonOptions(
                         "java -jar simrobot.jar --number 5550200 --world worlds/office.map [options]",
-                        "SimRobot: a simulated Pioneer with a GSM modem (M2); who dials it drives it by keys or SMS.")
+                        "SimRobot: a simulated Pioneer with a GSM modem (M2), driven by telephone keys or SMS.")
                 .value("number", "N", "the modem's number (5550200)")
                 .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")
@@ -90,20 +90,20 @@ public final class SimRobotMain {
                         "FILE.wav",
                         "record all calls in one file, left what the robot sends and right what it hears,"
                                 + "\nwith 0.5 s of silence between calls; of several robots each in FILE-NAME.wav;"
-                                + "\na file that is there is overwritten")
+                                + "\nan existing file is overwritten")
                 .value("operators", "N,N,...", "the only numbers that may command; else every subscriber may")
-                .value("on-hangup", "stop|finish", "what becomes of a motion whose call is lost (stop)")
+                .value("on-hangup", "stop|finish", "what happens to a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
                 .value("behaviour", "KIND", "wander, wall-follow or none: an autonomous process in every robot (none)")
                 .value(
                         "run",
                         "SECONDS",
-                        "simulate so long as fast as the machine can, without centre and console, and end")
+                        "simulate that long as fast as the machine can, without centre and console, and end")
                 .value(
                         "record",
                         "FILE",
-                        "record the session: worlds, robots' states, events; a file that is there is overwritten")
+                        "record the session: worlds, robots' states, events; an existing file is overwritten")
                 .value(
                         "replay",
                         "FILE",
@@ -142,7 +142,7 @@ public final class SimRobotMain {
         if (arguments.has("run")) {
             return BatchRun.run(arguments, world);
         }
-        // Reads the rest of the command line, so before anything is said about a display.
+        // reads the rest of the command line: its errors come before that of a missing display
         Built built = build(arguments, settings, world);
         ListeningPorts ports = ListeningPorts.open(arguments, built.simRobot());
         return arguments.has("headless")
@@ -160,7 +160,7 @@ public final class SimRobotMain {
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         Path file = arguments.path("replay").orElseThrow();
         if (!arguments.has("headless")) {
-            return watched(ProgramWindow.of(arguments, Optional.empty()), arguments.language(), file, speed);
+            return replayInWindow(ProgramWindow.of(arguments, Optional.empty()), arguments.language(), file, speed);
         }
         OptionalDouble pace = arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
         return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
@@ -174,8 +174,8 @@ public final class SimRobotMain {
         }
     }
 
-    /** In the window, from the beginning on at once. */
-    private static int watched(ProgramWindow window, Locale language, Path file, double speed)
+    /** Replays in the window, from the beginning. */
+    private static int replayInWindow(ProgramWindow window, Locale language, Path file, double speed)
             throws IOException, InterruptedException {
         try (ReplayThread replay = opened(file)) {
             ReplayModel model = new ReplayModel(replay, new RefusalTexts(language));
@@ -235,11 +235,11 @@ public final class SimRobotMain {
         return new Built(simulation, simRobot, fleet);
     }
 
-    /** @param alone whether the command line names a single robot, whose calls go into the very file that it names */
-    private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean alone) throws UsageException {
+    /** @param single whether there is one robot, whose calls are recorded in the named file itself */
+    private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean single) throws UsageException {
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
-        CallRecordings recordings = new CallRecordings(arguments.path("record-audio"), alone);
+        CallRecordings recordings = new CallRecordings(arguments.path("record-audio"), single);
         return new Fleet.Kit(
                 seed(arguments),
                 power,
@@ -250,7 +250,7 @@ public final class SimRobotMain {
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
     }
 
-    /** A window says whether there is a device, a console does not care before something sounds. */
+    /** A window shows at once whether there is a device; a console opens it with the first sound. */
     private static AudioOutput sound(Arguments arguments) {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
@@ -308,7 +308,7 @@ public final class SimRobotMain {
         }
     }
 
-    /** When a signal ends the program. */
+    /** Detaches the modems and completes the recording when a signal ends the program. */
     private static void endInOrder(SimRobot simRobot, SessionRecording record) {
         Thread end = new Thread(
                 () -> {

@@ -7,15 +7,15 @@ import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
 import simrobot.control.Fleet;
 
-/** Where each robot's calls are recorded. */
+/** Opens the WAV files in which calls are recorded. */
 public final class CallRecordings implements Fleet.Recording {
     private final Optional<Path> file;
     private boolean named;
 
-    /** @param alone the first robot's calls go into the file itself; of several robots each has its name before the ending */
-    public CallRecordings(Optional<Path> file, boolean alone) {
+    /** @param single whether the file is the first robot's; otherwise each robot's name is added before the ending */
+    public CallRecordings(Optional<Path> file, boolean single) {
         this.file = file;
-        named = !alone;
+        named = !single;
     }
 
     @Override
@@ -28,7 +28,7 @@ public final class CallRecordings implements Fleet.Recording {
         return CallRecorder.open(path);
     }
 
-    /** With the robot's name before the ending. */
+    /** The file with the robot's name before the ending. */
     static Path pathOf(Path file, String robot) {
         if (file.getFileName() == null) {
             return file;

@@ -10,8 +10,8 @@ import simrobot.replay.RecordedEvent;
 import simrobot.replay.Recording;
 
 /**
- * {@code --replay FILE --headless}: the events of a recorded session, line by line as they were, at a pace or one right
- * after the other.
+ * {@code --replay FILE --headless}: prints the events of a recorded session as the console printed them, at a pace or
+ * without pauses.
  */
 public final class HeadlessReplay {
     private final PrintStream out;
@@ -19,7 +19,7 @@ public final class HeadlessReplay {
     private final OptionalDouble speed;
     private long beganNanos;
 
-    /** @param speed simulated seconds per second; none: as fast as it can */
+    /** @param speed simulated seconds per second; empty for no pauses */
     public HeadlessReplay(PrintStream out, PrintStream log, OptionalDouble speed) {
         this.out = out;
         this.log = log;
@@ -29,7 +29,7 @@ public final class HeadlessReplay {
     /**
      * Plays the whole recording.
      *
-     * @throws IOException when it cannot be read; when it is damaged, after all that comes before the damage
+     * @throws IOException if it cannot be read, or, after the events before the damage, if it is damaged
      */
     public int play(Path file) throws IOException, InterruptedException {
         try (Recording recording = Recording.open(file)) {

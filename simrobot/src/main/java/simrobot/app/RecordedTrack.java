@@ -10,9 +10,9 @@ import simrobot.replay.ReplayCursor;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 
-/** A robot's whole track out of a recording, with a reader of its own: the one that is looked at stays where it is. */
+/** A robot's whole track from a recording, read with a cursor of its own. */
 final class RecordedTrack {
-    private static final int MOST_SAMPLES = 10_000_000;
+    private static final int MAX_SAMPLES = 10_000_000;
 
     private final String robot;
     private final TrackSeries series = new TrackSeries();
@@ -22,7 +22,7 @@ final class RecordedTrack {
         this.robot = robot;
     }
 
-    /** The columns of {@link TrackSeries.Samples#writeCsv}; what is damaged ends the track. */
+    /** The columns of {@link TrackSeries.Samples#writeCsv}; damage ends the track. */
     static String csv(Path recording, String robot) throws IOException {
         RecordedTrack track = new RecordedTrack(robot);
         try (Recording opened = Recording.open(recording)) {
@@ -49,10 +49,10 @@ final class RecordedTrack {
 
     private void sample(long nanos, SimulatedRobot here) {
         if (!present) {
-            series.append(nanos, here.pose(), here.status(), MOST_SAMPLES);
+            series.append(nanos, here.pose(), here.status(), MAX_SAMPLES);
         } else if (series.isNews(here.status())
                 || nanos % TrackSeries.PERIOD_NANOS == 0 && series.isNews(here.pose(), here.status())) {
-            series.add(nanos, here.pose(), here.status(), MOST_SAMPLES);
+            series.add(nanos, here.pose(), here.status(), MAX_SAMPLES);
         }
     }
 }

@@ -21,7 +21,7 @@ import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.World;
 import vericommand.Pose;
 
-/** A recorded session as the window sees it: it can be looked at from any time, but nothing can be done to it. */
+/** A recorded session as the window shows it: a view that can be moved in time, but not changed. */
 public final class ReplayModel implements OperatorActions {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
@@ -47,7 +47,7 @@ public final class ReplayModel implements OperatorActions {
         damage = recording.damage().map(refusals::damaged).orElse("");
     }
 
-    /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
+    /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
     public WindowSnapshot snapshot() {
         SimulationSnapshot scene = replay.snapshot();
         WindowSnapshot now = new WindowSnapshot(
@@ -68,7 +68,7 @@ public final class ReplayModel implements OperatorActions {
         return newest;
     }
 
-    /** What has happened by then; the same list as long as nothing more has. */
+    /** The events up to then; the same list as long as there are no more. */
     private List<LoggedEvent> until(long nanos) {
         int low = 0;
         int high = events.size();

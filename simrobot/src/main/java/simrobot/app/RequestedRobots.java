@@ -17,7 +17,7 @@ import simrobot.pioneer.PioneerAddress;
 import simrobot.world.Home;
 import simrobot.world.World;
 
-/** Which robots a command line asks for. */
+/** The robots that a command line asks for. */
 public final class RequestedRobots {
     static final String SINGLE_NAME = "robot";
     private static final Msisdn DEFAULT_NUMBER = new Msisdn("5550200");
@@ -27,7 +27,7 @@ public final class RequestedRobots {
     /**
      * At least one robot; names and numbers are all different.
      *
-     * @param slot if it holds just one card, that one's number is the single robot's
+     * @param slot if it holds exactly one card, a single robot has its number
      */
     public static List<RobotName> of(Arguments arguments, SimSlot slot, World world) throws UsageException {
         Msisdn number = firstNumber(arguments, slot);
@@ -62,14 +62,14 @@ public final class RequestedRobots {
                 .number();
     }
 
-    /** @throws IllegalArgumentException also for a number from which the open network can make no IMSI */
+    /** @throws IllegalArgumentException also if the number gives no IMSI in an open network */
     private static Msisdn number(String text) {
         Msisdn number = Msisdn.parse(text);
         Imsi.ofOpenNumber(number);
         return number;
     }
 
-    /** Where the one robot is real, its address. */
+    /** The address of a real robot; empty if the robots are simulated. */
     public static Optional<PioneerAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
         Optional<PioneerAddress> address = arguments.value("pioneer", PioneerAddress::parse);
         if (address.isPresent()) {
@@ -111,12 +111,12 @@ public final class RequestedRobots {
         return robots;
     }
 
-    /** Makes names different where two are the same; ten thousand of one name as fast as any. */
+    /** Appends a number to names that occur before; in constant time per name. */
     private static final class UniqueNames {
         private final Set<String> taken = new HashSet<>();
         private final Map<String, Integer> counts = new HashMap<>();
 
-        public String of(String base) {
+        String of(String base) {
             String name = base;
             while (!taken.add(name)) {
                 name = base + "-" + counts.merge(base, 2, (count, first) -> count + 1);

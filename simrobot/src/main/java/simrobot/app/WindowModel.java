@@ -37,7 +37,7 @@ import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;
 
-/** The program as its window sees it: pictures from every thread's newest snapshots, acts to the threads that own things. */
+/** The running program as the window shows it: combines the snapshots of all threads and passes actions to their owners. */
 public final class WindowModel implements OperatorActions {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
@@ -51,14 +51,14 @@ public final class WindowModel implements OperatorActions {
     private final FileExports exports;
     private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
-    private final ExecutorService slowActs = Executors.newSingleThreadExecutor(WindowModel::daemon);
-    private final WorldWatch watch;
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(WindowModel::daemon);
+    private final WorldFileWatch watch;
     private volatile Path worldFile;
     private volatile String notice = "";
     private volatile long noticeNanos;
     private WindowSnapshot newest;
 
-    /** A robot with its telephone, and what it has answered. */
+    /** A robot with its modem, and the tones that it has sent. */
     private record Line(TelephoneRobot robot, SentTones sent) {}
 
     /** The keys of the reply tones of the current or last call. */
@@ -83,11 +83,11 @@ public final class WindowModel implements OperatorActions {
         }
     }
 
-    /** To be made before the start, for it listens to the robots. */
+    /** To be constructed before the start, for it listens to the robots. */
     public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, RefusalTexts refusals) {
         this.refusals = refusals;
         this.worldFile = worldFile;
-        watch = new WorldWatch(slowActs, worldFile);
+        watch = new WorldFileWatch(worker, worldFile);
         this.fleet = fleet;
         this.ports = ports;
         exports = new FileExports(simRobot.tracks()::csv, new WorldPictures());
@@ -95,17 +95,17 @@ public final class WindowModel implements OperatorActions {
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
-        simRobot.onAdded(this::come);
-        simRobot.onRemoved(this::gone);
+        simRobot.onAdded(this::added);
+        simRobot.onRemoved(this::removed);
     }
 
     private static Thread daemon(Runnable acts) {
-        Thread thread = new Thread(acts, "window acts");
+        Thread thread = new Thread(acts, "window worker");
         thread.setDaemon(true);
         return thread;
     }
 
-    private void come(TelephoneRobot robot) {
+    private void added(TelephoneRobot robot) {
         Line line = new Line(robot, new SentTones());
         robot.listen(line.sent());
         robot.listen(event -> log.add(robot.name(), event));
@@ -114,16 +114,16 @@ public final class WindowModel implements OperatorActions {
         lines.add(line);
     }
 
-    private void gone(TelephoneRobot robot) {
+    private void removed(TelephoneRobot robot) {
         lines.removeIf(line -> line.robot() == robot);
         log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
     }
 
-    /** The newest picture; the same object as long as nothing has changed. Asked by the event thread only. */
+    /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
     public WindowSnapshot snapshot() {
         WindowSnapshot now = new WindowSnapshot(
                 simulation.snapshot(),
-                lines.stream().map(this::picture).toList(),
+                lines.stream().map(this::snapshot).toList(),
                 simulation.speed(),
                 simulation.isPaused(),
                 worldFile,
@@ -149,7 +149,7 @@ public final class WindowModel implements OperatorActions {
         return open;
     }
 
-    private TelephoneSnapshot picture(Line line) {
+    private TelephoneSnapshot snapshot(Line line) {
         TelephoneRobot robot = line.robot();
         return new TelephoneSnapshot(
                 robot.name(),
@@ -161,7 +161,7 @@ public final class WindowModel implements OperatorActions {
                 callMonitor.isAudible());
     }
 
-    /** A window that is gone needs no pictures; a robot that is gone gets no acts. */
+    /** Performs an act on a robot, if it still exists. */
     private void act(String name, Consumer<Pioneer> act) {
         simulation.post(() -> robot(name).map(TelephoneRobot::robot).ifPresent(act));
     }
@@ -198,7 +198,7 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
-        slowActs.execute(() -> answer.accept(add(name, number, place)));
+        worker.execute(() -> answer.accept(add(name, number, place)));
     }
 
     private Optional<String> add(String name, String number, Optional<Pose> place) {
@@ -234,7 +234,7 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void removeRobot(String robot) {
-        slowActs.execute(() -> {
+        worker.execute(() -> {
             try {
                 fleet.remove(robot);
             } catch (IllegalStateException e) {
@@ -283,7 +283,7 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void load(Path file) {
-        slowActs.execute(() -> read(file));
+        worker.execute(() -> read(file));
     }
 
     @Override
@@ -292,11 +292,11 @@ public final class WindowModel implements OperatorActions {
             try {
                 int moved = owned.change(world);
                 worldFile = file;
-                watch.isUpToDate(file);
+                watch.setCurrent(file);
                 tell("");
                 answer.accept(Optional.empty());
                 if (moved > 0) {
-                    LOG.log(Level.INFO, moved + " robots stood in the way of the changed world and went to homes");
+                    LOG.log(Level.INFO, moved + " robots overlapped the changed world and were moved to homes");
                 }
             } catch (IllegalArgumentException tooSmall) {
                 answer.accept(Optional.of(refusals.tooSmall(world.name())));
@@ -306,11 +306,11 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
-        slowActs.execute(() -> {
+        worker.execute(() -> {
             try {
                 MapWriter.save(world, file);
                 if (file.equals(worldFile)) {
-                    watch.isUpToDate(file);
+                    watch.setCurrent(file);
                 }
                 answer.accept(Optional.empty());
             } catch (IOException unwritable) {
@@ -325,11 +325,11 @@ public final class WindowModel implements OperatorActions {
                 simulation.snapshot(),
                 robot,
                 file,
-                slowActs,
+                worker,
                 failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
-    /** A file that is no world leaves everything as it was, and says why. */
+    /** Loads a world; a file that cannot be read changes nothing and is reported. */
     void read(Path file) {
         try {
             World world = WorldReader.read(file);
@@ -337,7 +337,7 @@ public final class WindowModel implements OperatorActions {
                 try {
                     owned.load(world);
                     worldFile = file;
-                    watch.isUpToDate(file);
+                    watch.setCurrent(file);
                     tell("");
                 } catch (IllegalArgumentException tooSmall) {
                     tell(refusals.tooSmall(world.name()));
@@ -359,7 +359,7 @@ public final class WindowModel implements OperatorActions {
         notice = message;
     }
 
-    /** For the title. */
+    /** The first robot's number, for the title. */
     public String firstNumber() {
         return lines.isEmpty() ? "" : lines.get(0).robot().number().digits();
     }

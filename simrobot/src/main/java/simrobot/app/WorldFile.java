@@ -12,15 +12,15 @@ import java.util.Optional;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 
-/** Finds a world: as named, else from the current folder or the jar's place upward, with or without {@code worlds/}. */
+/** Finds a world file: as named, in {@code worlds/}, or upward from the jar's folder, with or without {@code worlds/}. */
 public final class WorldFile {
     private static final String DEFAULT = "worlds/demo.map";
-    /** The jar lies in target/dist of the source tree, or beside worlds/. */
+    /** The jar lies in target/dist of the source tree, or next to worlds/. */
     private static final int FOLDERS_UPWARD = 3;
 
     private WorldFile() {}
 
-    /** @param name empty: the demo's world, or a bare floor where that is not to be found */
+    /** @param name empty for the demo's world, or an empty one if that is not found */
     public static World read(Optional<Path> name) throws IOException {
         Path place = find(name);
         if (Files.isDirectory(place)) {
@@ -35,7 +35,7 @@ public final class WorldFile {
         throw new NoSuchFileException(place.toString());
     }
 
-    /** Where the world's file is; as named when it is nowhere. */
+    /** The place of the world's file; as named if it is not found. */
     public static Path find(Optional<Path> name) {
         Path wanted = name.orElse(Path.of(DEFAULT));
         return places(wanted).stream().filter(Files::exists).findFirst().orElse(wanted);
@@ -52,7 +52,7 @@ public final class WorldFile {
         return places;
     }
 
-    /** Null where the program does not come from a file. */
+    /** Null if the program was not started from a file. */
     private static Path programFolder() {
         try {
             CodeSource source = WorldFile.class.getProtectionDomain().getCodeSource();

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 
-/** Notices that the present world's file has been changed by another program. */
-final class WorldWatch {
+/** Detects that another program has changed the world's file; looks every 2 s. */
+final class WorldFileWatch {
     private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(2);
 
     private final Executor disk;
@@ -18,21 +18,21 @@ final class WorldWatch {
     private volatile boolean changed;
     private long lookedNanos = System.nanoTime();
 
-    /** @param disk where the file is looked at */
-    WorldWatch(Executor disk, Path file) {
+    /** @param disk performs the file access */
+    WorldFileWatch(Executor disk, Path file) {
         this.disk = disk;
         this.file = file;
         known = time(file);
     }
 
-    /** As the file is now it is what the robots have. */
-    void isUpToDate(Path newFile) {
+    /** The file in its present state is the world of the simulation. */
+    void setCurrent(Path newFile) {
         file = newFile;
         known = time(newFile);
         changed = false;
     }
 
-    /** Told at once what was seen last; now and then has it looked at anew. For one thread. */
+    /** The result of the last look; starts a new one when it is due. For one thread. */
     boolean hasChanged() {
         long now = System.nanoTime();
         if (now - lookedNanos > PERIOD_NANOS) {
@@ -42,7 +42,7 @@ final class WorldWatch {
         return changed;
     }
 
-    /** A file that is gone, or was not there, has not changed. */
+    /** A file that is missing now, or was missing before, has not changed. */
     void look() {
         Optional<FileTime> time = time(file);
         changed = known.isPresent() && time.isPresent() && !time.equals(known);

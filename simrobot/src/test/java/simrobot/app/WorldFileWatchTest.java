@@ -9,7 +9,7 @@ import java.nio.file.attribute.FileTime;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class WorldWatchTest {
+class WorldFileWatchTest {
     @TempDir
     Path folder;
 
@@ -17,20 +17,20 @@ class WorldWatchTest {
     void aChangedFileIsNoticedUntilItIsTakenOver() throws Exception {
         Path file = Files.writeString(folder.resolve("w.map"), "2D-Map\n");
         Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
-        WorldWatch watch = new WorldWatch(Runnable::run, file);
+        WorldFileWatch watch = new WorldFileWatch(Runnable::run, file);
         watch.look();
         assertFalse(watch.hasChanged());
         Files.setLastModifiedTime(file, FileTime.fromMillis(2_000_000));
         watch.look();
         assertTrue(watch.hasChanged());
-        watch.isUpToDate(file);
+        watch.setCurrent(file);
         assertFalse(watch.hasChanged());
     }
 
     @Test
     void aFileThatIsGoneHasNotChanged() throws Exception {
         Path file = Files.writeString(folder.resolve("w.map"), "2D-Map\n");
-        WorldWatch watch = new WorldWatch(Runnable::run, file);
+        WorldFileWatch watch = new WorldFileWatch(Runnable::run, file);
         Files.delete(file);
         watch.look();
         assertFalse(watch.hasChanged());
