@@ -15,7 +15,7 @@ final class DrivenMotion {
     private final SimulatedRobot robot;
     private final Floor floor;
     private final Drive drive = new Drive();
-    private final Direction direction = new Direction();
+    private final Rotation direction = new Rotation();
     private boolean begunInCollision;
 
     DrivenMotion(SimulatedRobot robot, Floor floor) {

@@ -8,7 +8,7 @@ public final class Odometry {
     private double x;
     private double y;
     private double heading;
-    private final Direction direction = new Direction();
+    private final Rotation direction = new Rotation();
     private double left;
     private double right;
 

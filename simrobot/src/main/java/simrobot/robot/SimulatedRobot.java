@@ -32,7 +32,7 @@ public final class SimulatedRobot implements Pioneer {
     private double x;
     private double y;
     private double heading;
-    private final Direction direction = new Direction();
+    private final Rotation direction = new Rotation();
 
     /** Of the wheels: metres per second ahead. */
     private double speed;

@@ -46,7 +46,7 @@ final class Sonars {
      *
      * @param heading of the robot
      */
-    static double rangeMeters(SimulatedRobot robot, Direction heading, Floor floor, int sonar) {
+    static double rangeMeters(SimulatedRobot robot, Rotation heading, Floor floor, int sonar) {
         Mount mount = MOUNTS[sonar];
         double cos = heading.cos();
         double sin = heading.sin();

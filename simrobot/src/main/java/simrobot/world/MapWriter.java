@@ -67,12 +67,12 @@ public final class MapWriter {
 
     private void headers() {
         row("2D-Map");
-        Bounds walls = new Bounds();
+        BoundingBox walls = new BoundingBox();
         world.segments().forEach(walls::add);
         bounds("LineMinPos:", "LineMaxPos:", walls);
         row("NumLines:", String.valueOf(world.segments().size()));
         row("LinesAreSorted: false");
-        Bounds points = new Bounds();
+        BoundingBox points = new BoundingBox();
         world.points().forEach(points::add);
         bounds("MinPos:", "MaxPos:", points);
         row("NumPoints:", String.valueOf(world.points().size()));
@@ -80,7 +80,7 @@ public final class MapWriter {
         row("Resolution:", millimeters(world.pointDiameterMeters()));
     }
 
-    private void bounds(String from, String to, Bounds bounds) {
+    private void bounds(String from, String to, BoundingBox bounds) {
         Area area = bounds.or(new Area(0, 0, 0, 0, 0));
         row(from, millimeters(area.minXMeters()), millimeters(area.minYMeters()));
         row(to, millimeters(area.maxXMeters()), millimeters(area.maxYMeters()));

@@ -44,7 +44,7 @@ public final class ObstacleGrid {
         segments = new double[4 * segmentCount];
         points = new double[2 * pointCount];
         copy(walls, world.points());
-        Bounds around = new Bounds();
+        BoundingBox around = new BoundingBox();
         walls.forEach(around::add);
         world.points().forEach(around::add);
         Area bounds = around.or(new Area(0, 0, 0, 0, 0));

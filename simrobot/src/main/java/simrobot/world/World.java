@@ -88,7 +88,7 @@ public record World(
 
     /** The smallest upright rectangle around everything in the world. */
     public Area bounds() {
-        Bounds bounds = new Bounds();
+        BoundingBox bounds = new BoundingBox();
         segments.forEach(bounds::add);
         forbiddenLines.forEach(bounds::add);
         points.forEach(bounds::add);

@@ -1,12 +1,12 @@
 package simrobot.robot;
 
 /** An angle with its cosine and sine, which are computed again only when the angle changes. */
-final class Direction {
+final class Rotation {
     private double radians;
     private double cos = 1;
     private double sin;
 
-    Direction to(double newRadians) {
+    Rotation to(double newRadians) {
         if (newRadians != radians) {
             radians = newRadians;
             cos = StrictMath.cos(newRadians);

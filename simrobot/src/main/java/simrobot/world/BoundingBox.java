@@ -1,7 +1,7 @@
 package simrobot.world;
 
 /** The smallest upright rectangle around places that are added one by one; metres. */
-final class Bounds {
+final class BoundingBox {
     private double minX = Double.POSITIVE_INFINITY;
     private double minY = Double.POSITIVE_INFINITY;
     private double maxX = Double.NEGATIVE_INFINITY;
