@@ -20,7 +20,7 @@ import simgsm.console.Program;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 
-/** Starts M3 from the command line. */
+/** Starts the centre (M3) from the command line. */
 public final class CenterMain {
     private CenterMain() {}
 

@@ -24,7 +24,7 @@ import simgsm.station.context.StationEvent;
 /** A running phone: handset, station and the thread that owns both. */
 final class Phone implements HandsetAccess, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Phone.class.getName());
-    /** An action takes microseconds; after this time the thread has ended. */
+    /** An action takes microseconds; without a result after this time, the thread is taken to have ended. */
     private static final long ANSWER_SECONDS = 5;
 
     private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
@@ -33,7 +33,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final Handset handset;
     private final MobileStation station;
 
-    /** @throws IOException if the file for its recording cannot be written */
+    /** @throws IOException if the recording's file cannot be written */
     Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
         this.output = output;
         recorder = settings.recording().isPresent()
@@ -56,13 +56,13 @@ final class Phone implements HandsetAccess, AutoCloseable {
         handset.setChannels(settings.channels());
     }
 
-    /** Connects to the centre, again and again until it succeeds. */
+    /** Connects to the centre and retries until it succeeds. */
     void start(InetSocketAddress center) {
         thread.add(station, center);
         thread.start();
     }
 
-    /** Its snapshot may be read from any thread; all else goes through {@link #execute}. */
+    /** The handset: its snapshot may be read on any thread, everything else runs through {@link #execute}. */
     Handset handset() {
         return handset;
     }

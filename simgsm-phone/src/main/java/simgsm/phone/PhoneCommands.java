@@ -18,7 +18,7 @@ import simgsm.phone.handset.Refusal;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.sms.ChannelList;
 
-/** The console's commands. Each is done by the owner thread before the next is read, so errors stand in their order. */
+/** The console's commands. Each ends on the owner thread before the next is read, so errors appear in order. */
 final class PhoneCommands implements Console.Commands {
     static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>()
             .add("dial", "NUMBER", "calls a number", PhoneCommands::dial)
@@ -51,9 +51,9 @@ final class PhoneCommands implements Console.Commands {
                     PhoneCommands::memory)
             .add("power", "on|off", "switches the phone on or off", PhoneCommands::power);
 
-    /** How long the end of the program waits for acknowledgements, queued keys aside. */
+    /** Time that the end of the program waits for acknowledgements, in addition to the time for queued keys. */
     private static final long SETTLE_SECONDS = 10;
-    /** A queued key takes 100 ms of tone and 100 ms of pause, or two answers of the network. */
+    /** Time allowed per queued key, which takes 100 ms of tone and 100 ms of pause, or two answers of the network. */
     private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
 
     private final Console console;
@@ -70,7 +70,7 @@ final class PhoneCommands implements Console.Commands {
         TABLE.perform(this, command);
     }
 
-    /** Lets queued keys be sent and messages be acknowledged, within a limit. */
+    /** Waits until queued keys are sent and messages acknowledged, within a time limit. */
     void finish() throws InterruptedException {
         phone.settle(TimeUnit.SECONDS.toNanos(SETTLE_SECONDS) + keysPressed * KEY_NANOS);
     }
@@ -108,7 +108,7 @@ final class PhoneCommands implements Console.Commands {
     }
 
     private void inbox() throws CommandException {
-        // Printed by the owner thread, so that a message that arrives meanwhile does not stand within the list.
+        // Printed by the owner thread, so that a message received meanwhile is not printed within the list.
         run(handset -> {
             List<StoredMessage> messages = handset.readInbox();
             for (StoredMessage message : messages) {

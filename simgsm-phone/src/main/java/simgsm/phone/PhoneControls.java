@@ -7,7 +7,7 @@ import java.util.function.ObjLongConsumer;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.ui.HandsetControls;
 
-/** Passes the window's actions to the handset's thread, and gives the handset time while it wants some. */
+/** Runs the window's actions on the handset's thread, and notifies the handset of the time every 20 ms while needed. */
 final class PhoneControls implements HandsetControls {
     private static final long TICK_MILLIS = 20;
     private static final long SOUND_CHECK_SECONDS = 1;

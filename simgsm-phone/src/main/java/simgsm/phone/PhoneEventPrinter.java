@@ -11,7 +11,7 @@ import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
 import simgsm.station.context.StationEvent;
 
-/** Prints the events of the handset and its station as the console's contract has them; some are not printed. */
+/** Prints the events of the handset and its station in the console's format; some events are not printed. */
 final class PhoneEventPrinter implements Consumer<StationEvent> {
     private final Console console;
     private final TextBundle texts;

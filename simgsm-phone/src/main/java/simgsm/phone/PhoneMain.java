@@ -73,7 +73,7 @@ public final class PhoneMain {
         return new InetSocketAddress(center.host(), center.port());
     }
 
-    /** A window shows whether there is a device, so it opens one at once; a console when the first sound is played. */
+    /** A window shows whether a sound device exists, so it opens one at once; a console opens it with the first sound. */
     private static AudioOutput sound(Arguments arguments) {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;

@@ -18,12 +18,12 @@ import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
 
 /**
- * What a command line makes of a phone.
+ * The phone's settings, from the command line.
  *
- * @param sim proves the identity to a closed network
- * @param tones how busy and the like sound
- * @param recording where its calls are recorded, if they are
- * @param channels the broadcasts that it shows
+ * @param sim authenticates the phone in a closed network
+ * @param tones the call progress tones: busy and others
+ * @param recording the file of the calls' recording, if any
+ * @param channels the cell broadcast channels that are displayed
  */
 record PhoneSettings(
         StationIdentity identity,
@@ -36,7 +36,7 @@ record PhoneSettings(
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
 
-    /** @throws IOException naming the file of SIMs that cannot be read */
+    /** @throws IOException with the name of the SIM file that cannot be read */
     static PhoneSettings of(Arguments arguments) throws UsageException, IOException {
         SimSlot slot = SimSlot.of(arguments.path("sim"));
         Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneSettings::ownNumber : Msisdn::parse);
@@ -57,14 +57,14 @@ record PhoneSettings(
     private static Imei imei(Arguments arguments, Msisdn number) throws UsageException {
         Random random = new Random();
         if (arguments.has("seed")) {
-            // With the number, or two phones of one seed would be one piece of equipment.
+            // The number is part of the seed: otherwise two phones with one seed would have the same IMEI.
             random = new Random(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE) * 31
                     + number.digits().hashCode());
         }
         return arguments.value("imei", Imei::new).orElse(Imei.random(random));
     }
 
-    /** Only a number of this form makes an identity in the open network. */
+    /** In the open network the identity is derived from the number, which must have this form. */
     private static Msisdn ownNumber(String text) {
         if (!text.matches("\\+?[1-9][0-9]{0,9}")) {
             throw new IllegalArgumentException("expected 1 to 10 digits and no leading zero, found " + text);

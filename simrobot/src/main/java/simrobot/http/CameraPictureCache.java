@@ -8,11 +8,11 @@ import simrobot.camera.PictureFile;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** The camera pictures of all clients: each robot's is drawn once for a scene. */
+/** The camera pictures for all clients: each robot's picture is drawn once per scene. */
 final class CameraPictureCache {
     private static final int MOST_KEPT = 64;
 
-    /** A robot's picture as JPEG; the same object until a newer scene is requested. */
+    /** A robot's picture as JPEG, reused until a newer scene is requested. */
     record Shot(SimulationSnapshot scene, byte[] jpeg) {}
 
     private final Camera camera = new Camera();

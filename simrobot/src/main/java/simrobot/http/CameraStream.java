@@ -12,9 +12,9 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * A camera's pictures for one client: multipart/x-mixed-replace, a part for each picture that differs from the last, and one
- * a second that does not, which finds out whether the client is still connected. Ends when the client closes the connection or
- * the robot is removed.
+ * Sends a camera's pictures to one client as multipart/x-mixed-replace: a part for each picture that differs from the last;
+ * an unchanged picture is sent once a second to detect a closed connection. Ends when the client closes the connection or the
+ * robot is removed.
  */
 final class CameraStream implements Runnable {
     static final String BOUNDARY = "simrobot-frame";
@@ -80,7 +80,7 @@ final class CameraStream implements Runnable {
         long now = System.nanoTime();
         if (!Arrays.equals(jpeg, sent) || now - sentNanos >= SAME_AGAIN_NANOS) {
             byte[] head = ascii("Content-Type: image/jpeg\r\nContent-Length: " + jpeg.length + "\r\n\r\n");
-            // with the next boundary: browsers show a part when they have read its end
+            // with the next boundary: browsers display a part only when they have read its end
             byte[] tail = ascii("\r\n--" + BOUNDARY + "\r\n");
             byte[] part = Arrays.copyOf(head, head.length + jpeg.length + tail.length);
             System.arraycopy(jpeg, 0, part, head.length, jpeg.length);

@@ -11,11 +11,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The camera streams of all clients, at most 16, each on a thread of its own, so that a slow client delays no other. */
+/** The camera streams of all clients, at most 16, each on its own thread, so that a slow client does not delay others. */
 final class CameraStreams implements AutoCloseable {
     static final int MOST = 16;
 
-    /** Pictures a second without {@code ?fps=N}. */
+    /** Pictures per second without {@code ?fps=N}. */
     private static final double USUAL_RATE = 10;
 
     private static final int MOST_RATE = 20;
@@ -39,7 +39,7 @@ final class CameraStreams implements AutoCloseable {
         watchdog.start();
     }
 
-    /** Answers with a stream; HEAD with its headers only. */
+    /** Answers GET with a stream, HEAD with the headers only. */
     void begin(HttpExchange exchange, String robot) throws IOException, RequestException {
         double rate = rate(exchange.getRequestURI().getRawQuery());
         boolean headersOnly = exchange.getRequestMethod().equals("HEAD");

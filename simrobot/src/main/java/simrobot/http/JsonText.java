@@ -2,7 +2,7 @@ package simrobot.http;
 
 import java.util.Locale;
 
-/** Writes JSON (RFC 8259), field by field. */
+/** Writes JSON (RFC 8259) field by field. */
 final class JsonText {
     private final StringBuilder text = new StringBuilder();
     private boolean first = true;
@@ -47,7 +47,7 @@ final class JsonText {
         return this;
     }
 
-    /** A number with that number of decimals, never with an exponent, never minus zero. */
+    /** A number with the given number of decimals, without exponent and without minus zero. */
     JsonText value(double value, int decimals) {
         separate();
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);

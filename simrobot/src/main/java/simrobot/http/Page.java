@@ -22,12 +22,12 @@ import simrobot.simulation.SimulationSnapshot;
  * place; without scripts a browser reloads it every 3 s.
  */
 final class Page {
-    /** Keeps a browser from loading anything from elsewhere, whatever a robot's name contains. */
+    /** The Content-Security-Policy: nothing is loaded from other servers, whatever a robot's name contains. */
     static final String POLICY =
             "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self';"
                     + " connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-    /** Each camera is a request every 150 ms. */
+    /** Limited because each camera causes a request every 150 ms. */
     private static final int MOST_CAMERAS = 12;
 
     private static final int MOST_ROWS = 200;
@@ -69,7 +69,7 @@ final class Page {
                 .replace("{{cameras}}", cameras)
                 .replace("{{rows}}", rows)
                 .replace("{{map}}", WorldMap.svg(scene, texts.of("page.map", world)))
-                // last, because a world's name may contain any of the words above
+                // last, because a world's name may contain any of the placeholders above
                 .replace("{{world}}", escaped(world));
     }
 

@@ -2,7 +2,7 @@ package simrobot.http;
 
 import simrobot.simulation.SimulationSnapshot;
 
-/** The newest scene; the simulation is asked for one at most 20 times a second. */
+/** The newest scene, requested from the simulation at most 20 times a second. */
 final class SceneCache {
     private static final long FRESH_NANOS = 50_000_000;
 

@@ -5,7 +5,7 @@ import simrobot.robot.Condition;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** A robot's status as JSON: metres, degrees anticlockwise from +X in [0, 360), millimetres for sonars, volts. */
+/** A robot's status as JSON: metres, degrees anticlockwise from +X in [0, 360), sonar ranges in millimetres, volts. */
 final class StatusJson {
     private StatusJson() {}
 
@@ -78,7 +78,7 @@ final class StatusJson {
         json.close(']');
     }
 
-    /** In [0, 360) even when rounded to two decimals. */
+    /** Degrees rounded to two decimals, in [0, 360). */
     static double degrees(double radians) {
         double hundredths = Math.rint(Math.toDegrees(radians) * 100) % 36000;
         return (hundredths < 0 ? hundredths + 36000 : hundredths) / 100;

@@ -6,16 +6,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 
-/** The parts of a URL's path, percent-encoded and decoded. */
+/** Encodes and decodes the segments of a URL's path. */
 final class UrlPaths {
     private UrlPaths() {}
 
-    /** A part as it stands in a URL. */
+    /** A segment, percent-encoded. */
     static String encoded(String part) {
         return URLEncoder.encode(part, StandardCharsets.UTF_8).replace("+", "%20");
     }
 
-    /** The parts between the slashes, decoded; a slash at the end makes no part. */
+    /** The segments between the slashes, decoded; a trailing slash adds none. */
     static List<String> parts(String rawPath) {
         return Arrays.stream(rawPath.split("/"))
                 .skip(1)

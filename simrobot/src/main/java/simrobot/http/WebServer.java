@@ -21,8 +21,9 @@ public final class WebServer implements AutoCloseable {
     private static final int IDLE_SECONDS = 10;
 
     static {
-        // The JDK's server takes these from system properties only: a client that has not sent its request within 10 s
-        // loses its connection, and small responses are sent at once.
+        // The JDK's server takes these from system properties only: a connection without a complete request after 10 s
+        // is
+        // closed, and small responses are sent without delay.
         System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
         System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
     }
@@ -34,8 +35,8 @@ public final class WebServer implements AutoCloseable {
     /**
      * Opens the port; requests are answered after {@link #start}.
      *
-     * @param port 0 for any free one
-     * @throws IOException with the port, when it cannot be opened
+     * @param port 0 for any free port
+     * @throws IOException with the port's number if it cannot be opened
      */
     public WebServer(InetAddress address, int port, Locale language, WebSource source) throws IOException {
         try {

@@ -7,10 +7,10 @@ public interface WebSource {
     /**
      * The current state of the simulation; called at most 20 times a second.
      *
-     * @throws IllegalStateException with the reason, when the simulation does not answer
+     * @throws IllegalStateException with the reason if the simulation does not answer
      */
     SimulationSnapshot scene() throws InterruptedException;
 
-    /** The number under which this robot's modem can be called; empty when it has none. */
+    /** The telephone number of the robot's modem; empty if it has none. */
     String number(String robot);
 }

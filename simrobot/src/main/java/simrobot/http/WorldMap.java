@@ -11,8 +11,8 @@ import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * The page's map: the window's picture of the floor as SVG, with a group for each robot that the page's script moves. Its colours
- * are variables of the page's style sheet.
+ * The page's map: the window's picture of the floor as SVG, with a group for each robot that the page's script moves. Its
+ * colours are variables of the page's style sheet.
  */
 final class WorldMap {
     private static final double LONG_SIDE = 960;

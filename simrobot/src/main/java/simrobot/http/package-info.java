@@ -1,7 +1,7 @@
 /**
  * A read-only web server: a page with the map and the cameras, status as JSON, camera pictures and streams. Read first {@link
- * simrobot.http.WebServer}. A pool of threads answers requests from snapshots of the simulation, of which one is taken at most
- * 20 times a second for all clients together.
+ * simrobot.http.WebServer}. A thread pool answers requests from snapshots of the simulation, taken at most 20 times a second
+ * for all clients together.
  *
  * <pre>
  *   WebServer - Router - Page, StatusJson, CameraPictureCache

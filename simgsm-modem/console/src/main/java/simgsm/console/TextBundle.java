@@ -6,8 +6,8 @@ import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 
 /**
- * The texts of one bundle. Each module loads its own bundle (in a named module nobody else can) and wraps it here; a key
- * that is missing shows as itself.
+ * The texts of one bundle. Each module loads its own bundle, because a named module's bundle is not visible to others, and
+ * wraps it here. A missing text is replaced by its key.
  */
 public final class TextBundle {
     private final ResourceBundle bundle;

@@ -12,7 +12,7 @@ import javax.swing.JPanel;
 
 /**
  * Rows and columns whose gaps are in units of the theme and follow the zoom. Components marked by {@link #growing} share the
- * length that is left; the others get their preferred length. All get the whole height of a row or width of a column.
+ * remaining length; the others get their preferred length. Each gets the full height of a row or width of a column.
  */
 public final class Arrange {
     private static final String GROWS = "simgsm.grows";
@@ -29,7 +29,7 @@ public final class Arrange {
         return panel(new Line(false, gap), children);
     }
 
-    /** Marks a component as one that shares the length that is left. */
+    /** Marks a component as one that shares the remaining length. */
     public static <T extends JComponent> T growing(T component) {
         component.putClientProperty(GROWS, true);
         return component;
@@ -122,7 +122,7 @@ public final class Arrange {
         }
     }
 
-    /** A layout that needs no notice of components that are added and removed. */
+    /** A layout that ignores the adding and removing of components. */
     public interface FixedLayout extends LayoutManager {
         @Override
         default void addLayoutComponent(String name, Component component) {}

@@ -8,7 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.draw.Ink;
 
-/** A rounded sheet with a thin border, an optional title, and content below it. */
+/** A panel with rounded corners, a thin border, an optional title, and content below it. */
 public final class Card extends JPanel {
     public Card(Component content) {
         super(new BorderLayout(0, 0));

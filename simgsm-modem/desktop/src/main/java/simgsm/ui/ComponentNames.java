@@ -10,8 +10,10 @@ public final class ComponentNames {
     private ComponentNames() {}
 
     /**
+     * Sets both names of a component.
+     *
      * @param componentName for tests, as {@code key.5}
-     * @param accessibleName what a screen reader says
+     * @param accessibleName read by a screen reader
      * @return the component
      */
     public static <T extends JComponent> T name(T component, String componentName, String accessibleName) {

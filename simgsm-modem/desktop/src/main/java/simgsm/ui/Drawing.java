@@ -10,13 +10,13 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 
-/** Rendering hints, crisp rectangles and texts for painters. */
+/** Rendering hints, pixel-aligned rectangles and texts for painters. */
 public final class Drawing {
     private Drawing() {}
 
     private static final FontRenderContext FRACTIONAL = new FontRenderContext(null, true, true);
 
-    /** A copy with the rendering hints set, which the caller disposes of. */
+    /** A copy with the rendering hints set; the caller disposes of it. */
     public static Graphics2D on(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();
         prepare(g);
@@ -33,7 +33,7 @@ public final class Drawing {
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
     }
 
-    /** The nearest x that falls on the edge of a device pixel, whatever the display's scale. */
+    /** The nearest x on the edge of a device pixel, at any scale of the display. */
     public static double snapX(Graphics2D g, double x) {
         AffineTransform t = g.getTransform();
         return isUpright(t)
@@ -41,7 +41,7 @@ public final class Drawing {
                 : x;
     }
 
-    /** The nearest y that falls on the edge of a device pixel. */
+    /** The nearest y on the edge of a device pixel. */
     public static double snapY(Graphics2D g, double y) {
         AffineTransform t = g.getTransform();
         return isUpright(t)
@@ -53,7 +53,7 @@ public final class Drawing {
         return t.getShearX() == 0 && t.getShearY() == 0 && t.getScaleX() != 0 && t.getScaleY() != 0;
     }
 
-    /** Fills a rectangle with its edges on device pixels, so that bars and grid lines are crisp at a scale of 125 %. */
+    /** Fills a rectangle with its edges on device pixels, so that bars and grid lines are sharp at a scale of 125 %. */
     public static void fillCrisp(Graphics2D g, double x, double y, double width, double height) {
         double left = snapX(g, x);
         double top = snapY(g, y);

@@ -14,8 +14,8 @@ import javax.swing.UIDefaults;
 import simgsm.draw.Ink;
 
 /**
- * Paints one region of a Nimbus component in one set of states, flat: a fill, a thin line, a ring for the focus, or a mark
- * such as an arrow or a tick.
+ * Paints one region of a Nimbus component in one set of states: a fill, a thin line, a ring for the focus, or a mark such as
+ * an arrow or a tick.
  */
 record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent> {
     enum Kind {
@@ -32,7 +32,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         SLIDER_THUMB,
         NOTHING,
         ARROW_DOWN,
-        /** Synth turns it into the direction of the arrow button. */
+        /** Rotated by Synth to the direction of the arrow button. */
         ARROW_LEFT,
         ARROW_UP,
         TAB,
@@ -48,7 +48,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         GRIP
     }
 
-    /** Such as {@code Button[Focused+MouseOver].backgroundPainter}: the region, its states, the kind of painter. */
+    /** Region, states and kind of painter: {@code Button[Focused+MouseOver].backgroundPainter}. */
     private static final Pattern KEY = Pattern.compile("([^\\[]+)\\[([^\\]]*)\\]\\.(\\w+Painter)");
 
     /** Replaces Nimbus's painters by flat ones. */
@@ -62,7 +62,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         }
     }
 
-    /** The painter for a region; null to keep Nimbus's own. */
+    /** The painter for a region; null keeps Nimbus's own. */
     private static FlatPainter of(String region, String states, String painter) {
         Kind kind = kindOf(region, painter);
         return kind == null ? null : new FlatPainter(kind, Arrays.asList(states.split("\\+")));

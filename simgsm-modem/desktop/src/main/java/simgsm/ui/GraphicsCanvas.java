@@ -10,13 +10,13 @@ import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
 
-/** A canvas on a screen or an image. Uses only what it was given: it works on every thread. */
+/** A canvas on a screen or an image. Reads only its own fields, so it works on every thread. */
 public final class GraphicsCanvas implements Canvas {
     private final Appearance appearance;
     private final double zoom;
     private Graphics2D g;
 
-    /** Draws as the window looks now; on the event thread. */
+    /** Draws with the window's current appearance and zoom; on the event thread. */
     public GraphicsCanvas(Graphics2D g) {
         this(g, Theme.appearance(), Theme.zoom());
     }

@@ -97,14 +97,14 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put("Button[Default+Focused+Pressed].textForeground", Ink.ON_ACCENT);
     }
 
-    /** Colours of states are plain ones: Synth ignores a renderer's background that is a UIResource. */
+    /** State colours are plain Colors, because Synth ignores a renderer's background that is a UIResource. */
     private void put(String key, Ink ink) {
         Color color = Theme.color(ink);
         boolean plain = key.contains("[") || key.endsWith("RowColor");
         defaults.put(key, plain ? color : new ColorUIResource(color));
     }
 
-    /** Nimbus's margins inside components, multiplied by the zoom. */
+    /** Multiplies Nimbus's content margins by the zoom. */
     private void margins() {
         for (Object key : defaults.keySet().toArray()) {
             boolean margin = key.toString().endsWith(".contentMargins") || key.equals("ComboBox.padding");
@@ -116,7 +116,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         }
     }
 
-    /** The buttons inside combo boxes, spinners and scroll bars. */
+    /** Multiplies the sizes of the buttons in combo boxes, spinners and scroll bars by the zoom. */
     private void arrowButtons() {
         for (Object key : defaults.keySet().toArray()) {
             if (key.toString().matches(".*(arrowButton|Spinner\\.(next|previous)Button)\"\\.size|ArrowButton\\.size")
@@ -136,7 +136,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
         defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
         defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));
-        // the same antialiasing as in Drawing, whatever the desktop's setting
+        // the same antialiasing as in Drawing, independent of the desktop's setting
         defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         defaults.put("Table.rowHeight", Theme.px(24));
         defaults.put("Tree.rowHeight", Theme.px(24));

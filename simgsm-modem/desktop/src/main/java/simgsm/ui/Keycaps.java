@@ -23,8 +23,10 @@ public final class Keycaps extends PaintedComponent {
     }
 
     /**
+     * Shows keys.
+     *
      * @param newKeys telephone keys without blanks
-     * @param newFaultPosition counted from 1, or 0 for none; one after the last key marks a missing key
+     * @param newFaultPosition counted from 1; 0 for none; number of keys + 1 for a missing key
      */
     public void show(String newKeys, int newFaultPosition) {
         if (!newKeys.equals(keys) || newFaultPosition != faultPosition) {

@@ -8,7 +8,7 @@ import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** A status lamp: a mark and a word; each state has both of its own, so that nothing hangs on its colour. */
+/** A status lamp: a mark and a word, both different in each state, so that the state is readable without its colour. */
 public final class Lamp extends PaintedComponent {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
@@ -46,7 +46,7 @@ public final class Lamp extends PaintedComponent {
         show(link.mark(), link.ink(), link.word(language));
     }
 
-    /** A lamp for the link to the centre, as every window has one. */
+    /** The lamp for the link to the centre that every window has. */
     public static Lamp ofLink(Locale language) {
         Lamp lamp = new Lamp(DesktopTexts.in(language).of("link.name"));
         lamp.setName("lamp.link");
@@ -54,7 +54,7 @@ public final class Lamp extends PaintedComponent {
         return lamp;
     }
 
-    /** A lamp that is not lit has a grey mark; of a row of lamps one is lit. */
+    /** Lights the lamp or makes its mark grey; of a row of lamps one is lit. */
     public void setLit(boolean nowLit) {
         if (lit != nowLit) {
             lit = nowLit;

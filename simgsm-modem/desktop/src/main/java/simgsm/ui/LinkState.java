@@ -27,7 +27,7 @@ public enum LinkState {
         return mark;
     }
 
-    /** As in "in service". */
+    /** The state in words, as "in service". */
     public String word(Locale language) {
         return DesktopTexts.in(language).of("link." + name().toLowerCase(Locale.ROOT));
     }

@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
-/** A number on a coloured ground and a word after it: a reply tone with its meaning. */
+/** A number on a coloured background, followed by a word: a reply tone with its meaning. */
 public final class NumberedLabel extends PaintedComponent {
     private static final double HEIGHT_UNITS = 24;
 
@@ -13,7 +13,7 @@ public final class NumberedLabel extends PaintedComponent {
     private final String word;
     private final Ink ink;
 
-    /** @param word may be empty, then only the number is shown */
+    /** @param word if empty, only the number is shown */
     public NumberedLabel(String number, String word, Ink ink) {
         super(AccessibleRole.LABEL);
         this.number = number;

@@ -10,7 +10,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 import simgsm.draw.Ink;
 
-/** A component that is painted by code and gives assistive technology in words what it shows. */
+/** A component that is painted by code and describes its content in words for assistive technology. */
 public abstract class PaintedComponent extends JComponent implements Accessible {
     private final transient AccessibleRole role;
     private boolean focusRing;
@@ -20,13 +20,13 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         this.role = role;
     }
 
-    /** What it shows now, in words. */
+    /** The current content in words. */
     protected abstract String spoken();
 
-    /** Paints the whole component, sizes in pixels; the rendering hints are set. */
+    /** Paints the whole component with the rendering hints set; sizes in pixels. */
     protected abstract void paint(Graphics2D g, double width, double height);
 
-    /** Runs a change; when it changes the words, assistive technology is notified and the component repainted. */
+    /** Runs a change; if the words change, assistive technology is notified and the component repainted. */
     protected final void change(Runnable change) {
         String before = spoken();
         change.run();
@@ -39,7 +39,7 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         }
     }
 
-    /** Lets the component take the focus, which a ring at its edge shows. */
+    /** Makes the component focusable; a ring at its edge shows the focus. */
     protected final void makeFocusable() {
         focusRing = true;
         setFocusable(true);

@@ -7,7 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
 
-/** The content of a scroll pane that is as high as the view, but at least its minimum height; only then it scrolls. */
+/** The content of a scroll pane, as high as the view; below its minimum height it scrolls. */
 public final class ScrolledColumn extends JPanel implements Scrollable {
     /** @param content with a minimum size, as {@link Arrange#column} has one */
     public ScrolledColumn(JComponent content) {

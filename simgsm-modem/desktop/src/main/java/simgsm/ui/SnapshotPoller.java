@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import javax.swing.Timer;
 
 /**
- * Reads the newest snapshot 40 times a second and shows it when it is another object: slow painting skips snapshots. The
+ * Reads the newest snapshot 40 times a second and shows it if it is another object, so slow painting skips snapshots. The
  * snapshots come from another thread through a volatile or atomic reference.
  */
 public final class SnapshotPoller<T> {

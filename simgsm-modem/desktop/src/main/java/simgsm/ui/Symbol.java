@@ -10,7 +10,7 @@ import javax.swing.Icon;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
 
-/** The suite's pictograms: lines and filled areas on a square of 16, as {@link Outline#parse} reads them. */
+/** The suite's pictograms: lines and filled areas on a square of 16 units, in the syntax of {@link Outline#parse}. */
 public enum Symbol {
     CALL(
             "",
@@ -87,7 +87,7 @@ public enum Symbol {
         this.areas = GraphicsCanvas.path(Outline.parse(areas));
     }
 
-    /** An icon of 16 units. */
+    /** An icon with a side of 16 units. */
     public Icon icon() {
         return icon(SIDE);
     }
@@ -117,7 +117,7 @@ public enum Symbol {
         };
     }
 
-    /** Draws centred on a point in the colour that is set. @param size side in pixels */
+    /** Paints centred on a point in the current colour. @param size side in pixels */
     public void paint(Graphics2D g, double x, double y, double size) {
         Graphics2D copy = (Graphics2D) g.create();
         copy.translate(x - size / 2, y - size / 2);

@@ -68,7 +68,7 @@ public final class Theme {
         reinstall();
     }
 
-    /** Sets the zoom, kept within its bounds. Windows that are already open need {@link #refresh} afterwards. */
+    /** Sets the zoom, limited to its bounds. Windows that are already open need {@link #refresh} afterwards. */
     public static void zoomTo(double newZoom) {
         zoom = Math.max(ZOOM_MIN, Math.min(ZOOM_MAX, newZoom));
         reinstall();
@@ -109,7 +109,7 @@ public final class Theme {
         return new Color(ink.rgb(in) | (int) Math.round(opacity * 255) << 24, true);
     }
 
-    /** Applies a style to a component now and again after every {@link #refresh}. */
+    /** Applies a style to a component now and after every {@link #refresh}. */
     public static <C extends JComponent> C styled(C component, Consumer<C> style) {
         style.accept(component);
         component.addPropertyChangeListener("UI", change -> style.accept(component));
@@ -124,18 +124,18 @@ public final class Theme {
         });
     }
 
-    /** Logical pixels for a distance in units, at the present zoom; at least 1 for anything above 0. */
+    /** Logical pixels for a distance in units at the current zoom; at least 1 for any distance above 0. */
     public static int px(double units) {
         long pixels = Math.round(units * zoom);
         return (int) (units > 0 ? Math.max(1, pixels) : pixels);
     }
 
-    /** The same without rounding, for painters. */
+    /** Logical pixels for a distance in units at the current zoom, not rounded; for painters. */
     public static float exact(double units) {
         return (float) (units * zoom);
     }
 
-    /** Text and labels. */
+    /** The font of text and labels. */
     public static Font base() {
         return sans(BASE_POINTS, false);
     }
@@ -152,7 +152,7 @@ public final class Theme {
         return sans(TITLE_POINTS, true);
     }
 
-    /** Numbers, keys, orders. */
+    /** The font of numbers, keys and orders. */
     public static Font mono() {
         return mono(BASE_POINTS, false);
     }
@@ -175,18 +175,18 @@ public final class Theme {
         return font(false, bold, points * zoom);
     }
 
-    /** A font of a size in pixels, whatever the zoom. */
+    /** A font of a size in pixels, independent of the zoom. */
     static Font font(boolean monospaced, boolean bold, double pixels) {
         return new Font(monospaced ? Font.MONOSPACED : Font.SANS_SERIF, bold ? Font.BOLD : Font.PLAIN, 1)
                 .deriveFont((float) pixels);
     }
 
-    /** Rules and borders. */
+    /** The stroke of rules and borders. */
     public static Stroke hairline() {
         return stroke(1);
     }
 
-    /** Signals, icons, focus rings. */
+    /** The stroke of signals, icons and focus rings. */
     public static Stroke line() {
         return stroke(1.6);
     }

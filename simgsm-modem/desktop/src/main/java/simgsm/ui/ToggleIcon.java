@@ -11,7 +11,7 @@ import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.plaf.UIResource;
 
-/** The box of a check box or radio button; unlike Nimbus's it follows the zoom. */
+/** The box of a check box or radio button; unlike Nimbus's icon it follows the zoom. */
 final class ToggleIcon implements Icon, UIResource {
     private static final double UNITS = 18;
 

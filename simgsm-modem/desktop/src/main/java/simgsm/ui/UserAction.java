@@ -9,13 +9,15 @@ import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** An action of the user with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings alike. */
+/** A user action with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings. */
 public final class UserAction extends AbstractAction {
     private final Runnable task;
 
     /**
+     * Creates an action.
+     *
      * @param id names the action in input maps and tests, as {@code phone.call}
-     * @param name what menus and buttons show; a {@code &} marks the mnemonic after it
+     * @param name shown in menus and on buttons; {@code &} precedes the mnemonic
      */
     public UserAction(String id, String name, Runnable task) {
         this.task = task;

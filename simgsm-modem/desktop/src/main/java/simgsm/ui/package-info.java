@@ -1,8 +1,8 @@
 /**
  * The Swing components that the suite's windows share, and their theme.
  *
- * <p>Read first: {@link simgsm.ui.Theme} (every colour, font, stroke and distance), then {@link simgsm.ui.Drawing} (how
- * everything is painted), then the components. A component is plain: it can be built and painted without a display, it
- * reads the theme when it paints, and it never holds a colour of its own.
+ * <p>Read first: {@link simgsm.ui.Theme} (every colour, font, stroke and distance), then {@link simgsm.ui.Drawing}
+ * (painting), then the components. A component can be built and painted without a display, reads the theme when it paints,
+ * and stores no colour.
  */
 package simgsm.ui;

@@ -7,22 +7,22 @@ import simgsm.air.RejectCause;
 import simgsm.console.TextBundle;
 import simgsm.phone.handset.StoredMessage;
 
-/** Causes in words: the bundle's where it has any, else the standard's. */
+/** Cause texts: from the bundle if it has one, else the title in the standard. */
 final class CauseText {
     private CauseText() {}
 
-    /** Why a call ended. */
+    /** The reason for the end of a call. */
     static String of(TextBundle texts, Cause cause) {
         return of(texts, cause.code(), cause.title());
     }
 
-    /** Why the network does not register the phone. */
+    /** The reason for the rejection of a registration. */
     static String ofRefusal(TextBundle texts, RejectCause cause, boolean cardRefused, Msisdn own) {
         if (cardRefused) {
             return texts.of("lcd.refused.card");
         }
         return switch (cause) {
-            // The centre says "illegal MS" to a second phone that claims a number in use.
+            // The centre answers "illegal MS" to a second phone with a number in use.
             case ILLEGAL_MS -> texts.of("lcd.refused.taken", own.digits());
             case IMSI_UNKNOWN_IN_HLR -> texts.of("lcd.refused.unknown");
             case ILLEGAL_ME -> texts.of("lcd.refused.equipment");
@@ -31,7 +31,7 @@ final class CauseText {
         };
     }
 
-    /** How far a message of one's own has got, and why it failed. */
+    /** The delivery state of a sent message, with the cause of a failure. */
     static String ofDelivery(TextBundle texts, StoredMessage message) {
         String state = texts.of("lcd.delivery." + message.delivery().name().toLowerCase(Locale.ROOT), message.parts());
         return message.cause()

@@ -19,7 +19,7 @@ public interface HandsetControls {
         perform((handset, now) -> handset.keyUp(key, now));
     }
 
-    /** The keyboard's Enter goes down; its meaning depends on the screen. */
+    /** Presses the keyboard's Enter; its meaning depends on the screen. */
     default void enterDown() {
         perform(Handset::enterDown);
     }
@@ -28,7 +28,7 @@ public interface HandsetControls {
         perform(Handset::enterUp);
     }
 
-    /** A character of the keyboard goes down. */
+    /** Presses a character of the keyboard. */
     default void charDown(char character) {
         perform((handset, now) -> handset.charDown(character, now));
     }

@@ -11,8 +11,8 @@ import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.Theme;
 
 /**
- * Lays the handset out on a drawing of 320 units' width and scales it as a whole to the panel, centred. The constraint of
- * a child is its rectangle on the drawing.
+ * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The constraint of a
+ * child is its rectangle on the drawing.
  */
 final class HandsetLayout implements LayoutManager2 {
     static final double WIDTH = 320;
@@ -26,7 +26,7 @@ final class HandsetLayout implements LayoutManager2 {
     static final Rectangle2D PAD = new Rectangle2D.Double(112, 236, 96, 84);
     static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
     static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
-    /** The sheet under the scope. */
+    /** The background of the scope. */
     static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 260);
 
     static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 242);
@@ -80,12 +80,12 @@ final class HandsetLayout implements LayoutManager2 {
                 KEY_HEIGHT);
     }
 
-    /** Pixels a unit. */
+    /** Pixels per unit. */
     double scale(Component parent) {
         return Math.min(parent.getWidth() / WIDTH, parent.getHeight() / height());
     }
 
-    /** Where a rectangle of the drawing comes to lie. */
+    /** Converts a rectangle of the drawing to pixels on the panel. */
     Rectangle2D onPanel(Component parent, Rectangle2D place) {
         double scale = scale(parent);
         double left = (parent.getWidth() - WIDTH * scale) / 2;

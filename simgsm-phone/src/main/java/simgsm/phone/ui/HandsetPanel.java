@@ -43,7 +43,7 @@ public final class HandsetPanel extends JPanel {
     private HandsetSnapshot shown;
 
     /**
-     * A handset that shows the given snapshot until it gets a newer one.
+     * Creates a handset that shows the given snapshot until the first call of {@link #show}.
      *
      * @param clock for the time of day on the display
      */
@@ -81,7 +81,7 @@ public final class HandsetPanel extends JPanel {
         show(first);
     }
 
-    /** Shows the newest snapshot. */
+    /** Shows a newer snapshot. */
     public void show(HandsetSnapshot snapshot) {
         lcd.show(snapshot);
         scope.show(snapshot.trace());
@@ -101,7 +101,7 @@ public final class HandsetPanel extends JPanel {
         shown = snapshot;
     }
 
-    /** Lets the display's clock go on; called about once a second. */
+    /** Updates the display's clock; called about once a second. */
     public void lookAtClock() {
         lcd.lookAtClock();
     }
@@ -120,7 +120,7 @@ public final class HandsetPanel extends JPanel {
         return layout.isOpen();
     }
 
-    /** Folds the tone scope open or away; a window that holds the panel grows or shrinks with it. */
+    /** Opens or closes the tone scope; the window that holds the panel changes its height accordingly. */
     public void setScopeOpen(boolean open) {
         double before = layout.height();
         layout.setOpen(open);

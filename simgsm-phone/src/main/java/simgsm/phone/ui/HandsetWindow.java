@@ -12,13 +12,13 @@ import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowIcon;
 
-/** What "Sim Cellular" has in its window: the handset, kept up to date. */
+/** The window content of "Sim Cellular": the handset, updated from snapshots. */
 public final class HandsetWindow {
     private static final int SECOND_MILLIS = 1000;
 
     private HandsetWindow() {}
 
-    /** Made on the event thread. @param number the phone's own, for the title */
+    /** Called on the event thread. @param number the phone's own, for the title */
     public static ProgramWindow.Content content(
             String number,
             TextBundle texts,

@@ -11,9 +11,9 @@ import javax.swing.KeyStroke;
 import simgsm.phone.handset.PhoneKey;
 
 /**
- * The computer's keyboard as the handset's: what is typed goes in as characters, whatever layout makes them; Enter, Escape
- * and the arrows are keys. A character is down until a key is let go; while it is held the keyboard repeats it, which is no
- * further press.
+ * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
+ * arrows are keys. A character stays pressed until a key is released. The keyboard's repetition of a phone key's symbol is
+ * ignored.
  */
 final class Keyboard {
     private static final char NONE = '\0';
@@ -25,7 +25,7 @@ final class Keyboard {
         this.controls = controls;
     }
 
-    /** Binds the keyboard to a panel and everything in it that has the focus. */
+    /** Binds the keyboard to a panel and to every focused component within it. */
     static void install(JComponent panel, HandsetControls controls) {
         Keyboard keyboard = new Keyboard(controls);
         InputMap inputs = new Inputs();
@@ -94,8 +94,8 @@ final class Keyboard {
     }
 
     /**
-     * Answers "typed" for every character and "released" for every key let go that has no binding of its own. Where a key
-     * has no code, as letters with accents have none, Swing asks for a stroke without a character, too; that is no typing.
+     * Returns "typed" for every character and "released" for the release of every key without a binding of its own. For keys
+     * without a code, such as accented letters, Swing also asks for a stroke without a character, which is ignored.
      */
     private static final class Inputs extends InputMap {
         @Override

@@ -40,7 +40,7 @@ final class Lcd extends PaintedComponent {
         }
     }
 
-    /** Paints anew when the minute has changed. */
+    /** Repaints when the minute has changed. */
     void lookAtClock() {
         if (LocalTime.now(clock).getMinute() != shownMinute) {
             repaint();

@@ -17,7 +17,7 @@ import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Symbol;
 import simgsm.ui.scope.CodecText;
 
-/** The display at rest, with a number being typed, and in a call. */
+/** The display in standby, while a number is typed, and in a call. */
 final class LcdHome {
     private static final int KEYED_SHOWN = 25;
     private static final int EARLIER_SHOWN = 5;
@@ -65,7 +65,7 @@ final class LcdHome {
         hint(pen, texts.of(unread > 0 ? "lcd.hint.unread" : "lcd.hint.rest"));
     }
 
-    /** In two lines where one does not hold it. */
+    /** Wraps the reason if one line is too short. */
     private void reason(LcdPen pen, HandsetSnapshot phone) {
         var font = pen.sans(12.5, false);
         double baseline = 124;
@@ -173,8 +173,8 @@ final class LcdHome {
     }
 
     /**
-     * The newest received key, as on a keycap, and in a quiet colour its meaning if a robot has sent it; at the right the
-     * keys before it.
+     * The newest received key as a keycap, followed by its meaning in a robot's replies, if any; at the right edge the keys
+     * before it.
      */
     private void tone(LcdPen pen, String heard, double baseline) {
         if (heard.isEmpty()) {
@@ -207,7 +207,7 @@ final class LcdHome {
         pen.ink(Ink.LCD_INK);
     }
 
-    /** Minutes and seconds, and hours where there are any. */
+    /** mm:ss, from one hour on h:mm:ss. */
     static String time(int seconds) {
         String tail = String.format(Locale.ROOT, "%02d:%02d", seconds / 60 % 60, seconds % 60);
         return seconds < 3600 ? tail : seconds / 3600 + ":" + tail;

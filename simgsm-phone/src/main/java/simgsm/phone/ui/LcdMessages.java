@@ -63,7 +63,7 @@ final class LcdMessages {
         return unread > 0 ? unread + "/" + all : String.valueOf(all);
     }
 
-    /** The bar of a chosen row. @return the ink to write the row with */
+    /** Paints the bar of the selected row. @return the ink of the row's text */
     private static Ink row(LcdPen pen, double top, double height, boolean chosen) {
         if (chosen) {
             pen.ink(Ink.LCD_INK);
@@ -105,7 +105,7 @@ final class LcdMessages {
         pen.left(message.text().replace('\n', ' '), pen.sans(12, false), 38, top + 28.5, 226);
     }
 
-    /** Unread or read for what came, the delivery mark for what went. */
+    /** Unread or read for a received message, the delivery mark for a sent one. */
     private static void symbol(LcdPen pen, StoredMessage message, double x, double y) {
         Symbol symbol = switch (message.delivery()) {
             case RECEIVED -> message.read() ? Symbol.ENVELOPE_OPEN : Symbol.ENVELOPE;

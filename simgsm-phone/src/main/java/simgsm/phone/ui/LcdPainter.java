@@ -32,7 +32,7 @@ final class LcdPainter {
         this.writing = new LcdWriting(texts);
     }
 
-    /** Fills the box of that size at the origin. */
+    /** Fills a box of that size at the origin. */
     void paint(Graphics2D g, HandsetSnapshot phone, LocalTime now, double width, double height) {
         double unit = Math.min(width / LcdPen.WIDTH, height / LcdPen.HEIGHT);
         g.setColor(Theme.color(Ink.LCD_RIM));

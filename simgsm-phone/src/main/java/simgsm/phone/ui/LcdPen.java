@@ -10,8 +10,8 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
 /**
- * Writes on the phone's display: ink on paper, on a drawing of 280 by 180 units with its origin at the top left. Every
- * y is a base line or a top edge in units.
+ * Writes on the phone's display, a drawing of 280 by 180 units with its origin at the top left. Every y is a baseline or a
+ * top edge in units.
  */
 final class LcdPen {
     static final double WIDTH = 280;
@@ -21,7 +21,7 @@ final class LcdPen {
     private final Graphics2D g;
     private final double unit;
 
-    /** @param unit pixels a unit */
+    /** @param unit pixels per unit */
     LcdPen(Graphics2D g, double unit) {
         this.g = g;
         this.unit = unit;
@@ -52,7 +52,7 @@ final class LcdPen {
         g.drawString(text, (float) (x * unit), (float) (baseline * unit));
     }
 
-    /** Cut with an ellipsis where it does not fit. */
+    /** Writes left-aligned text, cut with an ellipsis to fit the room. */
     void left(String text, Font font, double x, double baseline, double room) {
         left(Drawing.fitted(font, text, room * unit), font, x, baseline);
     }
@@ -83,7 +83,7 @@ final class LcdPen {
         symbol.paint(g, x * unit, y * unit, size * unit);
     }
 
-    /** A sign on a filled box, as a display shows what is chosen. */
+    /** Writes text in inverse video. */
     void inverse(String text, Font font, double x, double baseline, double height) {
         double boxWidth = width(font, text) + 8;
         ink(Ink.LCD_INK);
@@ -93,7 +93,7 @@ final class LcdPen {
         ink(Ink.LCD_INK);
     }
 
-    /** Breaks a text into lines of that width, at blanks where there are any, and at line breaks. */
+    /** Breaks a text into lines of that width, at blanks where possible, and at line breaks. */
     List<String> wrap(String text, Font font, double room) {
         List<String> lines = new ArrayList<>();
         for (String paragraph : text.split("\n", -1)) {

@@ -12,7 +12,7 @@ import simgsm.phone.handset.Screen;
 import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.ToneMeaning;
 
-/** What the display says, as a sentence for assistive technology. */
+/** The display's content as a sentence for assistive technology. */
 final class LcdSpoken {
     private final TextBundle texts;
 

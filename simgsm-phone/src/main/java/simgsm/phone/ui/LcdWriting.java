@@ -60,7 +60,7 @@ final class LcdWriting {
         pen.right(count, pen.mono(13, true), LcdPen.WIDTH - LcdPen.MARGIN, 49);
     }
 
-    /** A letter that may still change stands on a bar; else the caret follows it. */
+    /** Marks a letter that may still change by a bar; otherwise the caret follows it. */
     private static void caret(LcdPen pen, double x, double baseline, boolean pending) {
         if (pending) {
             pen.fill(x - 9, baseline + 3, 9, 2);
@@ -92,7 +92,7 @@ final class LcdWriting {
         LcdHome.hint(pen, texts.of("lcd.hint.recipient"));
     }
 
-    /** The progress of the message just sent; at the bottom the number of unread messages. */
+    /** The progress of the last sent message; at the bottom the number of unread messages. */
     void sent(LcdPen pen, HandsetSnapshot phone, StoredMessage message) {
         pen.ink(Ink.LCD_QUIET);
         pen.centred(texts.of("lcd.to") + " " + message.party(), pen.mono(14, true), 62);

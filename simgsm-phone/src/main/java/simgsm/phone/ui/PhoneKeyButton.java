@@ -12,7 +12,7 @@ import simgsm.phone.handset.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 
-/** One key of the handset, held down by the mouse, the space bar or assistive technology. */
+/** A key of the handset, pressed by the mouse, the space bar or assistive technology. */
 final class PhoneKeyButton extends JButton {
     private final PhoneKey key;
     private final PhoneKeyPainter painter;
@@ -26,19 +26,19 @@ final class PhoneKeyButton extends JButton {
         setBorderPainted(false);
         setFocusPainted(false);
         setOpaque(false);
-        // A click leaves the focus with the panel, which hears the keyboard; Tab still reaches every key.
+        // A click leaves the focus on the panel, which handles the keyboard; Tab still reaches every key.
         setRequestFocusEnabled(false);
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
         getModel().addChangeListener(event -> follow(controls));
         String description = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
         ComponentNames.name(this, nameOf(key), description);
         setToolTipText(tip(texts, description));
-        // Enter is the keyboard's own key wherever the focus is; the space bar presses the key that has it.
+        // Enter is bound by the panel wherever the focus is; the space bar presses the focused key.
         getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, false), "none");
         getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "none");
     }
 
-    /** The name of the key, with the name of its counterpart on the keyboard. */
+    /** The name of the key and of the corresponding key of the keyboard. */
     private String tip(TextBundle texts, String description) {
         return switch (key) {
             case CALL, OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
@@ -50,7 +50,7 @@ final class PhoneKeyButton extends JButton {
         };
     }
 
-    /** As tests find it: {@code key.5}, {@code key.call}. */
+    /** The component name for tests: {@code key.5}, {@code key.call}. */
     static String nameOf(PhoneKey key) {
         return "key."
                 + key.tone()
@@ -76,7 +76,7 @@ final class PhoneKeyButton extends JButton {
         repaint();
     }
 
-    /** Lights the key while its tone sounds. */
+    /** Highlights the key while its tone sounds. */
     void setSounding(boolean nowSounding) {
         if (sounding != nowSounding) {
             sounding = nowSounding;

@@ -9,9 +9,9 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
-/** Paints a key of the handset: a face with a lower edge, its sign, its letters. */
+/** Paints a key of the handset: its face, lower edge, symbol and letters. */
 final class PhoneKeyPainter {
-    /** How the key is just now. */
+    /** The current state of the key. */
     record Look(boolean down, boolean sounding, boolean rollover, boolean focused) {}
 
     private final PhoneKey key;
@@ -145,7 +145,7 @@ final class PhoneKeyPainter {
         g.fill(path);
     }
 
-    /** A triangle by its tip, half its base and its length away from the tip. */
+    /** A triangle with its tip at (x, y); half its base is {@code half}, its height 1.6 {@code length}. */
     private static void triangle(Path2D path, double x, double y, double half, double length, boolean sideways) {
         path.moveTo(x, y);
         if (sideways) {
