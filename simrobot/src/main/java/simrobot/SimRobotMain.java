@@ -74,6 +74,7 @@ public final class SimRobotMain {
         return Program.commonOptions(
                         "java -jar simrobot.jar --number 5550200 --world worlds/office.map [options]",
                         "SimRobot: a simulated Pioneer with a GSM modem (M2), driven by telephone keys or SMS.")
+                .commands(RobotConsole.COMMANDS)
                 .value("number", "N", "the modem's number (5550200)")
                 .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")

@@ -32,6 +32,7 @@ public final class CenterMain {
         return Program.commonOptions(
                         "java -jar simgsm-center.jar [OPTION]...",
                         "M3, the SMS/Phone centre: phones and modems register here, call each other and send messages.")
+                .commands(CenterCommands.COMMANDS)
                 .flag(
                         "demo",
                         "the whole suite: the centre, one phone and one SimRobot, ready to dial; without a display a"
@@ -61,13 +62,13 @@ public final class CenterMain {
                         "hlr",
                         "FILE",
                         "closes the network: only the SIMs that the file lists may register, and must prove it;"
-                                + "\nwithout it the network is open and the number alone says who somebody is")
+                                + "\nwithout it the network is open and the number alone names the subscriber")
                 .value(
                         "new-sim",
                         "N,N-N,...",
                         "with --hlr: makes SIMs with new keys for these numbers, adds them to the file, writes each"
                                 + "\none beside it as NUMBER.sim for --sim of phone and robot, and ends")
-                .value("barred-imeis", "IMEI,...", "terminals that nobody may register with (cause 6)")
+                .value("barred-imeis", "IMEI,...", "terminals that may not register (cause 6)")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
                 .value(
                         "capture",

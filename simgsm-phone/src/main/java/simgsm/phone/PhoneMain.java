@@ -34,6 +34,7 @@ public final class PhoneMain {
         return Program.commonOptions(
                         "java -jar simgsm-phone.jar --number 5550101 [options]",
                         "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
+                .commands(PhoneCommands.TABLE)
                 .value("number", "N", "the phone's own number, 1 to 10 digits (5550100)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the phone's speech is coded; it understands both (alaw)")
