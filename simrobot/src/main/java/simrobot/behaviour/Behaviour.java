@@ -1,16 +1,16 @@
 package simrobot.behaviour;
 
-/** An autonomous process in one robot: a rule from what the sonars hear to how the robot goes on. */
+/** An autonomous process of one robot: maps the sonar ranges to the robot's speeds. */
 public interface Behaviour {
-    /** Simulated time between two decisions: the sonars' own beat in a Pioneer's information packets. */
+    /** Simulated time between two decisions, equal to the period of a Pioneer's information packets. */
     long TICK_NANOS = 100_000_000;
 
     /**
-     * One decision, every {@link #TICK_NANOS}.
+     * Makes one decision; called every {@link #TICK_NANOS}.
      *
      * @param sonars valid during the call only
-     * @param blocked whether the robot has run against something and is held by it
-     * @return what to do until the next decision
+     * @param blocked whether a collision keeps the robot from moving
+     * @return the speeds until the next decision
      */
     Steering decide(SonarRanges sonars, boolean blocked);
 }

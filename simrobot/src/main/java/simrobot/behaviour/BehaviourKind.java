@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The processes that a robot may run. */
+/** The autonomous processes that a robot can run. */
 public enum BehaviourKind {
-    /** Stands until somebody steers it. */
+    /** No process: the robot moves on commands only. */
     NONE("none"),
-    /** Goes ahead, and turns away from what is near. */
+    /** Drives ahead and turns away from near obstacles. */
     WANDER("wander"),
     /** Keeps a wall to its right. */
     WALL_FOLLOW("wall-follow");
@@ -19,12 +19,12 @@ public enum BehaviourKind {
         this.text = text;
     }
 
-    /** The word that command lines, consoles and windows use. */
+    /** Returns the name used in command lines, consoles and windows. */
     public String text() {
         return text;
     }
 
-    /** A new process of this kind; empty for {@link #NONE}. @param robotNumber of robots in their order, the first is 0 */
+    /** Creates a process of this kind; empty for {@link #NONE}. @param robotNumber index of the robot, from 0 */
     public Optional<Behaviour> begin(int robotNumber) {
         return switch (this) {
             case NONE -> Optional.empty();
@@ -33,7 +33,7 @@ public enum BehaviourKind {
         };
     }
 
-    /** @throws IllegalArgumentException saying which words there are */
+    /** @throws IllegalArgumentException if the name is unknown; the message lists the known ones */
     public static BehaviourKind ofText(String text) {
         return Arrays.stream(values())
                 .filter(kind -> kind.text.equals(text))

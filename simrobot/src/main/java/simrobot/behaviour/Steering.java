@@ -1,7 +1,7 @@
 package simrobot.behaviour;
 
 /**
- * How a robot is to go on.
+ * Commanded speeds of a robot.
  *
  * @param metersPerSecond ahead, negative back
  * @param radiansPerSecond anticlockwise

@@ -1,12 +1,12 @@
 package simrobot.behaviour;
 
 /**
- * Keeps a wall to its right. Ahead blocked: turns left on the spot. Else it goes on, bending towards the distance that it
- * keeps: by the nearest echo on the right, and by how that changes from one decision to the next. Where the wall ends it
- * bends round the corner; with nothing on the right from the beginning it goes straight until it finds something.
+ * Follows a wall on the right. If the way ahead is blocked, the robot turns left on the spot. Otherwise it controls its
+ * distance from the wall by the nearest echo on the right and by the change of that echo since the last decision. Where
+ * the wall ends it turns right round the corner. Until it has found a wall it drives straight on.
  */
 public final class WallFollow implements Behaviour {
-    /** From the sonars' mouths, about 0.14 m out: half a metre from the robot's middle. */
+    /** Distance kept from the sonars, which lie about 0.14 m from the robot's centre. */
     static final double KEPT_METERS = 0.4;
 
     private static final double BLOCKED_METERS = 0.45;
@@ -26,7 +26,7 @@ public final class WallFollow implements Behaviour {
     private boolean spins;
     private double last = Double.NaN;
 
-    /** A process that has found no wall yet. */
+    /** Creates a process that has found no wall yet. */
     public WallFollow() {}
 
     @Override

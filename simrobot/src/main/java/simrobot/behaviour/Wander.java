@@ -1,17 +1,17 @@
 package simrobot.behaviour;
 
 /**
- * Goes ahead until something is near, then turns for a second, robots of even number to the left, of odd number to the
- * right. The rule of the speed comparison with other simulators, so its numbers are not ours to choose.
+ * Drives ahead until an obstacle is near, then turns for a second: robots of even number left, of odd number right. The
+ * speed comparison with other simulators prescribes this rule and its numbers.
  */
 public final class Wander implements Behaviour {
-    /** The sonars that look ahead, from 50 degrees left to 50 degrees right. */
+    /** The sonars that face ahead, from 50 degrees left to 50 degrees right. */
     private static final int FIRST_SONAR = 1;
 
     private static final int LAST_SONAR = 6;
     private static final double NEAR_METERS = 0.5;
     private static final int AVOIDING_TICKS = 10;
-    /** Its speed ahead; it has no other. */
+    /** Speed ahead, the only one used. */
     public static final double METERS_PER_SECOND = 0.4;
 
     private static final double RADIANS_PER_SECOND = Math.toRadians(50);

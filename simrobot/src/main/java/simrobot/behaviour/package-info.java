@@ -1,7 +1,7 @@
 /**
- * Autonomous processes of robots: small rules that hear the sonars ten times a second and say how to go on. Read
- * {@link simrobot.behaviour.Behaviour} first; {@link simrobot.behaviour.BehaviourKind} lists what there is.
+ * Autonomous processes of robots: rules that compute the robot's speeds from the sonar ranges ten times a second. Read
+ * {@link simrobot.behaviour.Behaviour} first; {@link simrobot.behaviour.BehaviourKind} lists the processes.
  *
- * <p>A rule knows no robot, no floor and no time; who runs it gives it its beat. Metres, radians anticlockwise, seconds.
+ * <p>A rule has no access to robot, world and time; its caller sets the period. Metres, radians anticlockwise, seconds.
  */
 package simrobot.behaviour;

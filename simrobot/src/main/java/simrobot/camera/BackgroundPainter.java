@@ -7,7 +7,7 @@ import simrobot.world.Position;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
 
-/** Sky, the tiled floor, and what is painted on it: homes, goals, belts. */
+/** Draws the sky, the tiled floor, and the flat marks on it: homes, goals and treadmills. */
 final class BackgroundPainter {
     private static final int SKY = 0x9DB9D3;
     private static final int FLOOR = 0xA9A49A;
@@ -23,10 +23,10 @@ final class BackgroundPainter {
     private static final double MARK_METERS = 0.25;
     private static final double RING_METERS = 0.05;
 
-    /** Marks farther off are a pixel high. */
+    /** Maximum distance of a drawn mark; beyond it a mark is at most one pixel high. */
     private static final double MARKS_RANGE_METERS = 15;
 
-    /** Joints farther off are finer than a pixel. */
+    /** Distance at which joints have faded out; beyond it they are narrower than a pixel. */
     private static final double JOINTS_RANGE_METERS = 7;
 
     private final PixelBuffer canvas;
@@ -56,7 +56,7 @@ final class BackgroundPainter {
         for (Goal goal : world.goals()) {
             mark(goal.position(), GOAL);
         }
-        // marks lie flat: whatever stands, stands before them
+        // marks lie on the floor, so every upright object hides them
         canvas.clearDepth();
     }
 
@@ -66,7 +66,7 @@ final class BackgroundPainter {
         int tile = Shading.hazed(FLOOR, clear);
         double contrast = Math.max(0, 1 - ahead / JOINTS_RANGE_METERS);
         int joint = Shading.mixed(Shading.hazed(JOINT, clear), tile, contrast);
-        // a joint is never finer than the pixels that show it
+        // a joint is at least one pixel wide
         double width = Math.max(JOINT_METERS, ahead / eye.focal());
         double depthWidth = Math.max(JOINT_METERS, ahead * ahead / (eye.focal() * eye.z()));
         double across = Math.hypot(width * eye.sin(), depthWidth * eye.cos());
@@ -101,7 +101,7 @@ final class BackgroundPainter {
                         : BELT_STRIPE);
     }
 
-    /** A ring as large as a robot. */
+    /** Draws a ring with the diameter of a robot. */
     private void mark(Position place, int colour) {
         double px = place.xMeters();
         double py = place.yMeters();

@@ -8,27 +8,27 @@ import simrobot.world.World;
 import vericommand.RobotStatus;
 
 /**
- * Draws what robots see. It keeps its canvas and the world that it drew last, so one thread at a time may use it; several
- * cameras do not disturb each other.
+ * Renders the images of the robots' cameras. Not thread-safe: an instance keeps its pixel buffer and the last world
+ * drawn. Separate instances are independent.
  */
 public final class Camera {
     public static final int WIDTH = 320;
     public static final int HEIGHT = 240;
 
-    /** Ahead of the centre of rotation, on the mast. */
+    /** Distance ahead of the robot's centre of rotation. */
     private static final double MOUNT_X_METERS = 0.1;
 
     private static final double MOUNT_Z_METERS = 0.35;
     private static final double OPENING_RADIANS = Math.toRadians(62);
 
-    /** A camera that gets no power. */
+    /** Image colour of a camera without power. */
     private static final int DARK = 0x101214;
 
     private final PixelBuffer canvas = new PixelBuffer(WIDTH, HEIGHT);
     private World world;
     private WallPainter walls;
 
-    /** What this robot's camera sees; dark when the robot is switched off. */
+    /** Returns the image of this robot's camera, {@link #WIDTH} x {@link #HEIGHT} pixels; dark if the robot is off. */
     public BufferedImage picture(SimulationSnapshot scene, RobotSnapshot robot) {
         if (robot.status() == RobotStatus.DISCONNECTED) {
             canvas.fill(DARK);

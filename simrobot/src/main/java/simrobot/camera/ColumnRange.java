@@ -1,10 +1,10 @@
 package simrobot.camera;
 
-/** The columns whose middles an upright face covers; none when first is above last. */
+/** The columns whose centres an upright face covers; empty if first is greater than last. */
 record ColumnRange(int first, int last) {
     private static final ColumnRange NONE = new ColumnRange(1, 0);
 
-    /** Of a face between two places in the eye's coordinates. */
+    /** Returns the columns of a face between two points in the eye's coordinates. */
     static ColumnRange of(PinholeView eye, double a1, double l1, double a2, double l2) {
         if (a1 < PinholeView.NEAR_METERS && a2 < PinholeView.NEAR_METERS) {
             return NONE;
@@ -16,7 +16,7 @@ record ColumnRange(int first, int last) {
         return new ColumnRange(first, last);
     }
 
-    /** Where the first place is seen, or where the face comes out from behind the eye. */
+    /** Returns the column of the first point, or of the face's intersection with the near plane. */
     private static double edge(PinholeView eye, double ahead, double left, double otherAhead, double otherLeft) {
         if (ahead >= PinholeView.NEAR_METERS) {
             return eye.column(ahead, left);
@@ -25,7 +25,7 @@ record ColumnRange(int first, int last) {
         return eye.column(PinholeView.NEAR_METERS, left + share * (otherLeft - left));
     }
 
-    /** Where the ray of that slope meets the face: 0 at the first place, 1 at the second. */
+    /** Returns where the ray of this slope meets the face: 0 at the first point, 1 at the second. */
     static double share(double slope, double a1, double l1, double a2, double l2) {
         double across = (l2 - l1) - slope * (a2 - a1);
         double share = across == 0 ? 0 : (slope * a1 - l1) / across;

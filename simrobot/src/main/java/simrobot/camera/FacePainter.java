@@ -1,6 +1,6 @@
 package simrobot.camera;
 
-/** Draws upright and level faces behind and before one another, by the depth of each pixel. */
+/** Draws upright and horizontal faces with a depth test for each pixel. */
 final class FacePainter {
     private final PixelBuffer canvas;
     private final PinholeView eye;
@@ -10,7 +10,7 @@ final class FacePainter {
         this.eye = eye;
     }
 
-    /** An upright face from one place to another, seen from both sides. */
+    /** Draws an upright face between two points; visible from both sides. */
     void upright(double x1, double y1, double x2, double y2, double low, double high, Texture surface) {
         double a1 = eye.ahead(x1, y1);
         double l1 = eye.left(x1, y1);
@@ -45,9 +45,9 @@ final class FacePainter {
     }
 
     /**
-     * A level convex face below the eye.
+     * Draws a horizontal convex face below the eye.
      *
-     * @param corners x and y of each in turn
+     * @param corners x and y of each corner in turn, metres
      */
     void level(double[] corners, double z, Texture surface) {
         double[] seen = NearClip.inFront(eye, corners);

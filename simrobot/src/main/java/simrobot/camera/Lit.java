@@ -1,6 +1,6 @@
 package simrobot.camera;
 
-/** How light falls on the side of a face that is seen. */
+/** Computes the brightness of the visible side of an upright face. */
 final class Lit {
     private Lit() {}
 

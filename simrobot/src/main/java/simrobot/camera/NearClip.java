@@ -2,11 +2,11 @@ package simrobot.camera;
 
 import java.util.Arrays;
 
-/** Cuts off what lies behind the eye. */
+/** Clips polygons at the near plane. */
 final class NearClip {
     private NearClip() {}
 
-    /** The part of a convex polygon that lies in front, in the eye's coordinates: ahead and left of each corner. */
+    /** Returns the part of a convex polygon beyond the near plane: ahead and left of each corner, metres. */
     static double[] inFront(PinholeView eye, double[] corners) {
         double[] kept = new double[2 * corners.length];
         int n = 0;

@@ -6,7 +6,7 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.world.Box;
 import simrobot.world.Position;
 
-/** What is lower than a wall: furniture, and robots as one knows them: red, eight-sided, with a black deck and a camera. */
+/** Draws objects lower than a wall: furniture, and robots as red octagons with a black deck and a camera. */
 final class ObjectPainter {
     private static final int FURNITURE = 0xB98F5E;
     private static final int FURNITURE_RIM = 0x8A6740;
@@ -88,7 +88,7 @@ final class ObjectPainter {
         upright(frame, from, to, GROUND_CLEARANCE_METERS, DECK_METERS, (along, up) -> onSide(along, length, up));
     }
 
-    /** Red below, a black ring of sonars, a black deck's edge above. */
+    /** Returns the colour of a robot's side: red, with a black sonar ring and a black deck edge above it. */
     private static int onSide(double along, double length, double up) {
         if (up < RING_LOW_METERS) {
             return RED;
@@ -103,7 +103,7 @@ final class ObjectPainter {
         return Math.hypot(fromDisc, up - middle) < DISC_RADIUS_METERS ? DISC : BLACK;
     }
 
-    /** Black with a white arrowhead that tells where ahead is. */
+    /** Returns the colour of the deck: black, with a white arrowhead pointing ahead. */
     private static int onDeck(double ahead, double left) {
         double fromTip = 0.15 - ahead;
         return fromTip >= 0 && fromTip <= 0.07 && Math.abs(left) <= fromTip * 0.8 ? WHITE : BLACK;
@@ -142,7 +142,7 @@ final class ObjectPainter {
                 surface);
     }
 
-    /** A robot's own coordinates: ahead and to the left of its centre of rotation. */
+    /** A robot's coordinate frame: ahead and left of its centre of rotation. */
     private static final class Frame {
         private final double originX;
         private final double originY;

@@ -12,21 +12,21 @@ import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Pictures as octets, PNG or JPEG. */
+/** Encodes images as PNG or JPEG. */
 public final class PictureFile {
     private static final float JPEG_QUALITY = 0.88f;
 
     private PictureFile() {}
 
-    /** Whether the file's name says which of the two it is. */
+    /** Whether the file's ending selects PNG or JPEG. */
     public static boolean hasKnownEnding(Path file) {
         return isPng(file) || endsWith(file, ".jpg") || endsWith(file, ".jpeg");
     }
 
     /**
-     * Writes the picture as the file's name says, PNG or JPEG; a file that is there is overwritten.
+     * Writes the image as PNG or JPEG, selected by the file's ending; an existing file is overwritten.
      *
-     * @throws IOException when it cannot be written
+     * @throws IOException if the file cannot be written
      */
     public static void write(BufferedImage picture, Path file) throws IOException {
         Files.write(file, isPng(file) ? png(picture) : jpeg(picture));

@@ -1,15 +1,15 @@
 package simrobot.camera;
 
 /**
- * Where the camera is and how it looks: a pinhole that looks level. In its own coordinates {@code ahead} is the depth along
- * the axis and {@code left} the distance beside it; metres, pixels.
+ * Position and axis of a pinhole camera with a horizontal axis. In its coordinates {@code ahead} is the depth along the
+ * axis and {@code left} the distance to the left of it; metres, pixels.
  *
- * @param cos with sin the direction of the axis
- * @param width with height of the picture
- * @param focal the picture's distance from the pinhole, in pixels
+ * @param cos with sin the unit vector of the axis
+ * @param width with height the size of the image, pixels
+ * @param focal focal length, pixels
  */
 record PinholeView(double x, double y, double z, double cos, double sin, int width, int height, double focal) {
-    /** Nothing nearer is drawn. */
+    /** Near plane: nothing nearer is drawn. */
     static final double NEAR_METERS = 0.03;
 
     static PinholeView at(
@@ -34,17 +34,17 @@ record PinholeView(double x, double y, double z, double cos, double sin, int wid
         return height / 2.0 - focal * (pz - z) / ahead;
     }
 
-    /** Left over ahead along the ray through a column's middle. */
+    /** Returns left / ahead of the ray through a column's centre. */
     double slope(int column) {
         return (width / 2.0 - column - 0.5) / focal;
     }
 
-    /** The height at which the ray through a row's middle is at this depth. */
+    /** Returns the height of the ray through a row's centre at this depth. */
     double heightAt(int row, double ahead) {
         return z + (height / 2.0 - row - 0.5) * ahead / focal;
     }
 
-    /** The depth at which the ray through a row's middle has this height; infinite when it never has. */
+    /** Returns the depth at which the ray through a row's centre reaches this height; infinite if it never does. */
     double depthOf(int row, double pz) {
         double drop = row + 0.5 - height / 2.0;
         double depth = (z - pz) * focal / drop;
@@ -59,7 +59,7 @@ record PinholeView(double x, double y, double z, double cos, double sin, int wid
         return y + ahead * sin + left * cos;
     }
 
-    /** Whether a disc on the floor may be in the picture. */
+    /** Whether a disc on the floor may be visible. */
     boolean mayShow(double px, double py, double radius, double range) {
         double ahead = ahead(px, py);
         double edge = (width / 2.0 / focal) * Math.max(0, ahead) + 2 * radius;

@@ -4,9 +4,9 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 
-/** A picture under way: a colour and a depth for each pixel. Drawn finer than it is shown, so that edges are smooth. */
+/** Colour and depth of each pixel of an image, supersampled to smooth the edges. */
 final class PixelBuffer {
-    /** Pixels across and down for one of the picture. */
+    /** Samples per image pixel, horizontally and vertically. */
     static final int FINENESS = 2;
 
     final int width;
@@ -14,7 +14,7 @@ final class PixelBuffer {
     final int[] rgb;
     final float[] depth;
 
-    /** For a picture of this size. */
+    /** Creates a buffer for an image of this size, in pixels. */
     PixelBuffer(int pictureWidth, int pictureHeight) {
         width = pictureWidth * FINENESS;
         height = pictureHeight * FINENESS;
@@ -22,17 +22,17 @@ final class PixelBuffer {
         depth = new float[width * height];
     }
 
-    /** Nothing stands anywhere. */
+    /** Sets all depths to infinity. */
     void clearDepth() {
         Arrays.fill(depth, Float.POSITIVE_INFINITY);
     }
 
-    /** One colour everywhere. */
+    /** Sets all pixels to one colour. */
     void fill(int colour) {
         Arrays.fill(rgb, colour);
     }
 
-    /** Sets a pixel unless something nearer is there. */
+    /** Sets a pixel unless its depth is smaller. */
     void set(int at, int colour, double meters) {
         if (meters < depth[at]) {
             depth[at] = (float) meters;
@@ -40,7 +40,7 @@ final class PixelBuffer {
         }
     }
 
-    /** The mean of each square of fine pixels. */
+    /** Returns the image: each pixel is the mean of its samples. */
     BufferedImage picture() {
         BufferedImage picture = new BufferedImage(width / FINENESS, height / FINENESS, BufferedImage.TYPE_INT_RGB);
         int[] out = ((DataBufferInt) picture.getRaster().getDataBuffer()).getData();

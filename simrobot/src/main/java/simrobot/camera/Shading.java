@@ -1,11 +1,11 @@
 package simrobot.camera;
 
-/** Colours as the camera sees them: lit from one side, and paler the farther they are. */
+/** Colours in the camera image: directional light, and haze that grows with distance. */
 final class Shading {
-    /** What far things fade into: the sky just above the horizon. */
+    /** Haze colour, equal to the sky just above the horizon. */
     static final int HAZE = 0xDCE4EA;
 
-    /** Where the light comes from, a unit vector. */
+    /** Unit vector towards the light. */
     private static final double FROM_X = 0.28;
 
     private static final double FROM_Y = 0.96;
@@ -14,7 +14,7 @@ final class Shading {
 
     private Shading() {}
 
-    /** How bright an upright face is whose normal, a unit vector, points so. */
+    /** Returns the brightness of an upright face with this unit normal. */
     static double on(double normalX, double normalY) {
         return 0.82 + 0.18 * (normalX * FROM_X + normalY * FROM_Y);
     }
@@ -27,7 +27,7 @@ final class Shading {
         return (int) Math.min(255, (value & 0xFF) * brightness);
     }
 
-    /** How much of a colour is left at this distance, 0 to 1. */
+    /** Returns the share of a colour that remains after haze at this distance, 0 to 1. */
     static double clear(double meters) {
         return Math.exp(-meters / HAZE_METERS);
     }

@@ -1,15 +1,15 @@
 package simrobot.camera;
 
-/** What a face looks like, without light and haze. */
+/** Surface colour of a face, without light and haze. */
 interface Texture {
-    /** Nothing is there; one looks through. */
+    /** Transparent. */
     int NOTHING = -1;
 
     /**
-     * A colour, or {@link #NOTHING}.
+     * Returns the colour as RGB, or {@link #NOTHING}.
      *
-     * @param along metres: of an upright face from its first end, of a level one along the world's x
-     * @param up metres: of an upright face above the floor, of a level one along the world's y
+     * @param along metres: on an upright face from its first end, on a horizontal one along the world's x
+     * @param up metres: on an upright face above the floor, on a horizontal one along the world's y
      */
     int at(double along, double up);
 

@@ -7,8 +7,8 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * The walls and posts of a world. All are higher than the eye and equally high, so of each column only the nearest is
- * seen: one pass finds it, a second draws it.
+ * Draws the walls and posts of a world. All have one height, above the eye, so only the nearest is visible in each
+ * column: a first pass finds it, a second draws it.
  */
 final class WallPainter {
     static final double HEIGHT_METERS = 1.0;
@@ -22,10 +22,10 @@ final class WallPainter {
     private static final double SKIRTING_METERS = 0.07;
     private static final double EDGE_METERS = 0.012;
 
-    /** The camera sees no farther; all is haze there. */
+    /** Maximum visible distance; beyond it haze covers everything. */
     static final double RANGE_METERS = 80;
 
-    /** Thinner posts would flicker. */
+    /** Minimum post radius; thinner posts would flicker. */
     private static final double LEAST_POST_METERS = 0.01;
 
     private final double[] segments;
@@ -66,7 +66,7 @@ final class WallPainter {
         }
     }
 
-    /** Of each column the nearest thing that is as high as a wall. */
+    /** The nearest wall or post of each column. */
     private static final class Nearest {
         final PinholeView eye;
         final double[] depth;

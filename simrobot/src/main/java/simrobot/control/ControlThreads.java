@@ -5,11 +5,12 @@ import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
 /**
- * Who moves a robot and its modem on: two threads and the machine's clock in the program, one hand in a test.
+ * The executors and the clock of a robot and its modem: two threads and the system clock in the program, one thread in
+ * a test.
  *
- * @param stations runs acts on the thread that owns the modem's station, in their order
- * @param simulation runs acts on the thread that owns the robot, in their order
- * @param clockNanos for measuring only
+ * @param stations runs tasks in order on the thread that owns the modem's station
+ * @param simulation runs tasks in order on the thread that owns the robot
+ * @param clockNanos clock for measurements only
  */
 public record ControlThreads(Executor stations, Executor simulation, LongSupplier clockNanos) {
     public ControlThreads {

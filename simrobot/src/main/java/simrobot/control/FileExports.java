@@ -49,7 +49,7 @@ public final class FileExports {
         return ending(file).equals("png") || ending(file).equals("svg");
     }
 
-    /** In small letters, without the dot. */
+    /** Returns the ending in lower case, without the dot. */
     private static String ending(Path file) {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return name.substring(name.lastIndexOf('.') + 1);
@@ -58,17 +58,17 @@ public final class FileExports {
     /**
      * Writes a file: for png and svg the world with its robots and trails, for csv the robot's track.
      *
-     * @throws IOException saying which file cannot be written, and why
+     * @throws IOException if the file cannot be written; the message says which and why
      */
     public void export(SimulationSnapshot scene, String robot, Path file) throws IOException {
         write(content(scene, robot, file), file);
     }
 
     /**
-     * Does the same without holding up the caller: pictures are painted at once, for the event thread owns the colours;
-     * tracks are formatted and all files written on the worker.
+     * Does the same without blocking the caller: pictures are painted at once, because the event thread owns the
+     * colours; tracks are formatted and all files written on the worker.
      *
-     * @param answer takes the failure if there is one, on either thread
+     * @param answer receives the failure, if any, on either thread
      */
     public void export(
             SimulationSnapshot scene,

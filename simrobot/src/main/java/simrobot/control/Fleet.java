@@ -23,24 +23,24 @@ import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import vericommand.Pose;
 
-/** Makes the robots of a run, those of the command line and those that come later, all by the same wishes. */
+/** Creates the robots of a run, from the command line and later, all with the same settings. */
 public final class Fleet {
-    /** Where a robot's calls are recorded. */
+    /** Supplies the recorder of a robot's calls. */
     public interface Recording {
         CallAudioListener of(String robot) throws IOException;
     }
 
-    /** Which card is in a modem's slot; none in an open network. */
+    /** Supplies the SIM card of a modem; none in an open network. */
     public interface Cards {
         Optional<SimCard> of(Msisdn number) throws UsageException;
     }
 
     /**
-     * What all robots have in common.
+     * Settings common to all robots.
      *
-     * @param seed with a robot's number it makes its modem's IMEI
-     * @param power whether they start switched on
-     * @param motors whether their motors do
+     * @param seed determines, with a robot's number, its modem's IMEI
+     * @param power whether robots start switched on
+     * @param motors whether their motors start switched on
      */
     public record Kit(
             long seed,
@@ -51,21 +51,21 @@ public final class Fleet {
             Recording recording,
             Cards cards) {}
 
-    /** Why a robot cannot be made as it was asked for. */
+    /** Why a robot cannot be created as requested. */
     public enum Reason {
         NAME_TAKEN,
         NUMBER_TAKEN,
-        /** No SIM in the list, or none can have that number. */
+        /** The list has no free SIM, or no SIM can have this number. */
         NO_CARD,
         PLACE_OUTSIDE,
         PLACE_TAKEN,
-        /** No place was named, and none is free. */
+        /** No place was given, and none is free. */
         NO_PLACE,
-        /** The simulation has failed, or is too slow. */
+        /** The simulation has failed or does not answer in time. */
         NOT_DONE
     }
 
-    /** A robot cannot be made as it was asked for; the message is for the person who asked at a console. */
+    /** Thrown if a robot cannot be created as requested; the message is shown on the console. */
     public static final class Refusal extends Exception {
         private final Reason reason;
 
@@ -87,13 +87,13 @@ public final class Fleet {
         this.kit = kit;
     }
 
-    /** Makes one before the start; it goes to the first home that is free. */
+    /** Creates a robot before the start, on the first free home. */
     public TelephoneRobot addFirst(RobotName name, Simulation simulation) throws IOException, UsageException {
         Optional<SimCard> card = kit.cards().of(name.number());
         return make(name, card, simulation, Optional.empty(), kit.recording().of(name.name()));
     }
 
-    /** Takes a real robot in, before the start; it is thought to stand on the world's first home. */
+    /** Adds a real robot before the start; its assumed pose is the world's first home. */
     public TelephoneRobot addReal(RobotName name, PioneerAddress address, Simulation simulation)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
@@ -123,10 +123,10 @@ public final class Fleet {
     }
 
     /**
-     * Makes one while the simulation runs; any thread but the simulation's may ask.
+     * Creates a robot while the simulation runs; callable on any thread but the simulation's.
      *
-     * @param place where it is to stand; none: on the first home that is free, or beside it
-     * @throws Refusal when name or number is taken, or the place
+     * @param place its pose; empty selects the first free home, or a place beside it
+     * @throws Refusal if name, number or place is taken
      */
     public TelephoneRobot add(RobotName name, Optional<Pose> place) throws Refusal, IOException, InterruptedException {
         Optional<SimCard> card = card(name);
@@ -167,7 +167,7 @@ public final class Fleet {
         }
     }
 
-    /** What stands against it; asked on the simulation's thread, where nothing has changed since. */
+    /** Returns why the robot was refused; called in the same task as the attempt, so nothing has changed since. */
     private Reason reason(Simulation simulation, RobotName name, Optional<Pose> place) {
         if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
             return Reason.NUMBER_TAKEN;
@@ -214,12 +214,12 @@ public final class Fleet {
                 : simRobot.add(robot, name.number(), imei, options);
     }
 
-    /** With the number, or the robots of one seed would be one piece of equipment. */
+    /** Includes the number, because robots of one seed would otherwise share an IMEI. */
     private Imei imei(Msisdn number) {
         return Imei.random(new Random(kit.seed() * 31 + number.digits().hashCode()));
     }
 
-    /** Takes a robot away with its modem. @return false when there is none of that name */
+    /** Removes a robot and its modem. @return false if no robot has that name */
     public boolean remove(String name) throws InterruptedException {
         return simRobot.onSimulation(() -> {
             Optional<TelephoneRobot> leaving = simRobot.robots().stream()

@@ -22,13 +22,13 @@ import simgsm.station.mobility.Sim;
 import vericommand.ReplyTone;
 
 /**
- * A robot's modem as its control sees it, and the control as the modem sees it. What the modem tells comes on the stations'
- * thread and is posted to the simulation's; what the control asks goes the other way.
+ * Connects a robot's control with its modem. Modem events arrive on the stations' thread and are posted to the
+ * simulation's thread; requests of the control are posted the other way.
  */
 final class ModemLink implements ModemPort {
     private static final Logger LOG = System.getLogger(ModemLink.class.getName());
     private static final double NANOS_PER_SAMPLE = 1e9 / 8000;
-    /** A key is decided in the speech frame that has just come: 20 ms. */
+    /** Samples of a speech frame, 20 ms; a key is decided within the newest frame. */
     private static final long FRAME_SAMPLES = 160;
 
     private final Modem modem;
@@ -39,8 +39,8 @@ final class ModemLink implements ModemPort {
     private RobotControl control;
     private volatile ToneTrace trace = ToneTrace.EMPTY;
 
-    // of the stations' thread
-    /** Of the call that came last, from 1: what is asked for an earlier one comes too late. */
+    // owned by the stations' thread
+    /** Number of the newest call, from 1; requests for earlier calls are dropped. */
     private long callNumber;
 
     private boolean accepted;
@@ -55,7 +55,7 @@ final class ModemLink implements ModemPort {
         modem = new Modem(identity, sim, options, this::decide, this::accept);
     }
 
-    /** To be told once, before the modem has a link. */
+    /** Sets the control; called once, before the modem has a link. */
     void serve(RobotControl robotControl) {
         control = robotControl;
     }
@@ -64,7 +64,7 @@ final class ModemLink implements ModemPort {
         return modem;
     }
 
-    /** What the modem's ear has heard last; any thread may ask. */
+    /** Returns the newest trace of the received tones; callable on any thread. */
     ToneTrace trace() {
         return trace;
     }
@@ -100,7 +100,7 @@ final class ModemLink implements ModemPort {
         } else if (event instanceof StationEvent.Released released) {
             callEnded(released.cause());
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            // as operators are listed: without the plus sign of an international number
+            // operators are listed without the plus sign of an international number
             String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
             simulation.execute(() -> control.message(sender, message.text()));
         } else if (event instanceof StationEvent.MessageFailed failed) {
@@ -142,7 +142,7 @@ final class ModemLink implements ModemPort {
         return new CallDecision(accepted, key(tone));
     }
 
-    /** The current frame has arrived whole, so now is its end: later than the sample at which the key was decided. */
+    /** Counts to the end of the current frame, which has arrived whole: later than the deciding sample. */
     private long samplesSinceStart(DtmfDigit digit) {
         long now = heardSamples + FRAME_SAMPLES;
         boolean sameCount = now >= digit.decidedAtSample() && now - digit.decidedAtSample() <= FRAME_SAMPLES;

@@ -2,17 +2,17 @@ package simrobot.control;
 
 import vericommand.ReplyTone;
 
-/** What a robot's control asks of its modem; any thread may ask. */
+/** Requests of a robot's control to its modem; callable on any thread. */
 interface ModemPort {
-    /** @param call the number of the call that is to hear it; when that one is over, nobody does */
+    /** @param call number of the call in which the tone is sent; the tone is dropped if that call has ended */
     void sendTone(long call, ReplyTone tone);
 
-    /** Clears this call, and no later one, once the tones asked for so far have left. */
+    /** Clears this call, and no later one, after the tones requested so far have been sent. */
     void clearCall(long call);
 
-    /** @return false if that is no number that a message can go to */
+    /** @return false if {@code to} is not a valid number for a short message */
     boolean sendMessage(String to, String text);
 
-    /** While an order is under way the modem's count of idle time stands still. */
+    /** While an order is being executed, the modem's idle timer is paused. */
     void setOrderUnderWay(boolean underWay);
 }

@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import vericommand.Verdict;
 
 /**
- * Writes one log line an order and measures what an operator feels: from the moment the order's last key began to sound in
- * the received audio to the wheels' first motion.
+ * Writes one log line per order and measures its latency: from the start of the order's last key in the received audio
+ * to the wheels' first motion.
  */
 final class OrderLatencyLog {
     private static final Logger LOG = System.getLogger(OrderLatencyLog.class.getName());
@@ -24,12 +24,12 @@ final class OrderLatencyLog {
         this.clockNanos = clockNanos;
     }
 
-    /** A key has come by tone; an order that it closes is measured from there. */
+    /** A key was received by tone; the latency of an order that it ends is measured from {@code nanos}. */
     void keyBegan(long nanos) {
         keyBeganNanos = nanos;
     }
 
-    /** Behind a key, or before a short message: there is no key to measure from. */
+    /** Clears the key's time, after a key or before a short message: there is no key to measure from. */
     void noKey() {
         keyBeganNanos = UNKNOWN;
     }
@@ -44,7 +44,7 @@ final class OrderLatencyLog {
         }
     }
 
-    /** @return milliseconds since the order's last key began, or -1 when nobody waits for that */
+    /** @return milliseconds since the order's last key began, or -1 if no order waits for motion */
     long wheelsMoved() {
         if (waiting.isEmpty()) {
             return -1;
@@ -55,7 +55,7 @@ final class OrderLatencyLog {
         return millis;
     }
 
-    /** An order that ends before the wheels have moved still has its line. */
+    /** Logs an order that ends before the wheels have moved. */
     void orderEnded() {
         if (!waiting.isEmpty()) {
             log(waiting + "; the wheels did not move");

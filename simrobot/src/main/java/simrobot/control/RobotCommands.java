@@ -23,7 +23,10 @@ import simrobot.simulation.SimulationSnapshot;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
-/** The console commands about one robot. What they answer is printed on the simulation's thread; files are written here. */
+/**
+ * The console commands about one robot. Answers are printed on the simulation's thread; files are written on the
+ * caller's.
+ */
 final class RobotCommands {
     private static final double MAX_METERS = 1e6;
     private static final double MAX_DEGREES = 1e6;
@@ -46,7 +49,7 @@ final class RobotCommands {
         return Event.of(event).with("robot", robot.name());
     }
 
-    /** An act on the simulation's thread. */
+    /** A task for the simulation's thread. */
     private interface Act {
         void run() throws CommandException;
     }
@@ -98,7 +101,7 @@ final class RobotCommands {
         });
     }
 
-    /** A status that changes is printed by the robot's own event; one that stays is printed here. */
+    /** Prints an unchanged status; a change is printed by the robot's own event. */
     private void setAndAnswer(Runnable act) {
         RobotStatus before = robot.status();
         act.run();
@@ -107,7 +110,7 @@ final class RobotCommands {
         }
     }
 
-    /** A process that changes is printed by the robot's own event; one that stays, or is asked for, is printed here. */
+    /** Prints an unchanged or queried process; a change is printed by the robot's own event. */
     void behaviour(ConsoleCommand command) throws CommandException {
         SimulatedRobot simulated = telephone
                 .simulated()

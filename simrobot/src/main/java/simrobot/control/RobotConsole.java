@@ -78,7 +78,7 @@ public final class RobotConsole implements Console.Commands {
                     "prints which world is loaded, or loads one; the robots go to its homes",
                     (to, command) -> to.console.world(command));
 
-    /** A command on its way to a robot. */
+    /** A command with the robot to which it is addressed. */
     public static final class Request {
         private final RobotConsole console;
         private final Optional<TelephoneRobot> addressed;
@@ -111,7 +111,7 @@ public final class RobotConsole implements Console.Commands {
     private final WorldSource worlds;
     private final Consumer<Event> out;
 
-    /** @param out any thread may call it */
+    /** @param out receives the events to print; called on any thread */
     public RobotConsole(SimRobot simRobot, Fleet fleet, FileExports exports, WorldSource worlds, Consumer<Event> out) {
         this.simRobot = simRobot;
         this.fleet = fleet;
@@ -162,7 +162,7 @@ public final class RobotConsole implements Console.Commands {
         out.accept(event);
     }
 
-    /** Performs an act on the simulation's thread and waits for it, at most 5 s. */
+    /** Performs a task on the simulation's thread and waits for it, at most 5 s. */
     <T> T onSimulation(Callable<T> act) throws CommandException {
         try {
             return simRobot.onSimulation(act);

@@ -19,8 +19,8 @@ import vericommand.VeriCommandSettings;
 import vericommand.VeriCommandSnapshot;
 
 /**
- * One robot with its verifier and what its modem hears. The simulation's thread owns it, so that between looking at the
- * status and acting on it nothing can happen; only {@link #admission} and {@link #snapshot} are for every thread.
+ * One robot with its verifier, driven by its modem's events. Owned by the simulation's thread, so that the status
+ * cannot change between check and action; only {@link #admission} and {@link #snapshot} are thread-safe.
  */
 final class RobotControl {
     private static final Logger LOG = System.getLogger(RobotControl.class.getName());
@@ -50,12 +50,12 @@ final class RobotControl {
         }
     }
 
-    /** The first tone for a caller; any thread may ask, the answer goes by the newest status. */
+    /** Returns the first tone for a caller, by the newest status; callable on any thread. */
     ReplyTone admission(String caller) {
         return settings.admission(caller, status);
     }
 
-    /** What a window shows; any thread may ask. */
+    /** Returns the state that a window shows; callable on any thread. */
     VeriCommandSnapshot snapshot() {
         return snapshot;
     }
@@ -64,7 +64,7 @@ final class RobotControl {
         return robot;
     }
 
-    /** Adds a listener, called on the simulation's thread; before anything happens. */
+    /** Adds a listener, called on the simulation's thread; add it before the first event. */
     void listen(Consumer<RobotEvent> listener) {
         listeners.add(listener);
     }
@@ -74,7 +74,7 @@ final class RobotControl {
         listeners.forEach(listener -> listener.accept(event));
     }
 
-    /** @param call its number, by which the modem tells a reply that comes too late */
+    /** @param call number of the call, by which the modem recognises late replies */
     void callBegan(long call, String caller) {
         callNumber = call;
         veriCommand.callBegan(caller);

@@ -7,7 +7,7 @@ import simrobot.behaviour.BehaviourKind;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
-/** What happens around one robot. Console, recording, log and window all take these. */
+/** An event of one robot, for console, recording, log and window. */
 public sealed interface RobotEvent {
     /** The event as the console prints it, with the robot's name as its first field. */
     Event line(String robot);
@@ -45,7 +45,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A call has come. @param from empty if the network does not say */
+    /** A call was received. @param from empty if the network does not say */
     record CallReceived(String from) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -93,7 +93,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A short message has come. */
+    /** A short message was received. */
     record MessageReceived(String from, String text) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -109,7 +109,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** The robot's status has changed, or was asked for. */
+    /** The robot's status has changed, or was queried. */
     record StatusChanged(RobotStatus status) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -117,7 +117,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** Another autonomous process runs, or none; or it was asked for. */
+    /** The autonomous process has changed, or was queried. */
     record BehaviourChanged(BehaviourKind kind) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -125,7 +125,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** The pose after an instruction, or when it was asked for. */
+    /** The pose after an instruction, or when queried. */
     record PoseReported(Pose pose) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -141,8 +141,8 @@ public sealed interface RobotEvent {
     }
 
     /**
-     * The event of a line that was printed, if it is one that the log keeps: no keys, tones or poses. Empty also for a line of
-     * a later version.
+     * Returns the event of a printed line; empty if the log does not keep it (keys, tones, poses) or a later version
+     * wrote it.
      */
     static Optional<RobotEvent> of(String name, Map<String, String> fields) {
         try {

@@ -7,7 +7,7 @@ import java.util.function.LongSupplier;
 
 /** The last 2000 events of all robots. Filled on the simulation's thread, read by any. */
 public final class RobotEventLog {
-    /** Some hours of a class, some seconds of a crowd. */
+    /** Some hours with a few robots, some seconds with a crowd. */
     public static final int CAPACITY = 2000;
 
     private final LongSupplier timeNanos;
@@ -15,12 +15,12 @@ public final class RobotEventLog {
     private List<LoggedEvent> published = List.of();
     private boolean changed;
 
-    /** @param timeNanos the simulated time, asked on the simulation's thread */
+    /** @param timeNanos supplies the simulated time; called on the simulation's thread */
     public RobotEventLog(LongSupplier timeNanos) {
         this.timeNanos = timeNanos;
     }
 
-    /** The oldest first; the same object as long as no event is added. */
+    /** Returns the events, oldest first; the same object until an event is added. */
     public synchronized List<LoggedEvent> newest() {
         if (changed) {
             published = List.copyOf(events);

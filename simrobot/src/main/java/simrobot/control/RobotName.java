@@ -4,7 +4,7 @@ import java.util.Objects;
 import simgsm.air.Msisdn;
 
 /**
- * A robot to be made: what consoles and windows call it, and its modem's number.
+ * The name of a robot in consoles and windows, and its modem's number.
  *
  * @param name one word without {@code @} and {@code =}
  */

@@ -31,11 +31,11 @@ import simrobot.simulation.SimulationThread;
 import vericommand.VeriCommandSettings;
 
 /**
- * The whole program below its console or window: a simulation with its thread, robots with their verifiers, modems with
- * theirs.
+ * The program without console and windows: the simulation with its thread, robots with their verifiers, and modems with
+ * their thread.
  */
 public final class SimRobot implements AutoCloseable {
-    /** An act is done within milliseconds; a simulation that has ended does none. */
+    /** Maximum wait for a task: tasks take milliseconds, an ended simulation performs none. */
     private static final Duration PATIENCE = Duration.ofSeconds(5);
 
     private static final String UNIT_NAME = "SimGSM robot";
@@ -57,9 +57,9 @@ public final class SimRobot implements AutoCloseable {
     private volatile boolean started;
 
     /**
-     * Nothing runs yet: add robots, then {@link #start}.
+     * Creates a stopped instance: add robots, then {@link #start}.
      *
-     * @param output where calls are heard; closed with the rest
+     * @param output plays the calls; closed by {@link #close}
      */
     public SimRobot(Simulation simulation, InetSocketAddress center, VeriCommandSettings settings, AudioOutput output) {
         this(simulation, center, settings, output, PATIENCE);
@@ -82,15 +82,15 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /**
-     * Gives a robot its modem, for an open network, and its verifier; after the start on the simulation's thread.
+     * Adds a modem for an open network and a verifier to a robot; after the start on the simulation's thread.
      *
-     * @throws IllegalArgumentException when another robot has the number
+     * @throws IllegalArgumentException if another robot has the number
      */
     public TelephoneRobot add(Pioneer robot, Msisdn number, Imei imei, StationOptions options) {
         return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
     }
 
-    /** As before, with a card in the modem's slot. */
+    /** Does the same with a SIM card in the modem. */
     public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, StationOptions options) {
         return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
     }
@@ -113,7 +113,7 @@ public final class SimRobot implements AutoCloseable {
         return added;
     }
 
-    /** Takes a robot off the floor and its modem off the network; on the simulation's thread. */
+    /** Removes a robot from the simulation and its modem from the network; on the simulation's thread. */
     void remove(TelephoneRobot robot) {
         if (robots.remove(robot)) {
             robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
@@ -125,25 +125,25 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /**
-     * Who is told of each robot before its modem begins: at once of those that are there, then, on the simulation's
-     * thread, of those that come. To be said before the start.
+     * Adds a listener, before the start: called now for each present robot, and on the simulation's thread for each new
+     * one before its modem starts.
      */
     public void onAdded(Consumer<TelephoneRobot> listener) {
         robots.forEach(listener);
         told.add(listener);
     }
 
-    /** Who is told, on the simulation's thread, of each robot that has left the floor. */
+    /** Adds a listener, called on the simulation's thread for each robot removed. */
     public void onRemoved(Consumer<TelephoneRobot> listener) {
         toldOfLeaving.add(listener);
     }
 
-    /** What is done first of all at the end, while all threads still run. */
+    /** Adds an action that {@link #close} performs first, while all threads still run. */
     void onClose(Runnable goodbye) {
         goodbyes.add(goodbye);
     }
 
-    /** Time begins and the modems look for their centre. */
+    /** Starts the simulation and connects the modems to their centre. */
     public void start() {
         started = true;
         simulationThread.start();
@@ -151,40 +151,40 @@ public final class SimRobot implements AutoCloseable {
         robots.forEach(robot -> stationThread.add(robot.station(), center));
     }
 
-    /** The first robot is the one that is meant when nobody says which. */
+    /** Returns the robots; the first is the default where none is named. */
     public List<TelephoneRobot> robots() {
         return List.copyOf(robots);
     }
 
-    /** The robot of this name. */
+    /** Returns the robot of this name. */
     public Optional<TelephoneRobot> robot(String name) {
         return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
     }
 
-    /** Where the robots have been. */
+    /** Returns the robots' tracks. */
     public TrackLog tracks() {
         return tracks;
     }
 
-    /** Where calls are heard: of several robots the one that is chosen. */
+    /** Returns the audio monitor, which plays the calls of the selected robot. */
     public CallMonitor callMonitor() {
         return callMonitor;
     }
 
-    /** Pace, pause and pictures of the world; acts on robots are posted to it. */
+    /** Returns the simulation's thread: pace, pause and snapshots; tasks on robots are posted to it. */
     public SimulationThread simulation() {
         return simulationThread;
     }
 
-    /** The simulation as it is at this moment; for the simulation's thread only. */
+    /** Returns the current state of the simulation; for the simulation's thread only. */
     public SimulationSnapshot scene() {
         return simulation.snapshot();
     }
 
     /**
-     * Has something done on the simulation's thread and waits for it.
+     * Performs a task on the simulation's thread and waits for it.
      *
-     * @throws IllegalStateException when it failed, or when the simulation has not come to it in 5 s; then it will not be done
+     * @throws IllegalStateException if the task failed, or was not begun within 5 s; then it is cancelled
      */
     public <T> T onSimulation(Callable<T> act) throws InterruptedException {
         FutureTask<T> task = new FutureTask<>(act);

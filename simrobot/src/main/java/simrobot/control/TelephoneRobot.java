@@ -15,13 +15,13 @@ import simrobot.robot.SimulatedRobot;
 import vericommand.VeriCommandSettings;
 import vericommand.VeriCommandSnapshot;
 
-/** A robot that can be called: what windows and consoles hold of it. */
+/** A robot with a modem and a verifier, as windows and consoles use it. */
 public final class TelephoneRobot {
     private final Msisdn number;
     private final RobotControl control;
     private final ModemLink link;
 
-    /** A robot joined to a verifier and to a modem that has no link yet; who drives it gives the station time and a link. */
+    /** Joins a robot to a verifier and to a modem without a link; the caller supplies the station's time and link. */
     public TelephoneRobot(
             Pioneer robot,
             StationIdentity identity,
@@ -53,7 +53,7 @@ public final class TelephoneRobot {
         return control.robot();
     }
 
-    /** The same, if it is a simulated one. */
+    /** Returns the robot if it is simulated. For the simulation's thread only. */
     public Optional<SimulatedRobot> simulated() {
         return robot() instanceof SimulatedRobot simulated ? Optional.of(simulated) : Optional.empty();
     }
@@ -63,22 +63,22 @@ public final class TelephoneRobot {
         return link.modem().station();
     }
 
-    /** The modem's newest state; any thread may ask. */
+    /** Returns the modem's newest state; callable on any thread. */
     public StationSnapshot modem() {
         return station().snapshot();
     }
 
-    /** The sound of the caller's keys; any thread may ask. */
+    /** Returns the trace of the caller's key tones; callable on any thread. */
     public ToneTrace heard() {
         return link.trace();
     }
 
-    /** What {@link #heard} is to make of the sound; the modem hears the call as it is. Any thread may ask. */
+    /** Sets the experiment applied to {@link #heard} only, not to the modem's input. Callable on any thread. */
     public void tryOut(ToneExperiment experiment) {
         link.tryOut(experiment);
     }
 
-    /** The verifier's newest state; any thread may ask. */
+    /** Returns the verifier's newest state; callable on any thread. */
     public VeriCommandSnapshot veriCommand() {
         return control.snapshot();
     }

@@ -8,8 +8,8 @@ import vericommand.Pose;
 import vericommand.RobotStatus;
 
 /**
- * The tracks of all robots, sampled ten times a simulated second while they change; at most 2 000 000 samples, the oldest
- * are dropped. Filled on the simulation's thread, read by any.
+ * The tracks of all robots, sampled ten times per simulated second while they change; at most 2 000 000 samples, the
+ * oldest are dropped. Filled on the simulation's thread, read by any.
  */
 public final class TrackLog {
     private record Followed(Pioneer robot, TrackSeries series) {}
@@ -25,14 +25,14 @@ public final class TrackLog {
         this(simulation, MAX_SAMPLES);
     }
 
-    /** @param maxSamples of all robots together */
+    /** @param maxSamples maximum for all robots together */
     TrackLog(Simulation simulation, int maxSamples) {
         this.simulation = simulation;
         this.maxSamples = maxSamples;
         simulation.addStepListener(this::step);
     }
 
-    /** Follows a robot from now on, in place of an earlier one of the same name. */
+    /** Starts the track of a robot; replaces an earlier track of the same name. */
     synchronized void follow(Pioneer robot) {
         Followed track = new Followed(robot, new TrackSeries());
         tracks.put(robot.name(), track);
@@ -65,13 +65,13 @@ public final class TrackLog {
         return Math.max(MIN_SAMPLES_PER_ROBOT, maxSamples / Math.max(1, tracks.size()));
     }
 
-    /** A robot's samples so far; none if there is no robot of that name. Any thread may ask. */
+    /** Returns a robot's samples so far; empty if no robot has that name. Callable on any thread. */
     synchronized TrackSeries.Samples samples(String robot) {
         Followed track = tracks.get(robot);
         return (track == null ? new TrackSeries() : track.series).samples();
     }
 
-    /** The samples as CSV. Any thread may ask; the text is made without the lock that each step takes. */
+    /** Returns the samples as CSV. Callable on any thread; formats without holding the lock that each step takes. */
     public String csv(String robot) {
         return samples(robot).csv();
     }

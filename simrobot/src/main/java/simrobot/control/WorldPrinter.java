@@ -5,7 +5,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import simrobot.world.World;
 
-/** A world as {@code --print-world} shows it: what was loaded, in the files' own millimetres and degrees. */
+/** Prints a loaded world for {@code --print-world}, in the files' units: millimetres and degrees. */
 public final class WorldPrinter {
     private WorldPrinter() {}
 
@@ -38,7 +38,7 @@ public final class WorldPrinter {
         return plain(meters * 1000);
     }
 
-    /** Without trailing zeros, and without the dust of the conversion to SI and back. */
+    /** Formats without trailing zeros, rounded against the error of the conversion to SI and back. */
     private static String plain(double value) {
         BigDecimal rounded = BigDecimal.valueOf(value).setScale(4, RoundingMode.HALF_EVEN);
         return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();

@@ -1,10 +1,9 @@
 /**
- * The robot's side of the telephone: for each robot a modem (M2) joined to a verifier (VeriCommand) and a robot of the
- * simulation.
+ * The telephone control of robots: connects each robot with a modem (M2) and a verifier (VeriCommand).
  *
  * <p>Read first {@link simrobot.control.SimRobot}, which holds the whole program below its console or window, then
- * {@link simrobot.control.RobotControl}. Two threads meet here: the simulation's owns robots and verifiers, the stations'
- * owns modems; {@link simrobot.control.ModemLink} is where they post to each other, and nowhere else.
+ * {@link simrobot.control.RobotControl}. Two threads are used: the simulation's owns robots and verifiers, the
+ * stations' owns modems; they exchange tasks in {@link simrobot.control.ModemLink} only.
  *
  * <pre>
  *   SimRobotMain, ui

@@ -3,7 +3,7 @@ package simrobot.p2os;
 import simgsm.octets.OctetWriter;
 import simrobot.robot.Drive;
 
-/** The answer to CONFIG (0x20): what the robot is and the limits that it starts with. */
+/** The answer to CONFIG (0x20): the robot's type, equipment and initial limits. */
 final class ConfigurationPacket {
     private static final int ID = 0x20;
 
@@ -15,7 +15,7 @@ final class ConfigurationPacket {
     private static final int REVOLUTION_COUNT = 16570;
     private static final int WATCHDOG_MILLIS = 2000;
 
-    /** Units of 10 ms in which a stall is noticed. */
+    /** Time until a stall is detected, in units of 10 ms. */
     private static final int STALL_COUNT = 50;
 
     private static final int STALL_VALUE = 200;
@@ -66,7 +66,7 @@ final class ConfigurationPacket {
                 .twoOctets(P3dxScale.TICKS_PER_MILLIMETER)
                 .twoOctets(0)
                 .zeroEnded(FIRMWARE)
-                // gyro scales, kinematics delay, nothing sideways, no charging threshold
+                // gyro scales, kinematics delay, no lateral motion, no charging threshold
                 .twoOctets(0, 0)
                 .octet(0)
                 .twoOctets(0, 0, 0, 0, 0)

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The server information packet (SIP): id 0x32 of a robot that stands, 0x33 of one that moves. Octets per field; numbers have
- * their lowest octet first.
+ * The server information packet (SIP): id 0x32 of a robot at rest, 0x33 of a moving one. Octets per field; numbers are
+ * little-endian.
  *
  * <pre>
  *   id 1 | x 2 | y 2 | heading 2 | left 2 | right 2 | battery 1 | left stall, rear bumpers 1 | right stall, front bumpers 1
@@ -14,15 +14,15 @@ import java.util.Optional;
  *   | digital in 1 | digital out 1 | battery 2 | charger 1 | turn 2 | faults 2 | lateral 2 | temperature 1 | charge 1
  * </pre>
  *
- * {@link P2osReports} writes it; this record is what a client reads of it, in the robot's own units.
+ * {@link P2osReports} writes it; this record holds the fields that a client reads, in the robot's own units.
  *
  * @param movingId whether the id is 0x33
- * @param x with y in distance units, 15 bits, rolling over
+ * @param x with y in distance units, 15 bits, wrapping
  * @param heading 4096 units per turn, anticlockwise
  * @param leftWheel with rightWheel mm/s
  * @param frontBumpers five bits, the leftmost bumper lowest
  * @param rearBumpers five bits, clockwise on, so the rightmost lowest
- * @param echoes the sonars that have measured since the last packet
+ * @param echoes ranges measured since the last packet
  */
 public record InformationPacket(
         boolean movingId,
@@ -50,13 +50,15 @@ public record InformationPacket(
     private static final int HEAD_LENGTH = 20;
     private static final int ECHO_LENGTH = 3;
 
-    /** Whether the packet is one of information, by its id. @param data of a packet, without its frame */
+    /** Whether the packet is an information packet, by its id. @param data data of a packet, without its frame */
     public static boolean isOne(byte[] data) {
         int id = data[0] & 0xFF;
         return id == STOPPED_ID || id == MOVING_ID;
     }
 
-    /** Empty for another packet and for one that is too short. @param data of a packet, without its frame */
+    /**
+     * Decodes the packet; empty if it is of another kind or too short. @param data data of a packet, without its frame
+     */
     public static Optional<InformationPacket> read(byte[] data) {
         if (!isOne(data) || data.length < HEAD_LENGTH) {
             return Optional.empty();
@@ -86,7 +88,7 @@ public record InformationPacket(
         return data[at] & 0xFF | (data[at + 1] & 0xFF) << 8;
     }
 
-    /** Whether the robot moves. MobileSim always sends the id of one that stands, so the wheels count too. */
+    /** Whether the robot moves. MobileSim always sends the id of a robot at rest, so the wheel speeds count too. */
     public boolean isMoving() {
         return movingId || leftWheel != 0 || rightWheel != 0;
     }

@@ -7,8 +7,8 @@ import simgsm.net.Connection;
 import simgsm.net.OutputQueue;
 
 /**
- * A client's connection. Its octets go to the session on the simulation's thread, one read at a time, so that a flood is held
- * back by the client's own full socket. Packets beyond 100 that a client has not read are dropped.
+ * A client's connection. Its octets go to the session on the simulation's thread, one read at a time, so that a flood
+ * fills the client's own socket. At most 100 unread packets are kept for a client; further ones are dropped.
  */
 final class P2osClientConnection extends Connection {
     private static final int READ_LIMIT = 2048;
@@ -25,7 +25,7 @@ final class P2osClientConnection extends Connection {
     /** Null while the client waits for its turn. */
     private P2osSession session;
 
-    /** What the session sends, from the simulation's thread. */
+    /** Output of the session, called on the simulation's thread. */
     private final class SessionOutput implements PacketOutput {
         @Override
         public void send(byte[] packet) {
@@ -47,7 +47,7 @@ final class P2osClientConnection extends Connection {
         this.port = port;
     }
 
-    /** Real time. */
+    /** Returns the time of the connection's acceptance; real time. */
     long acceptedNanos() {
         return acceptedNanos;
     }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import simrobot.robot.SonarRing;
 
-/** Commands as packet data: {@code number}, then nothing or one argument. Every byte sequence decodes to something. */
+/** Commands as packet data: {@code number}, then nothing or one argument. Every byte sequence decodes to a command. */
 public final class P2osCommandCodec {
     private static final int POSITIVE = 0x3B;
     private static final int NEGATIVE = 0x1B;
@@ -15,14 +15,14 @@ public final class P2osCommandCodec {
 
     private P2osCommandCodec() {}
 
-    // ---- what a client sends ------------------------------------------------------------------------------------
+    // ---- encoding -----------------------------------------------------------------------------------------------
 
-    /** A command without argument, framed. */
+    /** Returns a framed command without argument. */
     public static byte[] packet(int number) {
         return P2osPacket.of(new byte[] {(byte) number});
     }
 
-    /** A command with a number of -65535 to 65535, framed. */
+    /** Returns a framed command with an integer argument, -65535 to 65535. */
     public static byte[] packet(int number, int argument) {
         if (Math.abs(argument) > 0xFFFF) {
             throw new IllegalArgumentException("an argument is -65535 to 65535, not " + argument);
@@ -35,7 +35,7 @@ public final class P2osCommandCodec {
                 .toArray());
     }
 
-    /** A command with bytes, framed. */
+    /** Returns a framed command with a byte-string argument. */
     public static byte[] packet(int number, byte[] argument) {
         if (argument.length > MAX_TEXT) {
             throw new IllegalArgumentException("at most " + MAX_TEXT + " bytes, not " + argument.length);
@@ -48,9 +48,9 @@ public final class P2osCommandCodec {
                 .toArray());
     }
 
-    // ---- what a robot hears -------------------------------------------------------------------------------------
+    // ---- decoding -----------------------------------------------------------------------------------------------
 
-    /** @param data of a packet, at least one byte */
+    /** @param data data of a packet, at least one byte */
     public static P2osCommand decode(byte[] data) {
         int number = data[0] & 0xFF;
         return switch (number) {
@@ -100,7 +100,7 @@ public final class P2osCommandCodec {
         return data[1] == NEGATIVE ? -size : size;
     }
 
-    /** The wire counts sonars from 1; 0 is a pause in the firing order. */
+    /** On the wire sonars are numbered from 1; 0 is a pause in the firing order. */
     private static P2osCommand polling(byte[] data) {
         if (data.length < 3 || data[1] != TEXT || (data[2] & 0xFF) > data.length - 3) {
             return new P2osCommand.Unheeded(P2osCommandNumber.POLLING);

@@ -1,6 +1,6 @@
 package simrobot.p2os;
 
-/** The numbers of the commands that the robot heeds (P2OS manual, ARIA's ArCommands, MobileSim's own from 224 on). */
+/** The numbers of the supported commands (P2OS manual, ARIA's ArCommands, MobileSim's own from 224 on). */
 public final class P2osCommandNumber {
     public static final int PULSE = 0;
     public static final int OPEN = 1;

@@ -6,8 +6,8 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.robot.Trapezoid;
 
 /**
- * A client's motion commands on the robot's drive. While the robot executes an order that came by telephone, or has no
- * motors, they are passed over, except those that stop.
+ * Applies a client's motion commands to the robot's drive. While the robot executes an order by telephone, or its
+ * motors are off, only stop commands take effect.
  */
 final class P2osMotionCommands {
     private final SimulatedRobot robot;
@@ -18,12 +18,12 @@ final class P2osMotionCommands {
         drive = robot.drive();
     }
 
-    /** A client begins with the limits that the configuration packet tells. */
+    /** Sets the initial limits of a session, those of the configuration packet. */
     void begin() {
         drive.setLimits(Drive.AHEAD_LIMITS, Drive.TURN_LIMITS);
     }
 
-    /** Nobody holds the robot any more: what was commanded here ends. */
+    /** Ends the client's control: stops the motion it commanded. */
     void end() {
         if (!robot.isUnderOrder() && !robot.isAutonomous()) {
             drive.stop();
@@ -34,7 +34,7 @@ final class P2osMotionCommands {
         drive.setSuspended(suspend && !robot.isAutonomous());
     }
 
-    /** Does what the command says, if it is one of motion. */
+    /** Performs the command if it is a motion command. */
     void perform(P2osCommand command) {
         if (command instanceof P2osCommand.Stop) {
             robot.brake();
@@ -71,7 +71,7 @@ final class P2osMotionCommands {
         drive.setTurnSpeed((wheels.right() - wheels.left()) * unit / Pioneer2Dx.EFFECTIVE_TRACK_METERS);
     }
 
-    /** True when the command sets a limit; limits of 0 are none. */
+    /** Applies a limit; limits of 0 are ignored. Returns true if the command sets a limit. */
     private boolean limit(P2osCommand command) {
         Trapezoid ahead = drive.aheadLimits();
         Trapezoid turn = drive.turnLimits();

@@ -4,24 +4,24 @@ import java.nio.ByteOrder;
 import simgsm.octets.OctetWriter;
 
 /**
- * The frame around everything that is said: {@code FA FB count data checksum}, where count is the data's length plus 2 and
- * the checksum, alone in all the protocol, stands high byte first.
+ * The frame of every packet: {@code FA FB count data checksum}, where count is the data's length plus 2 and the
+ * checksum is big-endian, unlike all other numbers of the protocol.
  */
 public final class P2osPacket {
     static final int HEADER_1 = 0xFA;
     static final int HEADER_2 = 0xFB;
 
-    /** The largest count that a robot takes: greater ones are dropped. */
+    /** The largest count accepted; packets with a greater one are dropped. */
     static final int MAX_COUNT = 200;
 
-    /** The least count that can be: one byte of data and the checksum. */
+    /** The smallest valid count: one byte of data and the checksum. */
     static final int MIN_COUNT = 3;
 
     private static final int CHECKSUM_LENGTH = 2;
 
     private P2osPacket() {}
 
-    /** An empty writer for a packet's data: numbers are little-endian. */
+    /** Returns an empty writer for a packet's data; numbers are little-endian. */
     static OctetWriter data() {
         return new OctetWriter(ByteOrder.LITTLE_ENDIAN);
     }
@@ -47,7 +47,7 @@ public final class P2osPacket {
                 .toArray();
     }
 
-    /** The sum of the big-endian pairs modulo 65536; a byte left over goes into the low half by exclusive or. */
+    /** Returns the sum of the big-endian pairs modulo 65536; an odd last byte is XORed into the low byte. */
     static int checksum(byte[] bytes, int from, int length) {
         int sum = 0;
         int end = from + length;

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Finds packets in a stream of any bytes whatever. Packets with a wrong checksum are dropped whole, counts that cannot be
- * are passed over with their header; both are counted.
+ * Finds packets in an arbitrary byte stream. Packets with a wrong checksum are dropped whole, invalid counts are
+ * skipped with their header; both are counted.
  */
 public final class P2osPacketReader {
-    /** A packet that has been waiting so long for its rest is given up when a new header comes. */
+    /** An incomplete packet is dropped after this time without bytes if the next bytes begin with a header. */
     private static final long STALE_NANOS = 100_000_000;
 
     private final byte[] body = new byte[P2osPacket.MAX_COUNT];
@@ -26,17 +26,17 @@ public final class P2osPacketReader {
         COUNT
     }
 
-    /** @param packets takes the data of each good packet, without frame */
+    /** @param packets receives the data of each valid packet, without its frame */
     public P2osPacketReader(Consumer<byte[]> packets) {
         this.packets = packets;
     }
 
-    /** Headers whose packet was no good. */
+    /** Returns the number of headers without a valid packet. */
     public long rejected() {
         return rejected;
     }
 
-    /** @param nanos the time at which the bytes came */
+    /** @param nanos the time at which the bytes arrived */
     public void read(byte[] bytes, long nanos) {
         boolean opens = bytes.length >= 2
                 && (bytes[0] & 0xFF) == P2osPacket.HEADER_1
@@ -69,7 +69,7 @@ public final class P2osPacketReader {
     private void count(int value) {
         if (value < P2osPacket.MIN_COUNT || value > P2osPacket.MAX_COUNT) {
             reject();
-            // 0xFA is no count, but may be the next header
+            // 0xFA is no valid count, but may begin the next header
             seen = value == P2osPacket.HEADER_1 ? Seen.FIRST_HEADER : Seen.NOTHING;
         } else {
             count = value;

@@ -13,13 +13,13 @@ import simrobot.robot.SimulatedRobot;
 import vericommand.Pose;
 
 /**
- * A robot's port, which serves one client at a time. Further clients wait up to 2.5 s; the first of them begins when the
- * client leaves or has become silent, and those whose time is over are disconnected.
+ * A robot's port, which serves one client at a time. Further clients wait up to 2.5 s; the first of them begins when
+ * the client leaves or has become silent, and those whose time is over are disconnected.
  */
 final class P2osPort {
     private static final Logger LOG = System.getLogger(P2osPort.class.getName());
 
-    /** A little longer than the client may be silent. */
+    /** Maximum wait of a client: 0.5 s longer than the watchdog of the present client. */
     private static final long WAIT_NANOS = 2_500_000_000L;
 
     private static final int MOST_WAITING = 16;
@@ -43,7 +43,7 @@ final class P2osPort {
         return robot;
     }
 
-    /** The robot's pose when the port was opened. */
+    /** Returns the robot's pose when the port was opened. */
     Pose start() {
         return start;
     }
@@ -55,7 +55,7 @@ final class P2osPort {
     void accepted(P2osClientConnection connection) {
         waiting.add(connection);
         if (client != null) {
-            // Notices a client that has left, also while nothing is read from it.
+            // detects a closed connection while nothing else is read from the client
             client.read();
         }
         beginNext();
@@ -78,7 +78,7 @@ final class P2osPort {
         }
     }
 
-    /** Ends the client or the waiting whose time is over. */
+    /** Closes a silent client if another waits, and waiting clients after {@link #WAIT_NANOS}. */
     void tick(long nowNanos) {
         if (!waiting.isEmpty() && client != null && client.isSilent(nowNanos)) {
             LOG.log(Level.INFO, robot.name() + ": a silent P2OS client is replaced by the next");

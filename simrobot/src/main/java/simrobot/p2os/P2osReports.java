@@ -37,14 +37,14 @@ final class P2osReports {
         sonarOn = on;
     }
 
-    /** @param sonars that fire; empty means all */
+    /** @param sonars the sonars that fire; empty means all */
     void setPolled(List<Integer> sonars) {
         polled = sonars.isEmpty()
                 ? P2osSession.allSonars()
                 : sonars.stream().distinct().sorted().toList();
     }
 
-    /** The robot's name as a client can read it: at most 19 characters of ASCII. */
+    /** Returns the robot's name as sent to clients: at most 19 ASCII characters. */
     String name() {
         String plain = robot.name().replaceAll("[^ -~]", "?");
         return plain.substring(0, Math.min(NAME_LENGTH, plain.length()));
@@ -59,7 +59,7 @@ final class P2osReports {
                 .toArray());
     }
 
-    /** The packet that {@link InformationPacket} lays out. */
+    /** Returns the information packet, laid out as in {@link InformationPacket}. */
     byte[] information(long simulatedNanos) {
         Odometry odometry = robot.odometry();
         double speed = robot.speedMetersPerSecond();
@@ -106,7 +106,9 @@ final class P2osReports {
                 .toArray());
     }
 
-    /** Two reserved bytes, flags, intervals, the true pose in mm and degrees, and no satellites. */
+    /**
+     * Returns the simulator packet: two reserved bytes, flags, intervals, true pose in mm and degrees, no satellites.
+     */
     byte[] simulator() {
         int step = (int) (Simulation.STEP_NANOS / 1_000_000);
         Pose pose = robot.pose();

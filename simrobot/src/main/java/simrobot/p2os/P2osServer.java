@@ -14,14 +14,14 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.SimulationThread;
 
 /**
- * Serves P2OS clients over TCP, a port for each robot. One thread owns the sockets; the sessions run on the simulation's
+ * Serves P2OS clients over TCP, one port per robot. One thread owns the sockets; the sessions run on the simulation's
  * thread.
  */
 public final class P2osServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(P2osServer.class.getName());
     private static final int LAST_PORT = 0xFFFF;
 
-    /** The period in which ports check their clients, and sessions get their time while the simulation makes no steps. */
+    /** Period of the ports' client checks, and of the sessions' ticks while the simulation makes no steps. */
     private static final long TICK_NANOS = 50_000_000;
 
     private final SimulationThread simulation;
@@ -33,9 +33,9 @@ public final class P2osServer implements AutoCloseable {
     private int nextPort;
 
     /**
-     * No port is open yet.
+     * Creates a server without open ports.
      *
-     * @param firstPort of the first robot; the next has the next one. 0 takes any free ones
+     * @param firstPort port of the first robot, incremented for each further one; 0 selects any free ports
      */
     public P2osServer(SimulationThread simulation, InetAddress address, int firstPort) {
         this.simulation = simulation;
@@ -47,7 +47,7 @@ public final class P2osServer implements AutoCloseable {
      * Opens a port for the robot; before the start, or on the simulation's thread.
      *
      * @return the port
-     * @throws IOException naming the port that cannot be opened
+     * @throws IOException if the port cannot be opened; the message names it
      */
     public int add(SimulatedRobot robot) throws IOException {
         if (nextPort > LAST_PORT) {
@@ -71,9 +71,9 @@ public final class P2osServer implements AutoCloseable {
     }
 
     /**
-     * Serves clients from now on.
+     * Starts serving clients.
      *
-     * @param onFailure called when the sockets' thread has ended by an error
+     * @param onFailure called if the sockets' thread has ended with an error
      */
     public void start(Consumer<Throwable> onFailure) {
         simulation.withSimulation(owned -> owned.addStepListener(this::tickSessions));
@@ -96,7 +96,7 @@ public final class P2osServer implements AutoCloseable {
         return simulation;
     }
 
-    /** Queues a task of the sockets' thread. */
+    /** Queues a task for the sockets' thread. */
     void post(Runnable task) {
         loop.post(task);
     }

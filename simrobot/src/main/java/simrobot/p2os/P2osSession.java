@@ -11,12 +11,12 @@ import simrobot.robot.SonarRing;
 import vericommand.Pose;
 
 /**
- * A client's session on a robot, by {@link P2osSessionTable}. Owned by the simulation's thread; time comes in with the octets
- * and with {@link #tick}.
+ * A client's session on a robot, by {@link P2osSessionTable}. Owned by the simulation's thread; {@link #received} and
+ * {@link #tick} supply the time.
  *
- * <p>Information packets follow simulated time, one per 100 ms of it, so that from one to the next lies a robot's step at any
- * speed. In real time they are sent at least every 200 ms, from a slow or paused simulation too, and at most every 10 ms. The
- * watchdog guards the connection, so it runs in real time.
+ * <p>Information packets follow simulated time, one per 100 ms of it, so that consecutive packets are one period apart
+ * at any speed. In real time they are sent at least every 200 ms, from a slow or paused simulation too, and at most
+ * every 10 ms. The watchdog guards the connection, so it runs in real time.
  */
 public final class P2osSession {
     static final int SIP_MILLIS = 100;
@@ -25,16 +25,16 @@ public final class P2osSession {
     private static final long MIN_GAP_NANOS = 10_000_000;
     private static final long MAX_GAP_NANOS = 200_000_000;
 
-    /** A client that sends nothing for this long has lost its robot: the robot stops. */
+    /** Watchdog: the robot stops after this time without a packet from the client. */
     public static final long WATCHDOG_NANOS = 2_000_000_000;
 
-    /** How often the client wants a further packet sent after each information packet. */
+    /** When a further packet is sent after an information packet. */
     private enum Repetition {
         NEVER,
         ONCE,
         ALWAYS;
 
-        /** The mode as on the wire: 0 never, 1 once, 2 always. */
+        /** Decodes the mode: 0 never, 1 once, 2 always. */
         static Repetition of(int mode) {
             return mode == 1 ? ONCE : mode > 1 ? ALWAYS : NEVER;
         }
@@ -49,7 +49,7 @@ public final class P2osSession {
     private final StallDetector stall;
     private final StateMachine<State, Event, Action> machine;
 
-    /** For other threads. */
+    /** Read by other threads. */
     private volatile boolean open;
 
     private Repetition encoders = Repetition.NEVER;
@@ -62,9 +62,9 @@ public final class P2osSession {
     private long sipNanos;
 
     /**
-     * A session whose client has just connected.
+     * Creates the session of a client that has just connected.
      *
-     * @param start the pose at which the robot is put when the client resets the simulator
+     * @param start the robot's pose after the client resets the simulator
      * @param nanos real time now
      */
     public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, long nanos) {
@@ -78,7 +78,7 @@ public final class P2osSession {
         receivedNanos = nanos;
     }
 
-    /** Takes octets from the client, whatever they are. */
+    /** Processes octets from the client; any content is valid input. */
     public void received(byte[] octets, long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);
         if (machine.state() != State.ENDED) {
@@ -86,7 +86,7 @@ public final class P2osSession {
         }
     }
 
-    /** Time has passed; to be called after every step, and every 50 ms while the simulation makes none. */
+    /** Advances the time; called after every step, and every 50 ms while the simulation makes none. */
     public void tick(long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);
         if (machine.state() == State.ENDED) {
@@ -103,7 +103,7 @@ public final class P2osSession {
         }
     }
 
-    /** The connection is closed. */
+    /** Called when the connection is closed. */
     public void lost() {
         fire(Event.CONNECTION_LOST);
     }
@@ -113,12 +113,12 @@ public final class P2osSession {
         fire(Event.ABORTED);
     }
 
-    /** Whether the client controls the robot. Any thread may ask. */
+    /** Whether the client controls the robot. Callable on any thread. */
     public boolean isOpen() {
         return open;
     }
 
-    /** When the client last sent a packet, or connected; real time. Any thread may ask. */
+    /** Returns the time of the client's last packet, or of its connection; real time. Callable on any thread. */
     public long receivedNanos() {
         return receivedNanos;
     }
@@ -232,7 +232,7 @@ public final class P2osSession {
         }
     }
 
-    /** All sonars, sonar 0 first. */
+    /** Returns all sonars, sonar 0 first. */
     static List<Integer> allSonars() {
         return IntStream.range(0, SonarRing.COUNT).boxed().toList();
     }

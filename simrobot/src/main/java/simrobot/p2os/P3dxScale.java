@@ -1,41 +1,41 @@
 package simrobot.p2os;
 
-/** What a p3dx's numbers mean: ARIA's p3dx.p, which a client loads because of the name that the handshake tells it. */
+/** Units of a p3dx, from ARIA's p3dx.p, which a client loads by the type sent in the handshake. */
 final class P3dxScale {
     static final String CLASS = "Pioneer";
     static final String SUBCLASS = "p3dx";
 
-    /** A place's unit, DistConvFactor. */
+    /** Unit of position, DistConvFactor. */
     static final double MILLIMETERS_PER_UNIT = 0.485;
 
-    /** An angle's unit, AngleConvFactor 0.001534: 4096 to the turn. */
+    /** Unit of angles, AngleConvFactor 0.001534: 4096 units per turn. */
     static final int UNITS_PER_TURN = 4096;
 
-    /** A wheel speed's unit in the two-wheel command, Vel2Divisor. */
+    /** Unit of wheel speed in the two-wheel command, Vel2Divisor. */
     static final double WHEEL_UNIT_MILLIMETERS_PER_SECOND = 20;
 
-    /** MaxVelocity, nothing goes faster. */
+    /** MaxVelocity, the top speed. */
     static final int MOST_MILLIMETERS_PER_SECOND = 2200;
 
-    /** MaxRVelocity. */
+    /** MaxRVelocity, the top turning speed. */
     static final int MOST_DEGREES_PER_SECOND = 500;
 
-    /** No acceleration above this is taken: 32 m/s2, what two bytes hold. */
+    /** The greatest acceleration accepted, mm/s2: the maximum of a signed 16-bit argument. */
     static final int MOST_ACCELERATION = 0x7FFF;
 
-    /** Encoder ticks a millimetre, as the configuration packet tells. */
+    /** Encoder ticks per millimetre, as in the configuration packet. */
     static final int TICKS_PER_MILLIMETER = 128;
 
     private static final int PLACE_MASK = 0x7FFF;
 
     private P3dxScale() {}
 
-    /** 15 bits, never negative; it rolls over. */
+    /** Returns the position in units: 15 bits, unsigned, wrapping. */
     static int place(double meters) {
         return (int) (Math.round(meters * 1000 / MILLIMETERS_PER_UNIT) & PLACE_MASK);
     }
 
-    /** -2048 to 2047. */
+    /** Returns the angle in units, -2048 to 2047. */
     static int angle(double radians) {
         int units = (int) Math.floorMod(Math.round(radians / (2 * Math.PI) * UNITS_PER_TURN), (long) UNITS_PER_TURN);
         return units >= UNITS_PER_TURN / 2 ? units - UNITS_PER_TURN : units;
@@ -45,7 +45,7 @@ final class P3dxScale {
         return (int) Math.round(meters * 1000);
     }
 
-    /** The wheels' ticks; they roll over after some 16 km. */
+    /** Returns the wheels' encoder ticks; they wrap after about 16 km. */
     static int ticks(double meters) {
         return (int) Math.round(meters * 1000 * TICKS_PER_MILLIMETER);
     }

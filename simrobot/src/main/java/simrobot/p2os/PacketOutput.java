@@ -1,10 +1,10 @@
 package simrobot.p2os;
 
-/** Where a session's answers go. */
+/** Output of a session's packets. */
 public interface PacketOutput {
-    /** Takes a whole packet, frame and all; one that the client is too slow for may be lost, as on the real line. */
+    /** Sends a framed packet; it may be dropped if the client reads too slowly, as on a serial line. */
     void send(byte[] packet);
 
-    /** Ends the connection; what was sent before leaves first, as far as the client takes it. */
+    /** Closes the connection after the packets sent before, as far as the client reads them. */
     void close();
 }

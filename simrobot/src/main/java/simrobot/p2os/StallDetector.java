@@ -4,9 +4,9 @@ import simrobot.robot.Bumpers;
 import simrobot.robot.SimulatedRobot;
 import vericommand.RobotStatus;
 
-/** Whether the wheels have stalled because of what presses on the robot. */
+/** Detects stalled wheels after a collision. */
 final class StallDetector {
-    /** Without a bumper that stalls the wheels, the controller notices by their current only after half a second. */
+    /** Without a bumper that stalls the wheels, the controller detects the stall by motor current after 0.5 s. */
     private static final long STALL_NANOS = 500_000_000;
 
     private final SimulatedRobot robot;
@@ -24,7 +24,7 @@ final class StallDetector {
         rearStalls = sides.rear();
     }
 
-    /** @param simulatedNanos now */
+    /** @param simulatedNanos the current simulated time */
     void watch(long simulatedNanos) {
         boolean now = robot.status() == RobotStatus.COLLISION;
         if (now && !collided) {

@@ -5,8 +5,8 @@ import simrobot.robot.PoseRounding;
 import vericommand.Pose;
 
 /**
- * The pose of a robot by its own odometry, from the pose that was set last. The odometry rolls over at 15 bits and 4096
- * units; the smaller of two possible differences is taken.
+ * The pose of a robot by its own odometry, relative to the pose that was set last. Odometry counters wrap at 15 bits
+ * (position) and 4096 units (heading); of two possible differences the smaller is used.
  */
 final class DeadReckoning {
     private static final int PLACE_BITS = 15;
@@ -15,7 +15,7 @@ final class DeadReckoning {
     private double y;
     private double heading;
 
-    /** Rotation from the odometry's frame to the world's. */
+    /** Rotation from the odometry's frame to the world's, radians. */
     private double skew;
 
     private InformationPacket last;
@@ -26,7 +26,7 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    /** The next packet begins a new session, at the last pose. */
+    /** Begins a new session: the next packet is taken as the last pose. */
     void restart() {
         last = null;
     }
@@ -52,7 +52,7 @@ final class DeadReckoning {
         last = information;
     }
 
-    /** The smallest signed difference on a counter of this many bits. */
+    /** Returns the smallest signed difference on a counter of {@code bits} bits. */
     private static int step(int difference, int bits) {
         int half = 1 << bits - 1;
         return (difference + half & (1 << bits) - 1) - half;

@@ -10,11 +10,12 @@ import vericommand.Instruction;
 import vericommand.MotionOutcome;
 
 /**
- * One instruction on a real robot, in legs that its controller can take: it moves and counts by itself, so what it says
- * of its place tells when a leg is over. Stands it short of the goal, the next leg, or a correction, follows.
+ * Executes one instruction on a real robot as a sequence of legs of at most 30 m or 150 degrees. The robot's controller
+ * executes each leg; its odometry shows when the leg is over. If the robot stops off the goal, the next leg or a
+ * correction follows.
  */
 final class InstructionLegs {
-    /** What has become of it by the newest information. */
+    /** Progress by the newest information packet. */
     enum Progress {
         UNDER_WAY,
         AT_GOAL,
@@ -23,24 +24,24 @@ final class InstructionLegs {
         OVERDUE
     }
 
-    /** An argument has 15 bits on many controllers. */
+    /** Maximum leg: many controllers take 15-bit arguments. */
     private static final int LONGEST_WAY_MILLIMETERS = 30_000;
 
-    /** Controllers turn the short way round. */
+    /** Maximum leg: controllers turn through the smaller angle, below 180 degrees. */
     private static final int LARGEST_TURN_DEGREES = 150;
 
     private static final double NEAR_MILLIMETERS = 2;
     private static final double NEAR_DEGREES = 0.6;
 
-    /** Where corrections do not help, so many times as far is near enough. */
+    /** Factor by which the tolerance grows after {@link #CORRECTIONS} corrections. */
     private static final double LENIENCE = 6;
 
     private static final int CORRECTIONS = 3;
 
-    /** What a leg may take before it shows. */
+    /** Time after which a leg without any motion counts as over. */
     private static final long SETTING_OUT_NANOS = 600_000_000;
 
-    /** An information packet may have left before the command came. */
+    /** Time in which an information packet may predate the command. */
     private static final long IN_FLIGHT_NANOS = 250_000_000;
 
     private final boolean forward;
@@ -78,7 +79,7 @@ final class InstructionLegs {
         limitNanos = InfiniteLoopRule.limitNanos(profile, forward ? goal / 1000.0 : Math.toRadians(goal));
     }
 
-    /** The command for the next leg, framed; to be sent at once. */
+    /** Returns the framed command for the next leg and starts its timer. */
     byte[] nextLeg(long nanos) {
         legNanos = nanos;
         legHasMoved = false;
@@ -87,7 +88,7 @@ final class InstructionLegs {
         int legs = Math.max(1, (Math.abs(left) + most - 1) / most);
         int leg = left / legs;
         corrections += legs == 1 ? 1 : 0;
-        // anticlockwise is positive there
+        // P2OS counts anticlockwise as positive
         return forward
                 ? P2osCommandCodec.packet(P2osCommandNumber.MOVE, leg)
                 : P2osCommandCodec.packet(P2osCommandNumber.DHEAD, -leg);
@@ -104,12 +105,12 @@ final class InstructionLegs {
         return begunInCollision;
     }
 
-    /** Whether the wheels have turned for it. */
+    /** Whether the wheels have moved since the instruction began. */
     boolean hasMoved() {
         return hasMoved;
     }
 
-    /** Millimetres or degrees, in the sense of the instruction. */
+    /** Returns the distance done: millimetres or degrees clockwise. */
     private double done() {
         if (forward) {
             double way = (place.xMeters() - startX) * Math.cos(startHeading)
@@ -145,7 +146,7 @@ final class InstructionLegs {
         return nanos - startNanos >= limitNanos ? Progress.OVERDUE : Progress.UNDER_WAY;
     }
 
-    /** Whether the robot stands short of the goal, or beyond it, and is to be told again. */
+    /** Whether the leg is over with the robot at rest; call only if {@link #judge} has not ended the instruction. */
     boolean wantsNextLeg(InformationPacket information, long nanos) {
         boolean over = legHasMoved ? nanos - legNanos > IN_FLIGHT_NANOS : nanos - legNanos > SETTING_OUT_NANOS;
         return !information.isMoving() && !braking && over;

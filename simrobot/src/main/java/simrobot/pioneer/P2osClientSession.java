@@ -9,8 +9,8 @@ import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 
 /**
- * How one comes to talk with a robot, and goes on: three steps of synchronisation, each repeated after a second, then OPEN;
- * then a sign of life every half second, since a robot that hears nothing for two stops.
+ * Client side of a P2OS session: three synchronisation steps, each repeated after 1 s, then OPEN, then PULSE after
+ * every 0.5 s without a command, because a robot stops when it receives nothing for 2 s.
  */
 final class P2osClientSession {
     private static final Logger LOG = System.getLogger(P2osClientSession.class.getName());
@@ -18,7 +18,7 @@ final class P2osClientSession {
     private static final long ANSWER_NANOS = 1_000_000_000;
     private static final long SIGN_OF_LIFE_NANOS = 500_000_000;
 
-    /** A line on which no information comes for so long is dead. */
+    /** The connection is dropped after this time without an information packet. */
     private static final long SILENCE_NANOS = 3_000_000_000L;
 
     private static final int MOST_SILENT_TRIES = 10;
@@ -45,8 +45,8 @@ final class P2osClientSession {
     private long heardNanos;
 
     /**
-     * @param opened told when the robot may be commanded
-     * @param said takes the data of each packet from then on
+     * @param opened called when the session is open and commands may be sent
+     * @param said receives the data of each packet from then on
      */
     P2osClientSession(String robot, PioneerLine line, Runnable opened, Consumer<byte[]> said) {
         this.robot = robot;
@@ -63,7 +63,7 @@ final class P2osClientSession {
         return scale;
     }
 
-    /** There is a connection. */
+    /** Starts the synchronisation on a new connection. */
     void begin(long nanos) {
         stage = Stage.SYNCHRONISING;
         silentTries = 0;
@@ -71,7 +71,7 @@ final class P2osClientSession {
         ask(0, nanos);
     }
 
-    /** There is none any more. */
+    /** Ends the session; the connection is lost. */
     void end() {
         stage = Stage.APART;
     }
@@ -115,7 +115,7 @@ final class P2osClientSession {
         }
     }
 
-    /** @param data of a packet, at least one byte */
+    /** @param data data of a packet, at least one byte */
     void heard(byte[] data, long nanos) {
         if (stage == Stage.OPEN) {
             if (InformationPacket.isOne(data)) {
@@ -130,7 +130,7 @@ final class P2osClientSession {
     private void synchronise(byte[] data, long nanos) {
         int id = data[0] & 0xFF;
         if (InformationPacket.isOne(data)) {
-            // somebody has left without a goodbye
+            // an earlier client's session is still open
             line.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
             ask(0, nanos);
         } else if (id == START_OVER_ID) {

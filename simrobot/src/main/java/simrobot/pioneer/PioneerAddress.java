@@ -13,13 +13,13 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Where a Pioneer is to be found: {@code HOST:PORT}, or a serial line's device file, whose speed somebody has set. */
+/** Address of a Pioneer: {@code HOST:PORT}, or the device file of a serial line whose speed is already set. */
 public sealed interface PioneerAddress {
-    /** A port over TCP. */
+    /** A TCP port. */
     record Tcp(String host, int port) implements PioneerAddress {
         private static final int PATIENCE_MILLIS = 5000;
 
-        /** Not by SocketChannel's own connect, which knows no patience. */
+        /** Connects through the socket, because {@link SocketChannel#connect} has no timeout. */
         @Override
         public ByteChannel open() throws IOException {
             SocketChannel channel = SocketChannel.open();
@@ -40,7 +40,7 @@ public sealed interface PioneerAddress {
         }
     }
 
-    /** A device opened twice: within one file channel whoever reads holds up whoever writes. */
+    /** A device opened twice: within one file channel a blocked read delays writes. */
     record TwoWay(FileChannel in, FileChannel out) implements ByteChannel {
         @Override
         public int read(ByteBuffer buffer) throws IOException {
@@ -84,10 +84,10 @@ public sealed interface PioneerAddress {
         }
     }
 
-    /** Connects; the caller's thread waits for it. */
+    /** Connects; blocks the calling thread. */
     ByteChannel open() throws IOException;
 
-    /** @throws IllegalArgumentException saying what was expected */
+    /** @throws IllegalArgumentException if the text is no address; the message says what was expected */
     static PioneerAddress parse(String text) {
         int colon = text.lastIndexOf(':');
         if (colon > 0 && text.substring(colon + 1).matches("[0-9]{1,5}")) {
@@ -102,7 +102,7 @@ public sealed interface PioneerAddress {
                 return new Device(file);
             }
         } catch (InvalidPathException e) {
-            // said below
+            // reported below
         }
         throw new IllegalArgumentException("expected HOST:PORT or a serial line's device file, found " + text);
     }

@@ -15,9 +15,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import simgsm.net.RetryPause;
 
 /**
- * Gives a {@link RealPioneer} its connection and its time. Serial lines block, so one thread connects and reads, one writes,
- * and one posts a tick every 100 ms; all three end with {@link #close}. The robot's core runs on the simulation's thread. A
- * connection that is lost, or cannot be made, is tried again with pauses that grow from 0.5 s to 15 s.
+ * Connection and clock of a {@link RealPioneer}. Serial lines block, so one thread connects and reads, one writes, and
+ * one posts a tick every 100 ms; all three end with {@link #close}. The robot's core runs on the simulation's thread. A
+ * connection that is lost, or cannot be made, is retried after pauses that grow from 0.5 s to 15 s.
  */
 public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final Logger LOG = System.getLogger(PioneerCall.class.getName());
@@ -27,7 +27,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final long GOODBYE_MILLIS = 1000;
     private static final int MOST_QUEUED = 256;
     private static final int CHUNK = 1024;
-    /** Closes the connection after the packets before it. */
+    /** Queue marker: closes the connection after the packets before it. */
     private static final byte[] END = {};
 
     private final String robot;

@@ -1,16 +1,16 @@
 package simrobot.pioneer;
 
-/** The way to a robot, as its core uses it; none of this waits. */
+/** Connection to a robot; no method blocks. */
 public interface PioneerLine {
-    /** Sends a whole packet, frame and all; without a connection it is lost. */
+    /** Sends a framed packet; without a connection it is dropped. */
     void send(byte[] packet);
 
-    /** Wants to be connected, now and whenever the connection is lost. */
+    /** Connects, and reconnects whenever the connection is lost. */
     void call();
 
-    /** Ends the connection; it is made again if that is still wanted. */
+    /** Closes the connection; reconnects unless {@link #hangUp} was called. */
     void drop();
 
-    /** Ends the connection and wants none. */
+    /** Closes the connection and does not reconnect. */
     void hangUp();
 }

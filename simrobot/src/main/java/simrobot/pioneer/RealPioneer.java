@@ -28,11 +28,11 @@ import vericommand.StatusMachine;
 import vericommand.StatusRules;
 
 /**
- * A Pioneer at the other end of a line, driven and watched by P2OS. Its status follows what it says of itself ten times a
- * second: no link is Disconnected, motors off is No motors, a stall is Collision. Belongs to the simulation's thread.
+ * A Pioneer controlled over P2OS. Its status follows its information packets, ten per second: no connection is
+ * Disconnected, motors off is No motors, a stall is Collision. Owned by the simulation's thread.
  */
 public final class RealPioneer implements Pioneer {
-    /** What was switched here holds against older news for so long. */
+    /** After switching the motors here, contradicting information packets are ignored for this time. */
     private static final long SWITCH_NANOS = 1_000_000_000;
 
     private static final int BOTH_BUMPERS_STALL = 3;
@@ -52,7 +52,7 @@ public final class RealPioneer implements Pioneer {
     private boolean motorsWanted;
     private long switchedNanos;
 
-    /** Whether it has come to rest since its last own motion; until then its rolling out is no motion of somebody else's. */
+    /** Whether the robot has stood still since its last instruction; coasting before that is no external motion. */
     private boolean settled;
 
     private long nanos;
@@ -60,7 +60,7 @@ public final class RealPioneer implements Pioneer {
     /**
      * A robot that is not connected yet.
      *
-     * @param motors whether its motors are to be switched on once it is
+     * @param motors whether its motors are switched on when it connects
      */
     public RealPioneer(String name, PioneerLine line, Pose start, boolean motors) {
         this.name = Objects.requireNonNull(name);
@@ -77,7 +77,7 @@ public final class RealPioneer implements Pioneer {
 
     // ---- from the line -------------------------------------------------------------------------------------------
 
-    /** The line is connected. */
+    /** Called when the line is connected. */
     public void connected(long nowNanos) {
         nanos = nowNanos;
         reader = new P2osPacketReader(this::heard);
@@ -89,13 +89,13 @@ public final class RealPioneer implements Pioneer {
         reader.read(bytes, nanos);
     }
 
-    /** The line is connected no more. */
+    /** Called when the connection is lost. */
     public void disconnected() {
         conversation.end();
         lose();
     }
 
-    /** Time has passed; some ten times a second. */
+    /** Advances the time; called about ten times a second. */
     public void tick(long nowNanos) {
         nanos = nowNanos;
         conversation.tick(nanos);
@@ -112,7 +112,7 @@ public final class RealPioneer implements Pioneer {
         }
     }
 
-    /** Its limits become those of the simulated one, so that orders take the same time. */
+    /** Sets the limits of the simulated robot, so that orders take the same time. */
     private void opened() {
         place.restart();
         settled = false;
@@ -172,7 +172,7 @@ public final class RealPioneer implements Pioneer {
                 Pioneer2Dx.SONAR_LEAST_METERS * 1000, Math.min(Pioneer2Dx.SONAR_RANGE_METERS * 1000, millimeters));
     }
 
-    /** Its own button, its e-stop or a broken fuse may switch the motors, too. */
+    /** Follows the motors' state: the robot's own button, e-stop or a blown fuse may change it too. */
     private void followMotors(InformationPacket information) {
         boolean settling = nanos - switchedNanos < SWITCH_NANOS && information.motors() != motorsWanted;
         if (!settling && information.motors() != hasMotors()) {
@@ -224,7 +224,7 @@ public final class RealPioneer implements Pioneer {
         over.end(kind, atGoal);
     }
 
-    /** Somebody else moves it: by hand, by joystick. */
+    /** Follows motion that no instruction caused: by hand or joystick. */
     private void followOthers(InformationPacket information) {
         boolean moves = information.isMoving();
         if (status() == RobotStatus.MOVING) {
@@ -259,7 +259,7 @@ public final class RealPioneer implements Pioneer {
 
     // ---- switches ------------------------------------------------------------------------------------------------
 
-    /** Off hangs up, on calls; the status follows when the robot answers. */
+    /** On connects, off disconnects; after on, the status changes when the robot answers. */
     @Override
     public void setPower(boolean on) {
         if (on) {
@@ -297,7 +297,7 @@ public final class RealPioneer implements Pioneer {
         statusListeners.forEach(listener -> listener.accept(status));
     }
 
-    // ---- what is known of it -------------------------------------------------------------------------------------
+    // ---- state ---------------------------------------------------------------------------------------------------
 
     @Override
     public String name() {
@@ -339,7 +339,7 @@ public final class RealPioneer implements Pioneer {
         return sonars.clone();
     }
 
-    /** For windows and the web, beside the simulated ones. */
+    /** Returns the state that windows and the web show beside the simulated robots. */
     public RobotSnapshot snapshot() {
         boolean known = newest != null;
         double left = known ? newest.leftWheel() / 1000.0 : 0;

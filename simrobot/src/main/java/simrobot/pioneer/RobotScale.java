@@ -4,19 +4,19 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * What the numbers of a kind of robot mean: the conversion factors of ARIA's params files.
+ * Conversion factors of a robot type, from ARIA's params files.
  *
- * @param millimetersPerUnit of a place, DistConvFactor
- * @param millimetersPerRangeUnit of a sonar's range, RangeConvFactor
+ * @param millimetersPerUnit unit of position, DistConvFactor
+ * @param millimetersPerRangeUnit unit of a sonar's range, RangeConvFactor
  */
 record RobotScale(double millimetersPerUnit, double millimetersPerRangeUnit) {
-    /** AngleConvFactor 0.001534: 4096 to the turn. */
+    /** AngleConvFactor 0.001534: 4096 units per turn. */
     static final int UNITS_PER_TURN = 4096;
 
-    /** 2-DX and its like. */
+    /** P2-DX and similar types. */
     private static final RobotScale P2DX = new RobotScale(0.84, 0.268);
 
-    /** 3-DX and all that came later. */
+    /** P3-DX and later types. */
     private static final RobotScale P3DX = new RobotScale(0.485, 1.0);
 
     private static final Map<String, RobotScale> KNOWN = Map.of(
@@ -45,7 +45,7 @@ record RobotScale(double millimetersPerUnit, double millimetersPerRangeUnit) {
         return KNOWN.containsKey(subclass.toLowerCase(Locale.ROOT));
     }
 
-    /** A kind that is not known is taken for a 3-DX, as nearly all later ones are. */
+    /** Returns the factors of this type; those of the P3-DX, which nearly all later types share, if it is unknown. */
     static RobotScale of(String subclass) {
         return KNOWN.getOrDefault(subclass.toLowerCase(Locale.ROOT), P3DX);
     }

@@ -1,10 +1,11 @@
 /**
- * A real Pioneer, or whatever speaks as one (MobileSim, SimRobot's own P2OS port), in a simulated one's place: the same
- * orders by telephone drive it. Read first {@link simrobot.pioneer.RealPioneer}: it belongs to the simulation's thread and
- * knows no clock and no socket; {@link simrobot.pioneer.PioneerCall} gives it time and a line.
+ * A real Pioneer, or another P2OS server (MobileSim, SimRobot's own P2OS port), in place of a simulated robot: it
+ * executes the same orders by telephone. Read first {@link simrobot.pioneer.RealPioneer}: it is owned by the
+ * simulation's thread and uses no clock and no socket; {@link simrobot.pioneer.PioneerCall} supplies the time and the
+ * connection.
  *
  * <pre>
- *   PioneerCall - RealPioneer - Conversation, Travel, DeadReckoning - Information
+ *   PioneerCall - RealPioneer - P2osClientSession, InstructionLegs, DeadReckoning - InformationPacket
  * </pre>
  *
  * Arrows: pioneer -&gt; p2os -&gt; simulation -&gt; robot.
