@@ -1,7 +1,9 @@
 package simrobot.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
@@ -36,6 +38,78 @@ class ConeTest {
     @Test
     void aWallAlongTheAxisIsHeardAtItsNearEnd() {
         assertEquals(1, cone.distanceToSegment(1, 0, 4, 0), 1e-12);
+    }
+
+    @Test
+    void theRaysBelongToTheCone() {
+        Cone quarter = new Cone(1, 2, 1, 0, 0, -1);
+        assertEquals(3, quarter.distanceToPoint(4, 2));
+        assertEquals(3, quarter.distanceToPoint(1, -1));
+        assertEquals(MISS, quarter.distanceToPoint(4, 2.001));
+        assertEquals(MISS, quarter.distanceToPoint(0.999, -1));
+        assertEquals(3, quarter.distanceToSegment(4, 2, 9, 2));
+        assertEquals(3, quarter.distanceToSegment(9, 2, 4, 2));
+        assertEquals(3, quarter.distanceToSegment(1, -1, 1, -9));
+        assertEquals(3, quarter.distanceToSegment(4, 2, 4, 9));
+        assertEquals(3, quarter.distanceToSegment(-9, -1, 1, -1));
+        assertEquals(MISS, quarter.distanceToSegment(4, 2.001, 4, 9));
+        assertEquals(MISS, quarter.distanceToSegment(-9, 2, 0.999, 2.1));
+    }
+
+    @Test
+    void aWallThatPassesTheApexOutsideIsMissed() {
+        Cone quarter = new Cone(0, 0, Math.PI / 4, Math.PI / 2);
+        assertEquals(MISS, quarter.distanceToSegment(-3, 1, 1, -3));
+        assertEquals(Math.sqrt(0.5), quarter.distanceToSegment(-3, 4, 4, -3), 1e-12);
+        assertEquals(0, quarter.distanceToSegment(-3, 3, 3, -3), 1e-12);
+    }
+
+    /** The box is the smallest one: compared with a fine polygon of the cone cut off at its reach. */
+    @Test
+    void theBoxHoldsTheConeAndNothingMore() {
+        for (int degrees = 0; degrees < 360; degrees += 5) {
+            for (int opening : new int[] {10, 30, 90, 170}) {
+                Cone turned = new Cone(1, -2, Math.toRadians(degrees), Math.toRadians(opening));
+                double[] box = {1, -2, 1, -2};
+                for (int i = 0; i <= 2 * opening; i++) {
+                    double angle = Math.toRadians(degrees - opening / 2.0 + i / 2.0);
+                    double x = 1 + 3 * Math.cos(angle);
+                    double y = -2 + 3 * Math.sin(angle);
+                    box[0] = Math.min(box[0], x);
+                    box[1] = Math.min(box[1], y);
+                    box[2] = Math.max(box[2], x);
+                    box[3] = Math.max(box[3], y);
+                }
+                String name = degrees + " " + opening;
+                assertEquals(box[0], turned.minX(3), 1e-12, name);
+                assertEquals(box[1], turned.minY(3), 1e-12, name);
+                assertEquals(box[2], turned.maxX(3), 1e-12, name);
+                assertEquals(box[3], turned.maxY(3), 1e-12, name);
+            }
+        }
+    }
+
+    @Test
+    void aDiscMayBeInsideUnlessItIsBeyondARayOrTheReach() {
+        double edge = Math.toRadians(10);
+        double[] left = {2 * Math.cos(edge), 2 * Math.sin(edge)};
+        double[] out = {-Math.sin(edge), Math.cos(edge)};
+        for (int side : new int[] {1, -1}) {
+            assertTrue(cone.mayHold(left[0] + 0.49 * out[0], side * (left[1] + 0.49 * out[1]), 0.5, 3));
+            assertFalse(cone.mayHold(left[0] + 0.51 * out[0], side * (left[1] + 0.51 * out[1]), 0.5, 3));
+        }
+        assertTrue(cone.mayHold(3.5, 0, 0.5, 3));
+        assertFalse(cone.mayHold(3.501, 0, 0.5, 3));
+        assertFalse(cone.mayHold(-2, 0, 0.3, 3));
+        Cone moved = new Cone(10, -20, 0, Math.toRadians(20));
+        assertTrue(moved.mayHold(13.5, -20, 0.5, 3));
+        assertFalse(moved.mayHold(13.501, -20, 0.5, 3));
+        assertFalse(moved.mayHold(10, -17, 0.5, 3));
+        Cone quarter = new Cone(0, 0, 1, 0, 0, -1);
+        assertTrue(quarter.mayHold(2, 0.5, 0.5, 3));
+        assertTrue(quarter.mayHold(-0.5, -2, 0.5, 3));
+        assertFalse(quarter.mayHold(2, 0.501, 0.5, 3));
+        assertFalse(quarter.mayHold(-0.501, -2, 0.5, 3));
     }
 
     @Test

@@ -2,6 +2,7 @@ package simrobot.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -102,6 +103,109 @@ class ObstacleGridTest {
             points.forEach(p -> disc.addPoint(p.xMeters(), p.yMeters()));
             assertEquals(
                     disc.contact().fraction(), grid.sweep(x, y, dx, dy, 0.25).fraction());
+        }
+    }
+
+    @Test
+    void aPlaceIsFreeIfTheLeastDistanceIsTheRadiusOrMore() {
+        int free = 0;
+        for (int i = 0; i < 3000; i++) {
+            double x = random.nextDouble() * 50 - 25;
+            double y = random.nextDouble() * 40 - 15;
+            double radius = 0.1 + random.nextDouble();
+            boolean expected = points.stream().allMatch(p -> Math.hypot(p.xMeters() - x, p.yMeters() - y) >= radius)
+                    && walls.stream()
+                            .allMatch(s ->
+                                    Distances.toSegment(x, y, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters())
+                                            >= radius);
+            assertEquals(expected, grid.isFree(x, y, radius));
+            free += expected ? 1 : 0;
+        }
+        assertTrue(free > 500 && free < 2500, free + " free");
+    }
+
+    @Test
+    void aPlaceThatIsExactlyOneRadiusAwayIsFree() {
+        ObstacleGrid wall = new ObstacleGrid(World.ofSegments("wall", List.of(new Segment(0, 0, 4, 0))));
+        assertTrue(wall.isFree(2, 0.25, 0.25));
+        assertFalse(wall.isFree(2, 0.24999, 0.25));
+        assertTrue(wall.isFree(4.25, 0, 0.25));
+        assertFalse(wall.isFree(-0.24999, 0, 0.25));
+    }
+
+    /** Rays that begin far outside enter the grid at its border, whatever side they come from. */
+    @Test
+    void raysFromFarOutsideMeetWhatALoopOverAllMeets() {
+        for (int i = 0; i < 3000; i++) {
+            double angle = random.nextDouble() * 2 * Math.PI;
+            double x = 90 * Math.cos(angle);
+            double y = 5 + 90 * Math.sin(angle);
+            double towards = Math.atan2(random.nextDouble() * 40 - 15 - y, random.nextDouble() * 50 - 25 - x);
+            assertRay(x, y, Math.cos(towards), Math.sin(towards), 120);
+        }
+        for (int i = 0; i < 400; i++) {
+            double at = random.nextDouble() * 60 - 30;
+            assertRay(at, -50, 0, 1, 80);
+            assertRay(at, 60, 0, -1, 80);
+            assertRay(-50, at, 1, 0, 80);
+            assertRay(50, at, -1, 0, 80);
+            assertRay(at, -50, 0, -1, 80);
+            assertRay(50, at, 1, 0, 80);
+        }
+    }
+
+    private void assertRay(double x, double y, double ux, double uy, double max) {
+        double expected = max;
+        for (Segment s : walls) {
+            expected = Math.min(
+                    expected, Distances.alongRay(x, y, ux, uy, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+        }
+        for (Position p : points) {
+            expected = Math.min(expected, Distances.alongRayToDisc(x, y, ux, uy, p.xMeters(), p.yMeters(), 0.01));
+        }
+        assertEquals(expected, grid.rayRange(x, y, ux, uy, max), 1e-9);
+    }
+
+    @Test
+    void aDiscThatDoesNotMoveTouchesNothing() {
+        assertSame(Contact.NONE, grid.sweep(0, 0, 0, 0, 0.25));
+    }
+
+    @Test
+    void aSweepHasTheDirectionOfTheFirstContact() {
+        for (int i = 0; i < 2000; i++) {
+            double x = random.nextDouble() * 50 - 25;
+            double y = random.nextDouble() * 40 - 15;
+            double dx = i % 4 == 0 ? 0 : random.nextGaussian() * 3;
+            double dy = i % 4 == 1 ? 0 : random.nextGaussian() * 3;
+            MovingDisc disc = new MovingDisc(x, y, dx, dy, 0.25);
+            walls.forEach(s -> disc.meetSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            points.forEach(p -> disc.meetPoint(p.xMeters(), p.yMeters()));
+            assertEquals(
+                    disc.contact().fraction(), grid.sweep(x, y, dx, dy, 0.25).fraction());
+        }
+    }
+
+    /** Walls on the lines between cells and points at the corners of cells. */
+    @Test
+    void obstaclesOnTheBordersOfCellsAreFoundFromAllSides() {
+        walls.clear();
+        points.clear();
+        for (int i = 0; i <= 20; i++) {
+            walls.add(new Segment(i * 0.5, i % 2, i * 0.5, i % 2 + 0.5));
+            walls.add(new Segment(i % 3, i * 0.5, i % 3 + 0.5, i * 0.5));
+            points.add(new Position(i * 0.5, 10 - i * 0.5));
+        }
+        WorldBuilder builder = new WorldBuilder("squares");
+        walls.forEach(builder::add);
+        builder.points.addAll(points);
+        builder.pointDiameterMeters = 0.02;
+        grid = new ObstacleGrid(builder.build());
+        for (int i = 0; i < 4000; i++) {
+            double x = Math.rint(random.nextDouble() * 48 - 4) / 4;
+            double y = Math.rint(random.nextDouble() * 48 - 4) / 4;
+            double angle = i % 2 == 0 ? random.nextInt(8) * Math.PI / 4 : random.nextDouble() * 2 * Math.PI;
+            assertRay(x + 0.1, y + 0.07, Math.cos(angle), Math.sin(angle), 15);
         }
     }
 
