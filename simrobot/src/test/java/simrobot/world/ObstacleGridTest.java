@@ -179,8 +179,8 @@ class ObstacleGridTest {
             double dx = i % 4 == 0 ? 0 : random.nextGaussian() * 3;
             double dy = i % 4 == 1 ? 0 : random.nextGaussian() * 3;
             MovingDisc disc = new MovingDisc(x, y, dx, dy, 0.25);
-            walls.forEach(s -> disc.meetSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
-            points.forEach(p -> disc.meetPoint(p.xMeters(), p.yMeters()));
+            walls.forEach(s -> disc.addSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
+            points.forEach(p -> disc.addPoint(p.xMeters(), p.yMeters()));
             assertEquals(
                     disc.contact().fraction(), grid.sweep(x, y, dx, dy, 0.25).fraction());
         }
