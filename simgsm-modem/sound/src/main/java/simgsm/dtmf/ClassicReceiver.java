@@ -86,9 +86,6 @@ public final class ClassicReceiver implements KeyReceiver {
             power += (double) sample * sample / length;
         }
         double share = (square(amplitude[row]) + square(amplitude[column])) / 2 / power;
-        double harmonic = Math.min(
-                decibels(amplitude[row] / amplitude(harmonics[row])),
-                decibels(amplitude[column] / amplitude(harmonics[column])));
         double twist = decibels(amplitude[column] / amplitude[row]);
         double peak = Math.min(peak(amplitude, row, 0), peak(amplitude, column, 4));
         if (twist < LEAST_TWIST_DB || twist > MOST_TWIST_DB) {
@@ -97,10 +94,17 @@ public final class ClassicReceiver implements KeyReceiver {
         if (peak < LEAST_PEAK_DB) {
             return failed(key, "peak over its group in dB", peak);
         }
-        if (length >= LONG_BLOCK && harmonic < LEAST_HARMONIC_DB) {
+        double harmonic = length < LONG_BLOCK ? LEAST_HARMONIC_DB : overHarmonic(amplitude, row, column);
+        if (harmonic < LEAST_HARMONIC_DB) {
             return failed(key, "tone over its second harmonic in dB", harmonic);
         }
         return share < LEAST_SHARE ? failed(key, "share of all power in percent", 100 * share) : key;
+    }
+
+    private double overHarmonic(double[] amplitude, int row, int column) {
+        return Math.min(
+                decibels(amplitude[row] / amplitude(harmonics[row])),
+                decibels(amplitude[column] / amplitude(harmonics[column])));
     }
 
     private DtmfKey failed(DtmfKey key, String test, double value) {

@@ -13,7 +13,7 @@ final class KeyLikelihood {
     /** Two tones with larger log odds (base e) are a key's. */
     static final double LIMIT = 3.5;
 
-    /** Of an earlier window so much does not count towards the sum. */
+    /** Subtracted from the log odds of an earlier window before they are added. */
     static final double LEAST = 1.5;
 
     private static final KeyLikelihood FITTED = read();

@@ -19,7 +19,7 @@ final class LikelihoodFit {
     private static final double REGULARISATION = 1;
     private static final int LEAST_LOOKS = 30;
     private static final int BINS = 24;
-    /** A look that is taken for a key by mistake costs so many times one that is missed: another look follows. */
+    /** Weight of a look that is no key's; a missed look of a key weighs 1, because another look follows. */
     private static final double WEIGHT_OF_OTHERS = 3;
 
     private final int count;
