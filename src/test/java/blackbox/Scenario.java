@@ -99,7 +99,7 @@ public final class Scenario implements AutoCloseable {
         return phone;
     }
 
-    /** Starts SimRobot with a world of ours and waits until its modem is registered. */
+    /** Starts SimRobot with a world of ours, answering calls at once, and waits until its modem is registered. */
     public RunningProgram robot(String world, String... options) {
         RunningProgram robot = headless(
                 "robot",
@@ -110,7 +110,9 @@ public final class Scenario implements AutoCloseable {
                         "--number",
                         ROBOT,
                         "--world",
-                        world(world).toString()),
+                        world(world).toString(),
+                        "--answer-after",
+                        "0"),
                 options);
         robot.expect("ready");
         robot.expect("registered");

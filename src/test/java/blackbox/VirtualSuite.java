@@ -13,6 +13,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.subscriber.HomeRegister;
+import simgsm.modem.ModemOptions;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.context.StationIdentity;
@@ -46,12 +47,23 @@ public final class VirtualSuite {
     private final SuiteTrace trace;
     private long nowNanos;
 
+    /** The modem answers at once. */
     VirtualSuite() {
         this(VeriCommandSettings.OnHangup.STOP);
     }
 
+    /** The modem rings. */
+    VirtualSuite(int answerAfterMillis) {
+        this(
+                SuiteTrace.NONE,
+                HomeRegister.OPEN,
+                Optional.empty(),
+                answerAfterMillis,
+                VeriCommandSettings.OnHangup.STOP);
+    }
+
     VirtualSuite(VeriCommandSettings.OnHangup onHangup, String... operators) {
-        this(SuiteTrace.NONE, HomeRegister.OPEN, Optional.empty(), onHangup, operators);
+        this(SuiteTrace.NONE, HomeRegister.OPEN, Optional.empty(), 0, onHangup, operators);
     }
 
     /**
@@ -60,13 +72,14 @@ public final class VirtualSuite {
      * @param journal the folder of the centre's journal; without it messages are kept in memory
      */
     public VirtualSuite(SuiteTrace trace, HomeRegister home, Optional<Path> journal) {
-        this(trace, home, journal, VeriCommandSettings.OnHangup.STOP);
+        this(trace, home, journal, 0, VeriCommandSettings.OnHangup.STOP);
     }
 
     private VirtualSuite(
             SuiteTrace trace,
             HomeRegister home,
             Optional<Path> journal,
+            int answerAfterMillis,
             VeriCommandSettings.OnHangup onHangup,
             String... operators) {
         this.trace = trace;
@@ -76,7 +89,7 @@ public final class VirtualSuite {
                 robot,
                 identity(ROBOT, "SimGSM robot"),
                 Sim.WITHOUT_KEY,
-                StationOptions.STANDARD,
+                new ModemOptions(StationOptions.STANDARD, answerAfterMillis),
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup),
                 new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
         telephone.listen(event -> robotLine(event.line("robot").toString()));

@@ -24,6 +24,7 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
+import simgsm.modem.ModemOptions;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
@@ -86,6 +87,10 @@ public final class SimRobotMain {
                 .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")
+                .value(
+                        "answer-after",
+                        "MILLIS",
+                        "how long the modem rings before it answers, 0 to 120000 (1500); 0: not at all")
                 .value(
                         "record-audio",
                         "FILE.wav",
@@ -247,6 +252,11 @@ public final class SimRobotMain {
                 motors,
                 behaviour(arguments),
                 codec(arguments),
+                (int) arguments.integer(
+                        "answer-after",
+                        ModemOptions.DEFAULT_ANSWER_AFTER_MILLIS,
+                        0,
+                        ModemOptions.MAX_ANSWER_AFTER_MILLIS),
                 recordings,
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
     }

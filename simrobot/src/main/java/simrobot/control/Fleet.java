@@ -8,6 +8,7 @@ import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.UsageException;
+import simgsm.modem.ModemOptions;
 import simgsm.sim.SimCard;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
@@ -41,6 +42,7 @@ public final class Fleet {
      * @param seed determines, with a robot's number, its modem's IMEI
      * @param power whether robots start switched on
      * @param motors whether their motors start switched on
+     * @param answerAfterMillis how long a modem rings before it answers
      */
     public record Kit(
             long seed,
@@ -48,6 +50,7 @@ public final class Fleet {
             boolean motors,
             BehaviourKind behaviour,
             SpeechCodec.Kind codec,
+            int answerAfterMillis,
             Recording recording,
             Cards cards) {}
 
@@ -207,7 +210,7 @@ public final class Fleet {
     }
 
     private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallAudioListener recorder) {
-        StationOptions options = new StationOptions(kit.codec(), recorder);
+        ModemOptions options = new ModemOptions(new StationOptions(kit.codec(), recorder), kit.answerAfterMillis());
         Imei imei = imei(name.number());
         return card.isPresent()
                 ? simRobot.add(robot, card.get(), imei, options)

@@ -15,7 +15,7 @@ import simgsm.dtmf.ToneTracer;
 import simgsm.modem.CallDecision;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemEvent;
-import simgsm.station.StationOptions;
+import simgsm.modem.ModemOptions;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
@@ -48,7 +48,7 @@ final class ModemLink implements ModemPort {
     private int tonesToLeave;
     private boolean clearWhenSilent;
 
-    ModemLink(StationIdentity identity, Sim sim, StationOptions options, ControlThreads drivers) {
+    ModemLink(StationIdentity identity, Sim sim, ModemOptions options, ControlThreads drivers) {
         stations = drivers.stations();
         simulation = drivers.simulation();
         clockNanos = drivers.clockNanos();
@@ -93,6 +93,9 @@ final class ModemLink implements ModemPort {
                     .map(reject -> Integer.toString(reject.code()))
                     .orElse("");
             simulation.execute(() -> control.tell(new RobotEvent.Unregistered(code)));
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            String caller = digits(ringing.from());
+            simulation.execute(() -> control.tell(new RobotEvent.CallRinging(caller)));
         } else if (event instanceof StationEvent.Connected connected) {
             String caller = digits(connected.peer());
             long number = callNumber;

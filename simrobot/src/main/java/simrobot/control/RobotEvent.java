@@ -45,7 +45,15 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A call was received. @param from empty if the network does not say */
+    /** A call rings; {@link CallReceived} follows when it is answered. @param from empty if the network does not say */
+    record CallRinging(String from) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "ringing").with("from", from);
+        }
+    }
+
+    /** A call was answered. @param from empty if the network does not say */
     record CallReceived(String from) implements RobotEvent {
         @Override
         public Event line(String robot) {
@@ -152,6 +160,7 @@ public sealed interface RobotEvent {
                         case "removed" -> new Removed(field(fields, "number"));
                         case "registered" -> new Registered(field(fields, "number"));
                         case "unregistered" -> new Unregistered(field(fields, "cause"));
+                        case "ringing" -> new CallRinging(field(fields, "from"));
                         case "call" -> new CallReceived(field(fields, "from"));
                         case "order" -> new OrderVerified(field(fields, "text"), field(fields, "verdict"));
                         case "outcome" ->

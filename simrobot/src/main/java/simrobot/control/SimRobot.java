@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.FatalError;
+import simgsm.modem.ModemOptions;
 import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -86,24 +87,26 @@ public final class SimRobot implements AutoCloseable {
      *
      * @throws IllegalArgumentException if another robot has the number
      */
-    public TelephoneRobot add(Pioneer robot, Msisdn number, Imei imei, StationOptions options) {
+    public TelephoneRobot add(Pioneer robot, Msisdn number, Imei imei, ModemOptions options) {
         return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
     }
 
     /** Does the same with a SIM card in the modem. */
-    public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, StationOptions options) {
+    public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, ModemOptions options) {
         return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
     }
 
-    private TelephoneRobot add(Pioneer robot, StationIdentity identity, Sim sim, StationOptions options) {
+    private TelephoneRobot add(Pioneer robot, StationIdentity identity, Sim sim, ModemOptions options) {
         if (robots.stream().anyMatch(other -> other.number().equals(identity.number()))) {
             throw new IllegalArgumentException(
                     "another robot has the number " + identity.number() + ", expected a free one");
         }
-        CallAudioListener listener = CallAudioListener.both(options.recorder(), callMonitor.listener(robot.name()));
-        StationOptions heard = new StationOptions(options.codec(), listener);
+        StationOptions station = options.station();
+        CallAudioListener listener = CallAudioListener.both(station.recorder(), callMonitor.listener(robot.name()));
+        ModemOptions heard =
+                new ModemOptions(new StationOptions(station.codec(), listener), options.answerAfterMillis());
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
-        recorders.put(added, options.recorder());
+        recorders.put(added, station.recorder());
         tracks.follow(robot);
         told.forEach(each -> each.accept(added));
         robots.add(added);

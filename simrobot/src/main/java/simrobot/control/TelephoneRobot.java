@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
+import simgsm.modem.ModemOptions;
 import simgsm.station.MobileStation;
-import simgsm.station.StationOptions;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
@@ -26,7 +26,7 @@ public final class TelephoneRobot {
             Pioneer robot,
             StationIdentity identity,
             Sim sim,
-            StationOptions options,
+            ModemOptions options,
             VeriCommandSettings settings,
             ControlThreads drivers) {
         number = identity.number();

@@ -61,6 +61,7 @@ class BatchRunTest {
                 true,
                 behaviour,
                 SpeechCodec.Kind.A_LAW,
+                1500,
                 name -> CallAudioListener.NONE,
                 number -> Optional.empty());
         List<List<RobotState>> states = new ArrayList<>();

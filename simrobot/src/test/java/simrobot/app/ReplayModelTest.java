@@ -20,8 +20,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
-import simgsm.station.StationOptions;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
@@ -64,7 +64,7 @@ class ReplayModelTest {
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
             SessionRecording button = new SessionRecording(simRobot.simulation());
             simRobot.onAdded(added -> added.listen(button.listener(added.name())));
-            simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
+            simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), ModemOptions.STANDARD);
             simRobot.simulation().setPaused(true);
             simRobot.simulation().start();
             button.restart(Optional.of(file), (to, problem) -> {

@@ -23,10 +23,10 @@ import org.junit.jupiter.api.io.TempDir;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
+import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.StationOptions;
 import simrobot.SimRobotMain;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.control.Fleet;
@@ -67,7 +67,7 @@ class WindowModelTest {
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
         // nobody listens on port 1: the modem goes on looking
         simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
-        simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
+        simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), ModemOptions.STANDARD);
         simRobot.simulation().setPaused(true);
         fleet = new Fleet(
                 simRobot,
@@ -77,6 +77,7 @@ class WindowModelTest {
                         true,
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
+                        1500,
                         robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         model = modelIn(Locale.ENGLISH);

@@ -27,6 +27,7 @@ class ConsoleEventsTest {
         tell(new RobotEvent.Registered("5550200"));
         tell(new RobotEvent.Unregistered(""));
         tell(new RobotEvent.Unregistered("3"));
+        tell(new RobotEvent.CallRinging("5550100"));
         tell(new RobotEvent.CallReceived("5550100"));
         tell(new RobotEvent.CallReceived(""));
         tell(new RobotEvent.KeyReceived('#'));
@@ -43,6 +44,7 @@ class ConsoleEventsTest {
                         "registered robot=r1 number=5550200",
                         "unregistered robot=r1",
                         "unregistered robot=r1 cause=3",
+                        "ringing robot=r1 from=5550100",
                         "call robot=r1 from=5550100",
                         "call robot=r1 from=\"\"",
                         "keys robot=r1 keys=#",

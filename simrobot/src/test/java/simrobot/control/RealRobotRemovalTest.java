@@ -45,6 +45,7 @@ class RealRobotRemovalTest {
                 true,
                 BehaviourKind.NONE,
                 SpeechCodec.Kind.A_LAW,
+                1500,
                 name -> CallAudioListener.NONE,
                 number -> Optional.empty());
         robot = new Fleet(simRobot, kit)

@@ -29,10 +29,10 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
@@ -57,7 +57,7 @@ class RobotConsoleTest {
                     simulation.addRobot("r" + i, new Position(0, i), 0),
                     new Msisdn("555020" + i),
                     Imei.random(new Random(i)),
-                    StationOptions.STANDARD);
+                    ModemOptions.STANDARD);
         }
         fleet = new Fleet(
                 simRobot,
@@ -67,6 +67,7 @@ class RobotConsoleTest {
                         true,
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
+                        1500,
                         robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         simRobot.simulation().setPaused(true);
@@ -214,7 +215,7 @@ class RobotConsoleTest {
                 AudioOutput.SILENT,
                 Duration.ofMillis(1));
         simRobot.add(
-                simulation.addRobot("r0"), new Msisdn("5550200"), Imei.random(new Random(1)), StationOptions.STANDARD);
+                simulation.addRobot("r0"), new Msisdn("5550200"), Imei.random(new Random(1)), ModemOptions.STANDARD);
         assertEquals(
                 List.of("error text=\"the simulation does not answer, expected an answer within 0.001 s\""),
                 answers("place 1 1 0"));

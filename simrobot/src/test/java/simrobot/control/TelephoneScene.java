@@ -31,6 +31,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.modem.ModemOptions;
 import simgsm.octets.OctetString;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
@@ -77,7 +78,7 @@ final class TelephoneScene implements Uplink {
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
         ControlThreads drivers = new ControlThreads(Runnable::run, this::simulate, () -> nowNanos);
-        link = new ModemLink(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, drivers);
+        link = new ModemLink(identity, Sim.WITHOUT_KEY, new ModemOptions(StationOptions.STANDARD, 0), drivers);
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), VeriCommandSettings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);

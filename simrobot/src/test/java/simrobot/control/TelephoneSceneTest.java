@@ -33,9 +33,10 @@ class TelephoneSceneTest {
         assertEquals(
                 List.of(
                         "registered robot=robot number=5550200",
+                        "ringing robot=robot from=5550100",
                         "call robot=robot from=5550100",
                         "tone robot=robot key=1"),
-                scene.lines.subList(0, 3));
+                scene.lines.subList(0, 4));
         assertEquals(
                 List.of("tone robot=robot key=1", "tone robot=robot key=6", "tone robot=robot key=3"),
                 lines(scene, "tone"));

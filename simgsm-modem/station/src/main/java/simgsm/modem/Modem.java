@@ -3,6 +3,7 @@ package simgsm.modem;
 import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.random.RandomGenerator;
@@ -12,15 +13,14 @@ import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.station.MobileStation;
-import simgsm.station.StationOptions;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
 
 /**
- * M2 as a deterministic core: a station that alerts and connects every call at once, clears it with cause 16 after 60 s
- * without a key while no order is being executed, and with cause 41 after 2 s without a speech frame. Time is counted in
- * speech: keys by the frames received, silence by the frames sent.
+ * M2 as a deterministic core: a station that alerts every call at once, connects it after {@link ModemOptions}' time,
+ * clears it with cause 16 after 60 s without a key while no order is being executed, and with cause 41 after 2 s without a
+ * speech frame. Once connected, time is counted in speech: keys by the frames received, silence by the frames sent.
  */
 public final class Modem {
     static final int TONE_MILLIS = 150;
@@ -32,6 +32,7 @@ public final class Modem {
 
     private enum Phase {
         NONE,
+        RINGING,
         ACCEPTED,
         DENIED
     }
@@ -39,6 +40,7 @@ public final class Modem {
     private final MobileStation station;
     private final Function<Optional<Msisdn>, CallDecision> admission;
     private final Consumer<StationEvent> listener;
+    private final long answerAfterNanos;
     private final Replies replies;
     private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
     private final DtmfReceiver receiver;
@@ -47,6 +49,7 @@ public final class Modem {
 
     private Phase phase = Phase.NONE;
     private boolean connected;
+    private Optional<Msisdn> caller = Optional.empty();
     private DtmfKey greeting;
     private boolean orderActive;
     private int idleSamples;
@@ -56,7 +59,7 @@ public final class Modem {
     public Modem(
             StationIdentity identity,
             Sim sim,
-            StationOptions options,
+            ModemOptions options,
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener) {
         this(identity, sim, options, admission, listener, RandomGenerator.getDefault());
@@ -65,25 +68,27 @@ public final class Modem {
     /**
      * A modem without a link.
      *
-     * @param admission decides about a call by its caller's number, which is empty if the network does not send it
+     * @param admission decides about a call when it is answered, by its caller's number, which is empty if the network does
+     *     not send it
      * @param listener receives the station's events and {@link ModemEvent}s on the owner thread, and may call the modem; of
-     *     a denied call it receives the release only
+     *     a denied call it receives the ringing and the release only
      * @param random as for {@link MobileStation}
      */
     public Modem(
             StationIdentity identity,
             Sim sim,
-            StationOptions options,
+            ModemOptions options,
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener,
             RandomGenerator random) {
         this.admission = admission;
         this.listener = listener;
+        answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
         receiver = new DtmfReceiver(digit -> {
             idleSamples = 0;
             listener.accept(new ModemEvent.KeyDecided(digit));
         });
-        station = new MobileStation(identity, sim, options, this::fillFrame, this::accept, random);
+        station = new MobileStation(identity, sim, options.station(), this::fillFrame, this::accept, random);
         replies = new Replies(station, listener);
     }
 
@@ -123,6 +128,17 @@ public final class Modem {
         orderActive = active;
     }
 
+    /** Answers the call that rings, before its time is over. @return false if none rings */
+    public boolean answer() {
+        if (phase != Phase.RINGING) {
+            return false;
+        }
+        CallDecision decision = admission.apply(caller);
+        phase = decision.accepted() ? Phase.ACCEPTED : Phase.DENIED;
+        greeting = decision.tone();
+        return station.answer();
+    }
+
     /** Ends the call with cause 16. @return false if there is none */
     public boolean hangUp() {
         return station.clear(Cause.NORMAL_CALL_CLEARING);
@@ -160,7 +176,9 @@ public final class Modem {
         if (event instanceof StationEvent.SpeechReceived speech) {
             hear(speech);
         } else if (event instanceof StationEvent.Ringing ringing) {
-            begin(admission.apply(ringing.from()));
+            ring(ringing);
+        } else if (event instanceof StationEvent.AnswerDue) {
+            answer();
         } else if (event instanceof StationEvent.Connected) {
             connected = true;
             queue(greeting);
@@ -189,15 +207,20 @@ public final class Modem {
         }
     }
 
-    private void begin(CallDecision decision) {
-        phase = decision.accepted() ? Phase.ACCEPTED : Phase.DENIED;
-        greeting = decision.tone();
+    private void ring(StationEvent.Ringing ringing) {
+        phase = Phase.RINGING;
+        caller = ringing.from();
         connected = false;
         orderActive = false;
         idleSamples = 0;
         framesSinceHeard = 0;
         receiver.reset();
-        station.answer();
+        listener.accept(ringing);
+        if (answerAfterNanos == 0) {
+            answer();
+        } else {
+            station.remindToAnswer(answerAfterNanos);
+        }
     }
 
     private void end(StationEvent released) {

@@ -211,6 +211,11 @@ public final class MobileStation implements StationCommands {
         return context.timers().nowNanos();
     }
 
+    /** Requests one {@link StationEvent.AnswerDue} after this time, unless the call stops ringing before. */
+    public void remindToAnswer(long nanos) {
+        call.remindToAnswer(nanos);
+    }
+
     /** Requests one {@link StationEvent.ReminderDue} in 30 s, unless one is due already. */
     public void remind() {
         if (!context.timers().isRunning(StationTimer.REMINDER)) {

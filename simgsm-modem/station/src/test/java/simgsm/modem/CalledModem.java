@@ -61,13 +61,7 @@ final class CalledModem implements Uplink {
     private static final TransactionIdentifier TRANSACTION = new TransactionIdentifier(0, false);
     static final Msisdn CALLER = new Msisdn("5550100");
 
-    final Modem modem = new Modem(
-            StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM modem"),
-            Sim.WITHOUT_KEY,
-            StationOptions.STANDARD,
-            this::decide,
-            this::accept,
-            new Random(1));
+    final Modem modem;
     final List<String> told = new ArrayList<>();
     final List<Layer3Message> sent = new ArrayList<>();
     /** What the caller hears, a key with its frame each. */
@@ -90,7 +84,19 @@ final class CalledModem implements Uplink {
     private int sequence;
     private long now = 5_000_000_000L;
 
+    /** A modem that answers at once. */
     CalledModem() {
+        this(0);
+    }
+
+    CalledModem(int answerAfterMillis) {
+        modem = new Modem(
+                StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM modem"),
+                Sim.WITHOUT_KEY,
+                new ModemOptions(StationOptions.STANDARD, answerAfterMillis),
+                this::decide,
+                this::accept,
+                new Random(1));
         modem.station().linkUp(this, now);
         ccm(new CcmMessage.IdentityRequest());
         deliver();
@@ -245,7 +251,9 @@ final class CalledModem implements Uplink {
     }
 
     private void accept(StationEvent event) {
-        if (event instanceof StationEvent.Connected connected) {
+        if (event instanceof StationEvent.Ringing ringing) {
+            told.add("ringing " + ringing.from().orElseThrow());
+        } else if (event instanceof StationEvent.Connected connected) {
             told.add("connected " + connected.peer().orElseThrow());
         } else if (event instanceof StationEvent.Released released) {
             told.add("ended " + released.cause().code());

@@ -32,10 +32,59 @@ class ModemTest {
         List<Class<?>> kinds =
                 scene.sent.stream().<Class<?>>map(Object::getClass).toList();
         assertEquals(List.of(CallConfirmed.class, Alerting.class, Connect.class), kinds.subList(2, 5));
-        assertEquals(List.of("call 5550100", "connected 5550100"), scene.told);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "connected 5550100"), scene.told);
         scene.pass(500);
         assertEquals("1", scene.heardByCaller.toString());
-        assertEquals(List.of("call 5550100", "connected 5550100", "tone 1"), scene.told);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "connected 5550100", "tone 1"), scene.told);
+    }
+
+    @Test
+    void aModemRingsForItsTimeAndThenAsksWhetherToAcceptAndConnects() {
+        CalledModem ringing = new CalledModem(1500);
+        ringing.pass(1480);
+        assertEquals(List.of("ringing 5550100"), ringing.told);
+        assertTrue(ringing.sent.stream().anyMatch(Alerting.class::isInstance));
+        assertFalse(ringing.sent.stream().anyMatch(Connect.class::isInstance));
+        ringing.pass(40);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "connected 5550100"), ringing.told);
+        ringing.pass(500);
+        assertEquals("1", ringing.heardByCaller.toString());
+    }
+
+    @Test
+    void aCallerWhoHangsUpWhileItRingsIsReleasedAndTheNextCallRingsItsWholeTime() {
+        CalledModem ringing = new CalledModem(1500);
+        ringing.pass(1000);
+        ringing.callerHangsUp();
+        assertEquals(List.of("ringing 5550100", "ended 16"), ringing.told);
+        ringing.told.clear();
+        ringing.call();
+        ringing.pass(1480);
+        assertEquals(List.of("ringing 5550100"), ringing.told);
+        ringing.pass(40);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "connected 5550100"), ringing.told);
+    }
+
+    @Test
+    void aRingingModemCanAnswerEarlyOrHangUp() {
+        CalledModem answering = new CalledModem(1500);
+        answering.pass(200);
+        assertTrue(answering.modem.answer());
+        assertFalse(answering.modem.answer());
+        answering.pass(3000);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "connected 5550100", "tone 1"), answering.told);
+        CalledModem refusing = new CalledModem(1500);
+        assertTrue(refusing.modem.hangUp());
+        refusing.pass(3000);
+        assertEquals(List.of("ringing 5550100", "ended 16"), refusing.told);
+    }
+
+    @Test
+    void aLostLinkEndsTheRinging() {
+        CalledModem ringing = new CalledModem(1500);
+        ringing.lose();
+        assertEquals(List.of("ringing 5550100", "ended 41"), ringing.told);
+        assertFalse(ringing.modem.answer());
     }
 
     @Test
@@ -58,7 +107,7 @@ class ModemTest {
         long apart = scene.heardDigits.get(2).startedAtSample()
                 - scene.heardDigits.get(1).startedAtSample();
         assertEquals(220 * 8, apart, 40);
-        assertEquals(List.of("tone 1", "tone 6", "tone 3"), scene.told.subList(2, 5));
+        assertEquals(List.of("tone 1", "tone 6", "tone 3"), scene.told.subList(3, 6));
     }
 
     @Test
@@ -68,7 +117,7 @@ class ModemTest {
         assertFalse(scene.sent.stream().anyMatch(Disconnect.class::isInstance));
         scene.pass(2000);
         assertEquals("2", scene.heardByCaller.toString());
-        assertEquals(List.of("call 5550100", "tone 2", "ended 16"), scene.told);
+        assertEquals(List.of("ringing 5550100", "call 5550100", "tone 2", "ended 16"), scene.told);
         Disconnect end = (Disconnect) scene.sent.get(scene.sent.size() - 2);
         assertEquals(Cause.NORMAL_CALL_CLEARING, end.cause());
         assertTrue(scene.heardDigits.get(0).startedAtSample() < 40, "the tone is the first thing heard");

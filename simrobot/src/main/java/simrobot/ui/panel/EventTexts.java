@@ -23,8 +23,10 @@ final class EventTexts {
             return texts.of("log.registered", registered.number());
         } else if (event instanceof RobotEvent.Unregistered) {
             return texts.of("log.unregistered");
+        } else if (event instanceof RobotEvent.CallRinging ringing) {
+            return texts.of("log.ringing", caller(ringing.from()));
         } else if (event instanceof RobotEvent.CallReceived call) {
-            return texts.of("log.call", call.from().isEmpty() ? texts.of("order.from.unknown") : call.from());
+            return texts.of("log.call", caller(call.from()));
         } else if (event instanceof RobotEvent.OrderVerified order) {
             return texts.of("log.order", order.keys(), verdict(order.verdict()));
         } else if (event instanceof RobotEvent.OrderAnswered answer) {
@@ -41,6 +43,10 @@ final class EventTexts {
             return StatusLamps.word(texts, status.status());
         }
         throw new IllegalArgumentException("not an event of the log: " + event);
+    }
+
+    private String caller(String from) {
+        return from.isEmpty() ? texts.of("order.from.unknown") : from;
     }
 
     private String verdict(String word) {

@@ -136,6 +136,8 @@ final class ModemPanel extends JPanel {
             call.show(StatusMark.RING, Ink.QUIET, texts.of("modem.call.none"));
         } else if (state == MobileCallState.ACTIVE) {
             call.show(StatusMark.DISC, Ink.GOOD, texts.of("modem.call.active"));
+        } else if (state == MobileCallState.CALL_RECEIVED) {
+            call.show(StatusMark.HALF_DISC, Ink.WARNING, texts.of("modem.call.ringing"));
         } else {
             call.show(StatusMark.HALF_DISC, Ink.WARNING, texts.of("modem.call.setup"));
         }

@@ -275,6 +275,7 @@ class RobotsInTheWindowTest {
                 new RobotEvent.Removed("16"),
                 new RobotEvent.Registered("16"),
                 new RobotEvent.Unregistered("16"),
+                new RobotEvent.CallRinging("16"),
                 new RobotEvent.CallReceived("16"),
                 new RobotEvent.OrderVerified("16", "refused"),
                 new RobotEvent.OrderAnswered(16, "refused"),

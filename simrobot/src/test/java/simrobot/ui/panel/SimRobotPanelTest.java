@@ -286,6 +286,26 @@ class SimRobotPanelTest {
     }
 
     @Test
+    void aModemThatRingsSaysWhoCalls() throws Exception {
+        TelephoneSnapshot line = WindowBench.line("robot", true, true, WindowBench.noOrders(), "");
+        StationSnapshot ringing = new StationSnapshot(
+                true,
+                true,
+                true,
+                Optional.empty(),
+                false,
+                "SimGSM",
+                MobileCallState.CALL_RECEIVED,
+                line.modem().peer(),
+                SpeechCodec.Kind.A_LAW,
+                Optional.empty());
+        WindowBench bench = bench(new TelephoneSnapshot(
+                line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), line.audible()));
+        assertEquals("Call: ringing, call from", bench.spoken("modem.call"));
+        assertTrue(bench.spoken("modem.peer").endsWith("5550100"), bench.spoken("modem.peer"));
+    }
+
+    @Test
     void theModemShowsHowSpeechIsCodedEachWay() throws Exception {
         WindowBench bench = bench(WindowBench.line("robot", true, false, WindowBench.noOrders(), ""));
         assertEquals("A-law", bench.spoken("modem.codec"));

@@ -110,6 +110,13 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return fire(MobileCallEvent.ANSWER);
     }
 
+    /** Reports that the answer is due after this time, unless the call is answered or ends before. */
+    public void remindToAnswer(long nanos) {
+        if (state() == MobileCallState.CALL_RECEIVED) {
+            context.timers().start(StationTimer.ANSWER, nanos, () -> report(new StationEvent.AnswerDue()));
+        }
+    }
+
     /** Ends the call and reports cause 16; a ringing call is rejected with cause 21. @return false if there is none */
     public boolean hangUp() {
         boolean ringing = state() == MobileCallState.CALL_RECEIVED;
@@ -324,6 +331,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         context.timers()
                 .stop(
                         StationTimer.CALL_WAIT,
+                        StationTimer.ANSWER,
                         StationTimer.T303,
                         StationTimer.T305,
                         StationTimer.T308,

@@ -45,6 +45,9 @@ public sealed interface StationEvent {
     /** @param from empty if the network does not say */
     record Ringing(Optional<Msisdn> from) implements OfCall {}
 
+    /** A time that was requested with {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
+    record AnswerDue() implements OfCall {}
+
     /** A second call waits; {@link Ringing} follows when the first has ended. */
     record CallWaits(Optional<Msisdn> from) implements OfCall {}
 

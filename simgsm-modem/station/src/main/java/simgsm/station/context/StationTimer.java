@@ -42,6 +42,8 @@ public enum StationTimer {
     MESSAGE_WAIT(40_000),
     /** Delay of a reminder that the user of the station has asked for. */
     REMINDER(30_000),
+    /** An incoming call rings this long before its user is reminded to answer; the user names the time. */
+    ANSWER(1_500),
     /** A call waits for registration at most this long: the caller hears nothing meanwhile. */
     CALL_WAIT(5_000),
     /** After this time without IDENTITY REQUEST the station registers unasked. */
