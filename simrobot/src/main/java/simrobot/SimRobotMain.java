@@ -25,6 +25,7 @@ import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.net.LineAddress;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
@@ -46,7 +47,6 @@ import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.control.WorldPrinter;
-import simrobot.pioneer.PioneerAddress;
 import simrobot.replay.DamagedException;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
@@ -230,7 +230,7 @@ public final class SimRobotMain {
         simRobot.simulation().setSpeed(speed);
         simRobot.simulation().onFailure(fault -> FatalError.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
-        Optional<PioneerAddress> real = RequestedRobots.real(arguments, names);
+        Optional<LineAddress> real = RequestedRobots.real(arguments, names);
         if (real.isPresent()) {
             fleet.addReal(names.get(0), real.get(), simulation);
         } else {

@@ -11,9 +11,9 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.net.LineAddress;
 import simgsm.sim.SimSlot;
 import simrobot.control.RobotName;
-import simrobot.pioneer.PioneerAddress;
 import simrobot.world.Home;
 import simrobot.world.World;
 
@@ -70,8 +70,8 @@ public final class RequestedRobots {
     }
 
     /** The address of a real robot; empty if the robots are simulated. */
-    public static Optional<PioneerAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
-        Optional<PioneerAddress> address = arguments.value("pioneer", PioneerAddress::parse);
+    public static Optional<LineAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
+        Optional<LineAddress> address = arguments.value("pioneer", LineAddress::parse);
         if (address.isPresent()) {
             if (robots.size() > 1) {
                 throw new UsageException("--pioneer: expected one robot, found " + robots.size());

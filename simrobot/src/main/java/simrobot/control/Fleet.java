@@ -9,12 +9,12 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.net.LineAddress;
 import simgsm.sim.SimCard;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.pioneer.PioneerAddress;
 import simrobot.pioneer.PioneerCall;
 import simrobot.pioneer.RealPioneer;
 import simrobot.robot.Pioneer;
@@ -97,7 +97,7 @@ public final class Fleet {
     }
 
     /** Adds a real robot before the start; its assumed pose is the world's first home. */
-    public TelephoneRobot addReal(RobotName name, PioneerAddress address, Simulation simulation)
+    public TelephoneRobot addReal(RobotName name, LineAddress address, Simulation simulation)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
         Pose start = simulation.world().homes().stream()

@@ -12,26 +12,26 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
+import simgsm.modem.AnsweringModem;
 import simgsm.modem.CallDecision;
-import simgsm.modem.Modem;
 import simgsm.modem.ModemEvent;
-import simgsm.modem.ModemOptions;
 import simgsm.station.context.StationEvent;
-import simgsm.station.context.StationIdentity;
-import simgsm.station.mobility.Sim;
 import vericommand.ReplyTone;
 
 /**
  * Connects a robot's control with its modem. Modem events arrive on the stations' thread and are posted to the
  * simulation's thread; requests of the control are posted the other way.
  */
-final class ModemLink implements ModemPort {
+final class ModemLink<M extends AnsweringModem> implements ModemPort {
     private static final Logger LOG = System.getLogger(ModemLink.class.getName());
     private static final double NANOS_PER_SAMPLE = 1e9 / 8000;
     /** Samples of a speech frame, 20 ms; a key is decided within the newest frame. */
     private static final long FRAME_SAMPLES = 160;
 
-    private final Modem modem;
+    /** Reported in place of a key that could not be read: it fits no order. */
+    private static final char UNREADABLE_KEY = '?';
+
+    private final M modem;
     private final Executor stations;
     private final Executor simulation;
     private final LongSupplier clockNanos;
@@ -48,11 +48,11 @@ final class ModemLink implements ModemPort {
     private int tonesToLeave;
     private boolean clearWhenSilent;
 
-    ModemLink(StationIdentity identity, Sim sim, ModemOptions options, ControlThreads drivers) {
+    ModemLink(AnsweringModem.Maker<M> maker, ControlThreads drivers) {
         stations = drivers.stations();
         simulation = drivers.simulation();
         clockNanos = drivers.clockNanos();
-        modem = new Modem(identity, sim, options, this::decide, this::accept);
+        modem = maker.make(this::decide, this::accept);
     }
 
     /** Sets the control; called once, before the modem has a link. */
@@ -60,7 +60,7 @@ final class ModemLink implements ModemPort {
         control = robotControl;
     }
 
-    Modem modem() {
+    M modem() {
         return modem;
     }
 
@@ -120,6 +120,9 @@ final class ModemLink implements ModemPort {
             char key = digit.key().symbol();
             long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
             simulation.execute(() -> control.key(key, began));
+        } else if (event instanceof ModemEvent.KeyUnreadable) {
+            long now = clockNanos.getAsLong();
+            simulation.execute(() -> control.key(UNREADABLE_KEY, now));
         } else if (event instanceof ModemEvent.SpeechProcessed speech) {
             heardSamples += speech.samples();
             simulation.execute(() -> control.speech(speech.samples()));

@@ -49,7 +49,7 @@ public final class SimRobot implements AutoCloseable {
     private final ControlThreads drivers;
     private final Duration patience;
     private final List<TelephoneRobot> robots = new CopyOnWriteArrayList<>();
-    private final Map<TelephoneRobot, CallAudioListener> recorders = new ConcurrentHashMap<>();
+    private final Map<TelephoneRobot, ModemConnection> connections = new ConcurrentHashMap<>();
     private final List<Consumer<TelephoneRobot>> told = new CopyOnWriteArrayList<>();
     private final List<Consumer<TelephoneRobot>> toldOfLeaving = new CopyOnWriteArrayList<>();
     private final List<Runnable> goodbyes = new CopyOnWriteArrayList<>();
@@ -97,23 +97,45 @@ public final class SimRobot implements AutoCloseable {
     }
 
     private TelephoneRobot add(Pioneer robot, StationIdentity identity, Sim sim, ModemOptions options) {
-        if (robots.stream().anyMatch(other -> other.number().equals(identity.number()))) {
-            throw new IllegalArgumentException(
-                    "another robot has the number " + identity.number() + ", expected a free one");
-        }
+        requireFree(identity.number());
         StationOptions station = options.station();
         CallAudioListener listener = CallAudioListener.both(station.recorder(), callMonitor.listener(robot.name()));
         ModemOptions heard =
                 new ModemOptions(new StationOptions(station.codec(), listener), options.answerAfterMillis());
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
-        recorders.put(added, station.recorder());
-        tracks.follow(robot);
+        join(added, new ModemConnection() {
+            @Override
+            public void begin() {
+                stationThread.add(added.station(), center);
+            }
+
+            @Override
+            public void end() {
+                stationThread.remove(added.station(), station.recorder()::close);
+            }
+
+            @Override
+            public void close() {
+                station.recorder().close();
+            }
+        });
+        return added;
+    }
+
+    private void requireFree(Msisdn number) {
+        if (robots.stream().anyMatch(other -> other.number().equals(number))) {
+            throw new IllegalArgumentException("another robot has the number " + number + ", expected a free one");
+        }
+    }
+
+    private void join(TelephoneRobot added, ModemConnection connection) {
+        connections.put(added, connection);
+        tracks.follow(added.robot());
         told.forEach(each -> each.accept(added));
         robots.add(added);
         if (started) {
-            stationThread.add(added.station(), center);
+            connection.begin();
         }
-        return added;
     }
 
     /** Removes a robot from the simulation and its modem from the network; on the simulation's thread. */
@@ -122,8 +144,7 @@ public final class SimRobot implements AutoCloseable {
             robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
             toldOfLeaving.forEach(each -> each.accept(robot));
             tracks.forget(robot.robot());
-            CallAudioListener recorder = recorders.remove(robot);
-            stationThread.remove(robot.station(), recorder::close);
+            connections.remove(robot).end();
         }
     }
 
@@ -151,7 +172,7 @@ public final class SimRobot implements AutoCloseable {
         started = true;
         simulationThread.start();
         stationThread.start();
-        robots.forEach(robot -> stationThread.add(robot.station(), center));
+        robots.forEach(robot -> connections.get(robot).begin());
     }
 
     /** Returns the robots; the first is the default where none is named. */
@@ -212,7 +233,7 @@ public final class SimRobot implements AutoCloseable {
     public void close() {
         goodbyes.forEach(Runnable::run);
         stationThread.close();
-        recorders.values().forEach(CallAudioListener::close);
+        connections.values().forEach(ModemConnection::close);
         callMonitor.close();
         simulationThread.close();
     }

@@ -5,6 +5,8 @@ import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
+import simgsm.modem.AnsweringModem;
+import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
@@ -19,9 +21,9 @@ import vericommand.VeriCommandSnapshot;
 public final class TelephoneRobot {
     private final Msisdn number;
     private final RobotControl control;
-    private final ModemLink link;
+    private final ModemLink<?> link;
 
-    /** Joins a robot to a verifier and to a modem without a link; the caller supplies the station's time and link. */
+    /** Joins a robot to a verifier and to M2 without a link; the caller supplies the station's time and link. */
     public TelephoneRobot(
             Pioneer robot,
             StationIdentity identity,
@@ -29,8 +31,23 @@ public final class TelephoneRobot {
             ModemOptions options,
             VeriCommandSettings settings,
             ControlThreads drivers) {
-        number = identity.number();
-        link = new ModemLink(identity, sim, options, drivers);
+        this(
+                robot,
+                identity.number(),
+                (admission, listener) -> new Modem(identity, sim, options, admission, listener),
+                settings,
+                drivers);
+    }
+
+    /** Joins a robot to a verifier and to any modem; the caller supplies the modem's time and line. */
+    public <M extends AnsweringModem> TelephoneRobot(
+            Pioneer robot,
+            Msisdn number,
+            AnsweringModem.Maker<M> maker,
+            VeriCommandSettings settings,
+            ControlThreads drivers) {
+        this.number = number;
+        link = new ModemLink<>(maker, drivers);
         control = new RobotControl(robot, settings, link, drivers.clockNanos());
         link.serve(control);
     }
@@ -58,14 +75,19 @@ public final class TelephoneRobot {
         return robot() instanceof SimulatedRobot simulated ? Optional.of(simulated) : Optional.empty();
     }
 
-    /** For the thread that owns the station. */
+    /** M2, unless a real modem stands in its place. For the thread that owns it. */
+    public Optional<Modem> m2() {
+        return link.modem() instanceof Modem m2 ? Optional.of(m2) : Optional.empty();
+    }
+
+    /** M2's station. For the thread that owns it. */
     public MobileStation station() {
-        return link.modem().station();
+        return m2().orElseThrow().station();
     }
 
     /** Returns the modem's newest state; callable on any thread. */
     public StationSnapshot modem() {
-        return station().snapshot();
+        return link.modem().snapshot();
     }
 
     /** Returns the trace of the caller's key tones; callable on any thread. */

@@ -12,6 +12,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import simgsm.net.LineAddress;
 import simgsm.net.RetryPause;
 
 /**
@@ -31,7 +32,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final byte[] END = {};
 
     private final String robot;
-    private final PioneerAddress address;
+    private final LineAddress address;
     private final Executor simulation;
     private final BlockingQueue<byte[]> outgoing = new ArrayBlockingQueue<>(MOST_QUEUED);
     private final AtomicBoolean tickPosted = new AtomicBoolean();
@@ -48,7 +49,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
     private volatile ByteChannel channel;
 
     /** @param simulation runs actions on the thread that owns the robot, in their order */
-    public PioneerCall(String robot, PioneerAddress address, Executor simulation) {
+    public PioneerCall(String robot, LineAddress address, Executor simulation) {
         this.robot = robot;
         this.address = address;
         this.simulation = simulation;

@@ -15,11 +15,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import simgsm.air.Msisdn;
+import simgsm.net.LineAddress;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simrobot.behaviour.BehaviourKind;
-import simrobot.pioneer.PioneerAddress;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 import vericommand.VeriCommandSettings;
@@ -51,7 +51,7 @@ class RealRobotRemovalTest {
         robot = new Fleet(simRobot, kit)
                 .addReal(
                         new RobotName("real", new Msisdn("5550200")),
-                        PioneerAddress.parse("127.0.0.1:" + pioneer.getLocalPort()),
+                        LineAddress.parse("127.0.0.1:" + pioneer.getLocalPort()),
                         simulation);
         simRobot.start();
         connection = pioneer.accept();

@@ -31,6 +31,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
 import simgsm.octets.OctetString;
 import simgsm.speech.SpeechCodec;
@@ -59,7 +60,7 @@ final class TelephoneScene implements Uplink {
     final StringBuilder tonesHeard = new StringBuilder();
     final Simulation simulation = new Simulation(World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2))), 1);
     final SimulatedRobot robot = simulation.addRobot("robot", new Position(0, 0), 0);
-    final ModemLink link;
+    final ModemLink<Modem> link;
     private final Queue<Layer3Message> sent = new ArrayDeque<>();
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     private final DtmfGenerator fingers = new DtmfGenerator();
@@ -78,7 +79,9 @@ final class TelephoneScene implements Uplink {
         StationIdentity identity =
                 StationIdentity.ofOpenNumber(new Msisdn("5550200"), new Imei("490154203237518"), "SimGSM robot");
         ControlThreads drivers = new ControlThreads(Runnable::run, this::simulate, () -> nowNanos);
-        link = new ModemLink(identity, Sim.WITHOUT_KEY, new ModemOptions(StationOptions.STANDARD, 0), drivers);
+        ModemOptions options = new ModemOptions(StationOptions.STANDARD, 0);
+        link = new ModemLink<>(
+                (admission, listener) -> new Modem(identity, Sim.WITHOUT_KEY, options, admission, listener), drivers);
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), VeriCommandSettings.OnHangup.STOP);
         RobotControl control = new RobotControl(robot, settings, link, () -> nowNanos);

@@ -13,6 +13,7 @@ import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.station.MobileStation;
+import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
@@ -22,7 +23,7 @@ import simgsm.station.mobility.Sim;
  * clears it with cause 16 after 60 s without a key while no order is being executed, and with cause 41 after 2 s without a
  * speech frame. Once connected, time is counted in speech: keys by the frames received, silence by the frames sent.
  */
-public final class Modem {
+public final class Modem implements AnsweringModem {
     static final int TONE_MILLIS = 150;
     static final int PAUSE_MILLIS = 70;
     /** 60 s of speech. */
@@ -97,11 +98,13 @@ public final class Modem {
         return station;
     }
 
-    /**
-     * Queues a reply tone of 150 ms, 70 ms from the next.
-     *
-     * @return false if there is no accepted and connected call
-     */
+    @Override
+    public StationSnapshot snapshot() {
+        return station.snapshot();
+    }
+
+    /** Queues a reply tone of 150 ms, 70 ms from the next. */
+    @Override
     public boolean sendTone(DtmfKey key) {
         boolean heard = phase == Phase.ACCEPTED && connected;
         if (heard) {
@@ -115,15 +118,14 @@ public final class Modem {
         return station.sendMessage(to, text);
     }
 
-    /**
-     * As {@link #sendSms}, but a message that finds no service or a congested network is sent again for 10 minutes before
-     * it fails; of more than 20 such messages the oldest fails.
-     */
+    /** As in the interface; of more than 20 messages that wait the oldest fails. */
+    @Override
     public int reply(Msisdn to, String text) {
         return replies.send(to, text);
     }
 
-    /** While an order is being executed the count of 60 s stands still; every reply tone starts it again. */
+    /** Every reply tone starts the count again. */
+    @Override
     public void setOrderUnderWay(boolean active) {
         orderActive = active;
     }
@@ -139,7 +141,7 @@ public final class Modem {
         return station.answer();
     }
 
-    /** Ends the call with cause 16. @return false if there is none */
+    @Override
     public boolean hangUp() {
         return station.clear(Cause.NORMAL_CALL_CLEARING);
     }

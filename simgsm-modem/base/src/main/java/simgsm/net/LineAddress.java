@@ -1,4 +1,4 @@
-package simrobot.pioneer;
+package simgsm.net;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -13,10 +13,10 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Address of a Pioneer: {@code HOST:PORT}, or the device file of a serial line whose speed is already set. */
-public sealed interface PioneerAddress {
+/** Address of a robot or a modem: {@code HOST:PORT}, or the device file of a serial line whose speed is already set. */
+public sealed interface LineAddress {
     /** A TCP port. */
-    record Tcp(String host, int port) implements PioneerAddress {
+    record Tcp(String host, int port) implements LineAddress {
         private static final int PATIENCE_MILLIS = 5000;
 
         /** Connects through the socket, because {@link SocketChannel#connect} has no timeout. */
@@ -66,7 +66,7 @@ public sealed interface PioneerAddress {
     }
 
     /** A serial line. */
-    record Device(Path file) implements PioneerAddress {
+    record Device(Path file) implements LineAddress {
         @Override
         public ByteChannel open() throws IOException {
             FileChannel in = FileChannel.open(file, StandardOpenOption.READ);
@@ -88,7 +88,7 @@ public sealed interface PioneerAddress {
     ByteChannel open() throws IOException;
 
     /** @throws IllegalArgumentException if the text is no address; the message says what was expected */
-    static PioneerAddress parse(String text) {
+    static LineAddress parse(String text) {
         int colon = text.lastIndexOf(':');
         if (colon > 0 && text.substring(colon + 1).matches("[0-9]{1,5}")) {
             int port = Integer.parseInt(text.substring(colon + 1));

@@ -1,4 +1,4 @@
-package simrobot.pioneer;
+package simgsm.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -11,24 +11,23 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class PioneerAddressTest {
+class LineAddressTest {
     @Test
     void hostAndPortAreOneOverTcp() {
-        assertEquals(new PioneerAddress.Tcp("robot.example", 8101), PioneerAddress.parse("robot.example:8101"));
-        assertEquals(new PioneerAddress.Tcp("::1", 8101), PioneerAddress.parse("::1:8101"));
+        assertEquals(new LineAddress.Tcp("robot.example", 8101), LineAddress.parse("robot.example:8101"));
+        assertEquals(new LineAddress.Tcp("::1", 8101), LineAddress.parse("::1:8101"));
     }
 
     @Test
     void aFileThatIsThereIsASerialLine(@TempDir Path folder) throws Exception {
         Path device = Files.createFile(folder.resolve("ttyUSB0"));
-        assertEquals(new PioneerAddress.Device(device), PioneerAddress.parse(device.toString()));
+        assertEquals(new LineAddress.Device(device), LineAddress.parse(device.toString()));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", "nonsense", "host:", ":8101", "host:0", "host:65536", "/dev/no-such-line", "/"})
     void anythingElseIsRefusedInWords(String text) {
-        IllegalArgumentException refusal =
-                assertThrows(IllegalArgumentException.class, () -> PioneerAddress.parse(text));
+        IllegalArgumentException refusal = assertThrows(IllegalArgumentException.class, () -> LineAddress.parse(text));
         assertTrue(refusal.getMessage().startsWith("expected HOST:PORT or a serial line's device file, found "));
     }
 }

@@ -1,0 +1,47 @@
+package simgsm.modem;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.station.StationSnapshot;
+import simgsm.station.context.StationEvent;
+
+/**
+ * A modem through which a robot is commanded: {@link Modem} (M2), or a real one. It answers calls, reports keys and short
+ * messages as {@link StationEvent}s, and sends reply tones and messages. One owner thread calls everything except
+ * {@link #snapshot}.
+ */
+public interface AnsweringModem {
+    /** Makes a modem for those who decide about its calls and listen to it. */
+    interface Maker<M extends AnsweringModem> {
+        /**
+         * Called once.
+         *
+         * @param admission decides about a call when it is answered, by its caller's number, which is empty if the network
+         *     does not send it
+         * @param listener receives the events; of a denied call the ringing and the release only
+         */
+        M make(Function<Optional<Msisdn>, CallDecision> admission, Consumer<StationEvent> listener);
+    }
+
+    /** The newest state; callable on any thread. */
+    StationSnapshot snapshot();
+
+    /** Queues a reply tone. @return false if there is no accepted and connected call */
+    boolean sendTone(DtmfKey key);
+
+    /**
+     * Sends a short message; one that finds no service or a congested network is sent again for 10 minutes before it fails.
+     *
+     * @return the message's id
+     */
+    int reply(Msisdn to, String text);
+
+    /** While an order is being executed, the count of 60 s without a key stands still. */
+    void setOrderUnderWay(boolean active);
+
+    /** Ends the call with cause 16. @return false if there is none */
+    boolean hangUp();
+}
