@@ -8,75 +8,105 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import simgsm.center.smsc.DeliveryOutcome;
-import simgsm.center.smsc.Destination;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** The deliver_sm of a session that are not yet answered. */
+/** The deliver_sm of a session that are not yet answered, and whether it gets more. */
 final class DeliveryWindow {
-    /** Unanswered deliver_sm at a time. */
+    /** Unanswered deliver_sm at a time, unless the application has a setting of its own. */
     static final int SIZE = 100;
 
     /** response_timer (7.2): without an answer the attempt has failed; a later answer is ignored. */
-    static final long RESPONSE_NANOS = Duration.ofSeconds(30).toNanos();
+    static final Duration RESPONSE = Duration.ofSeconds(30);
 
-    private record Outstanding(Destination destination, Consumer<DeliveryOutcome> ended, long sentNanos) {}
+    private record Outstanding(Consumer<DeliveryOutcome> ended, long deadlineNanos) {}
 
     private final Timers timers;
     private final Runnable roomMade;
+    private final CircuitBreaker breaker;
+    /** By sequence_number, in the order of sending. */
     private final Map<Integer, Outstanding> outstanding = new LinkedHashMap<>();
+
+    private int size = SIZE;
     private Timer oldest;
 
-    /** @param roomMade is called after places have become free, by an answer or by the timer */
-    DeliveryWindow(Timers timers, Runnable roomMade) {
+    /**
+     * @param session named in the log
+     * @param roomMade is called when the session may get deliver_sm again
+     * @param abandoned is called when the session answers nothing and is to end
+     */
+    DeliveryWindow(Object session, Timers timers, Runnable roomMade, Runnable abandoned) {
         this.timers = timers;
         this.roomMade = roomMade;
+        breaker = new CircuitBreaker(session, timers, roomMade, abandoned);
     }
 
-    int size() {
+    void setSize(int deliveries) {
+        size = deliveries;
+    }
+
+    int outstanding() {
         return outstanding.size();
     }
 
-    void sent(int sequence, Destination destination, Consumer<DeliveryOutcome> ended) {
-        outstanding.put(sequence, new Outstanding(destination, ended, timers.nowNanos()));
+    boolean hasRoom() {
+        return outstanding.size() < size && breaker.permits();
+    }
+
+    /** The lowest rank is served first. */
+    int rank() {
+        return breaker.rank();
+    }
+
+    void sent(int sequence, Consumer<DeliveryOutcome> ended) {
+        outstanding.put(sequence, new Outstanding(ended, timers.nowNanos() + RESPONSE.toNanos()));
+        breaker.sent();
         if (oldest == null) {
-            oldest = timers.start(RESPONSE_NANOS, this::giveUpOldest);
+            oldest = timers.start(RESPONSE.toNanos(), this::giveUpLate);
         }
     }
 
     /** Ends the attempt with this number; an unknown number is ignored. */
     void answered(int sequence, DeliveryOutcome outcome) {
         Outstanding answered = outstanding.remove(sequence);
-        if (answered != null) {
-            answered.ended.accept(outcome);
-            roomMade.run();
+        if (answered == null) {
+            return;
         }
+        if (outcome == DeliveryOutcome.DELIVERED || outcome == DeliveryOutcome.REFUSED) {
+            breaker.succeeded();
+        } else {
+            breaker.refused();
+        }
+        answered.ended.accept(outcome);
+        roomMade.run();
     }
 
-    private void giveUpOldest() {
+    private void giveUpLate() {
         oldest = null;
         List<Outstanding> late = new ArrayList<>();
         Iterator<Outstanding> each = outstanding.values().iterator();
         while (each.hasNext() && oldest == null) {
             Outstanding next = each.next();
-            long left = next.sentNanos + RESPONSE_NANOS - timers.nowNanos();
-            if (left > 0) {
-                oldest = timers.start(left, this::giveUpOldest);
+            long leftNanos = next.deadlineNanos - timers.nowNanos();
+            if (leftNanos > 0) {
+                oldest = timers.start(leftNanos, this::giveUpLate);
             } else {
                 each.remove();
                 late.add(next);
             }
         }
-        late.forEach(lost -> lost.ended.accept(DeliveryOutcome.FAILED));
+        breaker.unanswered(late.size());
+        DeliveryOutcome outcome = breaker.hasEndedSession() ? DeliveryOutcome.WITHDRAWN : DeliveryOutcome.UNANSWERED;
+        late.forEach(lost -> lost.ended.accept(outcome));
         roomMade.run();
     }
 
-    /** Ends all attempts, because the session has ended; returns their destinations. */
-    List<Destination> end() {
+    /** Ends all attempts, because the session has ended. */
+    void end() {
         timers.cancel(oldest);
+        breaker.end();
         List<Outstanding> lost = List.copyOf(outstanding.values());
         outstanding.clear();
-        lost.forEach(each -> each.ended.accept(DeliveryOutcome.ABSENT));
-        return lost.stream().map(Outstanding::destination).distinct().toList();
+        lost.forEach(each -> each.ended.accept(DeliveryOutcome.WITHDRAWN));
     }
 }

@@ -33,10 +33,6 @@ public final class EsmeRoutes implements ApplicationPort {
         return routeOf(number).isPresent();
     }
 
-    boolean serves(Destination destination) {
-        return routeOf(destination).isPresent();
-    }
-
     void add(EsmeSession session, Optional<AddressRange> range) {
         found.clear();
         bySystemId.computeIfAbsent(session.systemId(), id -> new Route()).add(session);
@@ -131,12 +127,10 @@ public final class EsmeRoutes implements ApplicationPort {
     @Override
     public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
         Optional<Route> route = routeOf(envelope.destination());
-        if (route.isEmpty()) {
-            ended.accept(DeliveryOutcome.ABSENT);
-            return;
-        }
-        route.get().used();
-        route.get().leastLoaded().deliver(envelope, ended);
+        route.ifPresent(Route::used);
+        route.flatMap(Route::best)
+                .ifPresentOrElse(
+                        session -> session.deliver(envelope, ended), () -> ended.accept(DeliveryOutcome.WITHDRAWN));
     }
 
     @Override

@@ -56,7 +56,7 @@ public final class EsmeSession {
         this.address = address;
         this.isLocal = isLocal;
         this.timers = server.timers().ownedBy(this::failed);
-        this.window = new DeliveryWindow(timers, this::roomMade);
+        this.window = new DeliveryWindow(this, timers, this::roomMade, this::unbind);
         this.limits = new SubmissionLimits(timers, isLocal);
         heardNanos = timers.nowNanos();
         silence = timers.start(INIT_NANOS, this::checkSilence);
@@ -71,11 +71,19 @@ public final class EsmeSession {
     }
 
     int outstanding() {
-        return window.size();
+        return window.outstanding();
     }
 
     boolean hasRoom() {
-        return window.size() < DeliveryWindow.SIZE;
+        return window.hasRoom();
+    }
+
+    void setWindow(int deliveries) {
+        window.setSize(deliveries);
+    }
+
+    int deliveryRank() {
+        return window.rank();
     }
 
     /** Octets have arrived, in pieces of any length. */
@@ -159,7 +167,7 @@ public final class EsmeSession {
 
     private void removeFromRoutes() {
         server.unbound(this, range);
-        window.end().forEach(server::tryAgain);
+        window.end();
         server.routes().roomOn(this, range, server);
         systemId = "";
     }
@@ -235,7 +243,7 @@ public final class EsmeSession {
     /** Sends deliver_sm. @param ended is given the outcome once: of the answer, of the timer, or of the session's end */
     void deliver(Envelope envelope, Consumer<DeliveryOutcome> ended) {
         int number = nextSequence();
-        window.sent(number, envelope.destination(), ended);
+        window.sent(number, ended);
         send(new SmppPdu.Message(SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope)));
     }
 
@@ -257,7 +265,7 @@ public final class EsmeSession {
         if (SmppStatus.isBusy(status)) {
             return DeliveryOutcome.BUSY;
         }
-        return SmppStatus.mayPass(status) ? DeliveryOutcome.FAILED : DeliveryOutcome.REFUSED;
+        return SmppStatus.mayPass(status) ? DeliveryOutcome.POSTPONED : DeliveryOutcome.REFUSED;
     }
 
     private void checkSilence() {
@@ -289,9 +297,16 @@ public final class EsmeSession {
         closed();
     }
 
+    /** Ends a session that answers nothing. */
+    private void unbind() {
+        send(new SmppPdu.Plain(SmppCommand.UNBIND, nextSequence()));
+        endWhenSent();
+    }
+
     private void endWhenSent() {
         end();
         port.closeWhenSent();
+        timers.start(ANSWER_NANOS, () -> port.close("does not read"));
     }
 
     /** The connection was closed by the peer, or is broken. */

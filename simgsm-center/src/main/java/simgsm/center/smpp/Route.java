@@ -3,6 +3,7 @@ package simgsm.center.smpp;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simgsm.center.smsc.Destination;
 
@@ -30,7 +31,7 @@ final class Route {
     /** Whether a message may be sent to this destination now; if not, the destination is blocked until its turn. */
     boolean admits(Destination destination) {
         boolean mayGo = blocked.isEmpty() || destination.equals(hasTurn);
-        if (mayGo && leastLoaded().hasRoom()) {
+        if (mayGo && best().isPresent()) {
             return true;
         }
         blocked.add(destination);
@@ -46,15 +47,23 @@ final class Route {
         blocked.remove(destination);
     }
 
-    /** The session with the fewest unanswered deliver_sm. */
-    EsmeSession leastLoaded() {
-        EsmeSession best = sessions.get(0);
-        for (int i = 1; i < sessions.size(); i++) {
-            if (sessions.get(i).outstanding() < best.outstanding()) {
-                best = sessions.get(i);
+    /**
+     * The session that gets the next deliver_sm: one whose trial is due, else one that answers before one that has just let
+     * a response time out, else the one with the fewest unanswered; empty if none has room.
+     */
+    Optional<EsmeSession> best() {
+        EsmeSession best = null;
+        for (EsmeSession session : sessions) {
+            if (session.hasRoom() && (best == null || isBetter(session, best))) {
+                best = session;
             }
         }
-        return best;
+        return Optional.ofNullable(best);
+    }
+
+    private static boolean isBetter(EsmeSession session, EsmeSession other) {
+        int byRank = Integer.compare(session.deliveryRank(), other.deliveryRank());
+        return byRank == 0 ? session.outstanding() < other.outstanding() : byRank < 0;
     }
 
     /** A message has been sent: the turn is over. */
@@ -64,7 +73,7 @@ final class Route {
 
     /** Lets blocked destinations send, one message each, while there is room. */
     void giveTurns(SmppServer server) {
-        while (!blocked.isEmpty() && !sessions.isEmpty() && leastLoaded().hasRoom()) {
+        while (!blocked.isEmpty() && best().isPresent()) {
             Destination next = blocked.iterator().next();
             blocked.remove(next);
             hasTurn = next;

@@ -81,13 +81,6 @@ public final class SmppServer {
         routes.remove(session, range);
     }
 
-    /** A session has ended without answering; another one may serve the same destination. */
-    void tryAgain(Destination destination) {
-        if (routes.serves(destination)) {
-            center.available(destination);
-        }
-    }
-
     Timers timers() {
         return timers;
     }

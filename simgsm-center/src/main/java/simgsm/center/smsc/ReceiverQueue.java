@@ -2,121 +2,73 @@ package simgsm.center.smsc;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.List;
+import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.stream.Stream;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
  * Messages and reports that wait for one destination. Attempts begin in the order of acceptance, as many at a time as the
- * port's window allows. An entry that ends for any reason is removed at once, so {@link #size} counts what is held.
+ * port's window allows. After a failure either the whole queue pauses or the one entry is postponed, as the outcome says.
+ * An entry that ends for any reason is removed at once, so {@link #size} counts what is held.
  */
 final class ReceiverQueue {
+    /**
+     * What all queues share.
+     *
+     * @param startedAt the civil time at which {@code timers} stood at 0
+     * @param ended is called with each entry that leaves its queue and its final state
+     */
+    record Context(
+            Instant startedAt,
+            Timers timers,
+            DeliveryPort port,
+            ShortMessageCenter.Containers containers,
+            BiConsumer<QueueEntry, MessageState> ended) {
+        Instant now() {
+            return timeOf(timers.nowNanos());
+        }
+
+        Instant timeOf(long nanos) {
+            return startedAt.plusNanos(nanos);
+        }
+    }
+
     private final Destination destination;
-    private final Instant startedAt;
+    private final Context context;
     private final Timers timers;
     private final DeliveryPort port;
-    private final BiConsumer<Entry, MessageState> ended;
-    /** Entries without an attempt under way, by place. */
-    private final NavigableMap<Long, Entry> ready;
+    /** Entries that may be tried now, by place. */
+    private final NavigableMap<Long, QueueEntry> ready;
+    /** Entries that are tried again at a time of their own. */
+    private final NavigableMap<QueueEntry.Due, QueueEntry> postponed;
 
     private int inFlight;
     private int reserved;
     private boolean isMemoryFull;
     private int failures;
-    private int refusals;
-    private Timer retry;
+    /** While it runs, the whole queue pauses. */
+    private Timer pause;
+    /** Runs until the first postponed entry is due. */
+    private Timer next;
+
+    private long availabilities;
     private long nextPlace;
 
-    /** An envelope in this queue. */
-    final class Entry {
-        private final Envelope envelope;
-        private final long place = nextPlace++;
-        private List<DeliveryAttempt> attempts = List.of();
-        private int attemptCount;
-        private Timer expiry;
-        private boolean isInFlight;
-        /** Final state if the attempt under way fails; null if another attempt follows. */
-        private MessageState stateOnFailure;
-
-        private Entry(Envelope envelope) {
-            this.envelope = envelope;
-        }
-
-        Envelope envelope() {
-            return envelope;
-        }
-
-        /** Removes the entry as DELETED; false if an attempt is under way. */
-        boolean cancel() {
-            if (!isInFlight) {
-                remove(this, MessageState.DELETED);
-            }
-            return !isInFlight;
-        }
-
-        MessageHistory history() {
-            WaitReason reason = waitReason(this);
-            boolean isScheduled = reason == WaitReason.AWAITING_RETRY || reason == WaitReason.AWAITING_MEMORY;
-            Optional<Instant> nextTry = isScheduled
-                    ? Optional.ofNullable(retry).map(timer -> startedAt.plusNanos(timer.deadlineNanos()))
-                    : Optional.empty();
-            return new MessageHistory(
-                    envelope.message(),
-                    MessageState.ACCEPTED,
-                    reason,
-                    attempts,
-                    attemptCount,
-                    nextTry,
-                    Optional.empty());
-        }
-
-        MessageHistory endedHistory(MessageState state) {
-            return new MessageHistory(
-                    envelope.message(),
-                    state,
-                    WaitReason.ENDED,
-                    attempts,
-                    attemptCount,
-                    Optional.empty(),
-                    Optional.of(now()));
-        }
-
-        private void attempted(DeliveryOutcome outcome) {
-            attemptCount++;
-            attempts = Stream.concat(
-                            attempts.stream().skip(attempts.size() / MessageHistory.MAX_ATTEMPTS),
-                            Stream.of(new DeliveryAttempt(now(), outcome)))
-                    .toList();
-        }
-    }
-
-    /**
-     * @param startedAt the civil time at which {@code timers} stood at 0
-     * @param ready an empty map
-     * @param ended is called with each entry that leaves the queue and its final state
-     */
-    ReceiverQueue(
-            Destination destination,
-            Instant startedAt,
-            Timers timers,
-            DeliveryPort port,
-            NavigableMap<Long, Entry> ready,
-            BiConsumer<Entry, MessageState> ended) {
+    ReceiverQueue(Destination destination, Context context) {
         this.destination = destination;
-        this.startedAt = startedAt;
-        this.timers = timers;
-        this.port = port;
-        this.ready = ready;
-        this.ended = ended;
+        this.context = context;
+        timers = context.timers;
+        port = context.port;
+        ready = context.containers.sorted();
+        postponed = context.containers.sorted();
     }
 
     /** Entries held, those under way and the reserved places included. */
     int size() {
-        return ready.size() + inFlight + reserved;
+        return ready.size() + postponed.size() + inFlight + reserved;
     }
 
     /** Reserves places for messages that are being stored; a negative count gives them back. */
@@ -125,78 +77,126 @@ final class ReceiverQueue {
     }
 
     /** Adds an envelope; {@link #attempt} then begins its delivery. */
-    Entry add(Envelope envelope) {
-        Entry added = new Entry(envelope);
+    QueueEntry add(Envelope envelope) {
+        QueueEntry added = new QueueEntry(this, envelope, nextPlace++);
         ready.put(added.place, added);
-        Duration lifetime = Duration.between(now(), envelope.expiresAt());
+        Duration lifetime = Duration.between(context.now(), envelope.expiresAt());
         added.expiry = timers.start(lifetime.toNanos(), () -> expire(added));
         return added;
+    }
+
+    /** Removes an entry as DELETED; false if an attempt is under way. */
+    boolean cancel(QueueEntry entry) {
+        if (!entry.isInFlight) {
+            remove(entry, MessageState.DELETED);
+        }
+        return !entry.isInFlight;
     }
 
     /** The receiver has registered, or has memory again: the retry schedule begins anew. */
     void receiverAvailable() {
         failures = 0;
-        refusals = 0;
+        availabilities++;
         endPause();
         attempt();
     }
 
     private void endPause() {
         isMemoryFull = false;
-        timers.cancel(retry);
-        retry = null;
+        timers.cancel(pause);
+        pause = null;
     }
 
     /** Begins as many attempts as can be made now. */
     void attempt() {
-        while (retry == null
-                && !ready.isEmpty()
-                && inFlight < port.window(destination)
-                && port.isReachable(destination)) {
-            Entry first = ready.pollFirstEntry().getValue();
+        while (pause == null && hasNext() && inFlight < port.window(destination) && port.isReachable(destination)) {
+            QueueEntry first = pollNext();
             first.isInFlight = true;
             inFlight++;
-            port.deliver(first.envelope, ready.size() + inFlight > 1, outcome -> attempted(first, outcome));
+            port.deliver(first.envelope, size() - reserved > 1, outcome -> attempted(first, outcome));
         }
+        awaitNext();
     }
 
-    private void attempted(Entry entry, DeliveryOutcome outcome) {
+    private boolean hasNext() {
+        return !ready.isEmpty() || hasDue();
+    }
+
+    private boolean hasDue() {
+        return !postponed.isEmpty() && isDue(postponed.firstEntry().getKey());
+    }
+
+    private boolean isDue(QueueEntry.Due due) {
+        return due.availability() < availabilities || due.nanos() <= timers.nowNanos();
+    }
+
+    private QueueEntry pollNext() {
+        QueueEntry polled = (hasDue() ? postponed.pollFirstEntry() : ready.pollFirstEntry()).getValue();
+        polled.due = null;
+        return polled;
+    }
+
+    /** Has the first postponed entry tried when it is due; one that is due already is tried when there is room. */
+    private void awaitNext() {
+        Map.Entry<QueueEntry.Due, QueueEntry> first = postponed.isEmpty() ? null : postponed.firstEntry();
+        boolean isAwaited = first != null && !isDue(first.getKey());
+        if (next != null && isAwaited && next.deadlineNanos() == first.getKey().nanos()) {
+            return;
+        }
+        timers.cancel(next);
+        next = isAwaited ? timers.start(first.getKey().nanos() - timers.nowNanos(), this::attempt) : null;
+    }
+
+    private void attempted(QueueEntry entry, DeliveryOutcome outcome) {
         inFlight--;
         entry.isInFlight = false;
-        entry.attempted(outcome);
+        entry.attempted(context.now(), outcome);
         switch (outcome) {
             case DELIVERED -> answered(entry, MessageState.DELIVERED);
             case REFUSED -> answered(entry, MessageState.REJECTED);
-            case MEMORY_FULL, BUSY, ABSENT, FAILED -> failed(entry, outcome);
+            case MEMORY_FULL, ABSENT, FAILED -> pauseAfter(entry, outcome);
+            case BUSY -> postpone(entry, RetrySchedule.pauseWhenBusy(++entry.refusals));
+            case POSTPONED, UNANSWERED -> postpone(entry, RetrySchedule.pauseAfter(++entry.failures));
+            case WITHDRAWN -> keep(entry);
         }
         attempt();
     }
 
-    private void answered(Entry entry, MessageState state) {
+    private void answered(QueueEntry entry, MessageState state) {
         failures = 0;
-        refusals = 0;
         remove(entry, state);
     }
 
-    private void failed(Entry entry, DeliveryOutcome outcome) {
-        if (entry.stateOnFailure == null) {
-            ready.put(entry.place, entry);
-        } else {
+    /** Keeps an entry after a failed attempt, if another one may follow. */
+    private boolean keep(QueueEntry entry) {
+        if (entry.stateOnFailure != null) {
             remove(entry, entry.stateOnFailure);
+            return false;
         }
-        if (retry == null && !ready.isEmpty()) {
+        ready.put(entry.place, entry);
+        return true;
+    }
+
+    private void postpone(QueueEntry entry, Duration delay) {
+        if (keep(entry)) {
+            ready.remove(entry.place);
+            entry.due = new QueueEntry.Due(availabilities, timers.nowNanos() + delay.toNanos(), entry.place);
+            postponed.put(entry.due, entry);
+        }
+    }
+
+    private void pauseAfter(QueueEntry entry, DeliveryOutcome outcome) {
+        keep(entry);
+        if (pause == null && !ready.isEmpty()) {
             isMemoryFull = outcome == DeliveryOutcome.MEMORY_FULL;
-            Duration pause = outcome == DeliveryOutcome.BUSY
-                    ? RetrySchedule.pauseWhenBusy(++refusals)
-                    : RetrySchedule.pauseAfter(++failures);
-            retry = timers.start(pause.toNanos(), () -> {
+            pause = timers.start(RetrySchedule.pauseAfter(++failures).toNanos(), () -> {
                 endPause();
                 attempt();
             });
         }
     }
 
-    private void expire(Entry entry) {
+    private void expire(QueueEntry entry) {
         if (entry.isInFlight) {
             entry.stateOnFailure = MessageState.EXPIRED;
         } else {
@@ -204,18 +204,46 @@ final class ReceiverQueue {
         }
     }
 
-    private void remove(Entry entry, MessageState state) {
-        ready.remove(entry.place);
+    private void remove(QueueEntry entry, MessageState state) {
+        if (entry.due == null) {
+            ready.remove(entry.place);
+        } else {
+            postponed.remove(entry.due);
+            awaitNext();
+        }
         timers.cancel(entry.expiry);
         if (ready.isEmpty() && inFlight == 0) {
             endPause();
         }
-        ended.accept(entry, state);
+        context.ended.accept(entry, state);
     }
 
-    private WaitReason waitReason(Entry entry) {
+    MessageHistory history(QueueEntry entry) {
+        return new MessageHistory(
+                entry.envelope.message(),
+                MessageState.ACCEPTED,
+                waitReason(entry),
+                entry.attempts,
+                entry.attemptCount,
+                nextTryNanos(entry).map(context::timeOf),
+                Optional.empty());
+    }
+
+    private Optional<Long> nextTryNanos(QueueEntry entry) {
+        if (entry.due != null) {
+            return isDue(entry.due) ? Optional.empty() : Optional.of(entry.due.nanos());
+        }
+        WaitReason reason = waitReason(entry);
+        boolean isPaused = reason == WaitReason.AWAITING_RETRY || reason == WaitReason.AWAITING_MEMORY;
+        return isPaused ? Optional.of(pause.deadlineNanos()) : Optional.empty();
+    }
+
+    private WaitReason waitReason(QueueEntry entry) {
         if (entry.isInFlight) {
             return WaitReason.UNDER_WAY;
+        }
+        if (entry.due != null) {
+            return WaitReason.AWAITING_RETRY;
         }
         if (inFlight > 0 || ready.firstKey() != entry.place) {
             return WaitReason.BEHIND_OTHERS;
@@ -223,10 +251,6 @@ final class ReceiverQueue {
         if (isMemoryFull) {
             return WaitReason.AWAITING_MEMORY;
         }
-        return retry == null ? WaitReason.AWAITING_RECEIVER : WaitReason.AWAITING_RETRY;
-    }
-
-    private Instant now() {
-        return startedAt.plusNanos(timers.nowNanos());
+        return pause == null ? WaitReason.AWAITING_RECEIVER : WaitReason.AWAITING_RETRY;
     }
 }

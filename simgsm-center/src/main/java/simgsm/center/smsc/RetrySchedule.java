@@ -3,7 +3,7 @@ package simgsm.center.smsc;
 import java.time.Duration;
 import java.util.List;
 
-/** Pauses between the attempts to reach a receiver; one schedule for all messages that wait for it. */
+/** Pauses between the attempts to reach a mobile, one schedule for all messages that wait for it; for an application, between the attempts at one message. */
 public final class RetrySchedule {
     /** The pauses after 1, 2, 3 ... failures in a row; the last holds for all further ones. */
     public static final List<Duration> PAUSES = List.of(
@@ -16,7 +16,7 @@ public final class RetrySchedule {
             Duration.ofHours(6),
             Duration.ofHours(12));
 
-    /** A busy receiver is tried again after 1, 2, 4 ... 32 s, then after the pause of a first failure. */
+    /** While an application is busy: 1, 2, 4 ... 32 s, then the pause of a first failure. */
     private static final int MOST_DOUBLINGS = 6;
 
     private RetrySchedule() {}
@@ -27,7 +27,7 @@ public final class RetrySchedule {
     }
 
     /** @param refusals in a row, at least 1 */
-    static Duration pauseWhenBusy(int refusals) {
+    public static Duration pauseWhenBusy(int refusals) {
         Duration doubled = Duration.ofSeconds(1L << Math.min(refusals - 1, MOST_DOUBLINGS));
         return doubled.compareTo(PAUSES.get(0)) < 0 ? doubled : PAUSES.get(0);
     }

@@ -61,10 +61,10 @@ public final class ShortMessageCenter {
     private final MessageStore store;
     private final DeliveryPort port;
     private BiConsumer<ShortMessage, MessageState> listener;
-    private final Containers containers;
+    private final ReceiverQueue.Context queueContext;
     private final NavigableMap<Destination, ReceiverQueue> queues;
     /** Messages that wait, by id; ids rise in the order of acceptance. */
-    private final Map<Long, ReceiverQueue.Entry> waiting;
+    private final Map<Long, QueueEntry> waiting;
 
     private final Map<Long, Submission> submissions = new HashMap<>();
     /** Reports on ends that are not yet durable, by ticket: a report that was sent once must not change. */
@@ -120,7 +120,7 @@ public final class ShortMessageCenter {
         this.store = store;
         this.port = port;
         this.listener = listener;
-        this.containers = containers;
+        this.queueContext = new ReceiverQueue.Context(startedAt, timers, port, containers, this::ended);
         this.queues = containers.sorted();
         this.waiting = containers.inOrderOfInsertion();
     }
@@ -338,8 +338,8 @@ public final class ShortMessageCenter {
      * @return false if no message with this id waits, or an attempt at it is under way
      */
     public boolean cancel(long id) {
-        ReceiverQueue.Entry entry = waiting.get(id);
-        return entry != null && entry.cancel();
+        QueueEntry entry = waiting.get(id);
+        return entry != null && entry.queue.cancel(entry);
     }
 
     /** Messages that wait, in the order of acceptance; reports are not among them. */
@@ -349,15 +349,15 @@ public final class ShortMessageCenter {
 
     /** The first messages that wait, at most {@code limit}. */
     public List<ShortMessage> waiting(int limit) {
-        return entries(limit).map(entry -> entry.envelope().message()).toList();
+        return entries(limit).map(entry -> entry.envelope.message()).toList();
     }
 
     /** The histories of the first messages that wait, at most {@code limit}. */
     public List<MessageHistory> waitingHistories(int limit) {
-        return entries(limit).map(ReceiverQueue.Entry::history).toList();
+        return entries(limit).map(entry -> entry.queue.history(entry)).toList();
     }
 
-    private Stream<ReceiverQueue.Entry> entries(int limit) {
+    private Stream<QueueEntry> entries(int limit) {
         return waiting.values().stream().limit(limit);
     }
 
@@ -370,14 +370,13 @@ public final class ShortMessageCenter {
 
     /** The message with this id, if it waits. */
     public Optional<ShortMessage> waitingMessage(long id) {
-        return Optional.ofNullable(waiting.get(id))
-                .map(entry -> entry.envelope().message());
+        return Optional.ofNullable(waiting.get(id)).map(entry -> entry.envelope.message());
     }
 
     /** A message's history; empty if the id is unknown, or {@link #MAX_ENDED_HISTORIES} have ended since. */
     public Optional<MessageHistory> history(long id) {
-        ReceiverQueue.Entry entry = waiting.get(id);
-        return Optional.ofNullable(entry == null ? endedHistories.get(id) : entry.history());
+        QueueEntry entry = waiting.get(id);
+        return Optional.ofNullable(entry == null ? endedHistories.get(id) : entry.queue.history(entry));
     }
 
     /** Messages and reports that wait. */
@@ -386,9 +385,7 @@ public final class ShortMessageCenter {
     }
 
     private ReceiverQueue queue(Destination destination) {
-        return queues.computeIfAbsent(
-                destination,
-                absent -> new ReceiverQueue(absent, startedAt, timers, port, containers.sorted(), this::ended));
+        return queues.computeIfAbsent(destination, absent -> new ReceiverQueue(absent, queueContext));
     }
 
     private void removeIfEmpty(Destination destination) {
@@ -402,24 +399,35 @@ public final class ShortMessageCenter {
     private void enqueue(Envelope envelope) {
         waitingCount++;
         ReceiverQueue queue = queue(envelope.destination());
-        ReceiverQueue.Entry entry = queue.add(envelope);
+        QueueEntry entry = queue.add(envelope);
         if (envelope instanceof Envelope.Delivery) {
             waiting.put(envelope.message().id(), entry);
         }
         queue.attempt();
     }
 
-    private void ended(ReceiverQueue.Entry entry, MessageState state) {
+    private void ended(QueueEntry entry, MessageState state) {
         waitingCount--;
-        removeIfEmpty(entry.envelope().destination());
-        ShortMessage message = entry.envelope().message();
-        if (entry.envelope() instanceof Envelope.Delivery) {
+        removeIfEmpty(entry.envelope.destination());
+        ShortMessage message = entry.envelope.message();
+        if (entry.envelope instanceof Envelope.Delivery) {
             waiting.remove(message.id());
-            endedHistories.put(message.id(), entry.endedHistory(state));
+            endedHistories.put(message.id(), endedHistory(entry, state));
             deliveryEnded(message, state);
         } else {
             reported(message);
         }
+    }
+
+    private MessageHistory endedHistory(QueueEntry entry, MessageState state) {
+        return new MessageHistory(
+                entry.envelope.message(),
+                state,
+                WaitReason.ENDED,
+                entry.attempts,
+                entry.attemptCount,
+                Optional.empty(),
+                Optional.of(now()));
     }
 
     private void deliveryEnded(ShortMessage message, MessageState state) {

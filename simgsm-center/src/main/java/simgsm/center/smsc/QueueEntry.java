@@ -1,0 +1,55 @@
+package simgsm.center.smsc;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.stream.Stream;
+import simgsm.timer.Timer;
+
+/** An envelope in a {@link ReceiverQueue}, which alone changes it. */
+final class QueueEntry {
+    /**
+     * The order in which postponed entries are tried.
+     *
+     * @param availability how often the receiver had become available; entries of an earlier count are due at once
+     */
+    record Due(long availability, long nanos, long place) implements Comparable<Due> {
+        @Override
+        public int compareTo(Due other) {
+            int byAvailability = Long.compare(availability, other.availability);
+            int byTime = byAvailability == 0 ? Long.compare(nanos, other.nanos) : byAvailability;
+            return byTime == 0 ? Long.compare(place, other.place) : byTime;
+        }
+    }
+
+    final ReceiverQueue queue;
+    final Envelope envelope;
+    /** In the order of acceptance. */
+    final long place;
+
+    List<DeliveryAttempt> attempts = List.of();
+    int attemptCount;
+    /** Failed attempts that count for {@link RetrySchedule}: postponed or unanswered, and busy. */
+    int failures;
+
+    int refusals;
+    Timer expiry;
+    boolean isInFlight;
+    /** When it is tried again by itself; null unless it is postponed. */
+    Due due;
+    /** Final state if the attempt under way fails; null if another attempt follows. */
+    MessageState stateOnFailure;
+
+    QueueEntry(ReceiverQueue queue, Envelope envelope, long place) {
+        this.queue = queue;
+        this.envelope = envelope;
+        this.place = place;
+    }
+
+    void attempted(Instant at, DeliveryOutcome outcome) {
+        attemptCount++;
+        attempts = Stream.concat(
+                        attempts.stream().skip(attempts.size() / MessageHistory.MAX_ATTEMPTS),
+                        Stream.of(new DeliveryAttempt(at, outcome)))
+                .toList();
+    }
+}
