@@ -128,6 +128,10 @@ public final class SimRobotMain {
                         "drive a real Pioneer, or MobileSim, over P2OS in place of the simulated one:"
                                 + "\nHOST:PORT, or a serial line's device file whose speed is set")
                 .value(
+                        "pioneer-params",
+                        "FILE.p",
+                        "the units of a real robot whose type is not built in: a params file of ARIA")
+                .value(
                         "http",
                         "PORT",
                         "serve a page with map and cameras, status as JSON and pictures; 0: any free port")
@@ -232,7 +236,7 @@ public final class SimRobotMain {
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<LineAddress> real = RequestedRobots.real(arguments, names);
         if (real.isPresent()) {
-            fleet.addReal(names.get(0), real.get(), simulation);
+            fleet.addReal(names.get(0), real.get(), RequestedRobots.parameters(arguments), simulation);
         } else {
             for (RobotName name : names) {
                 fleet.addFirst(name, simulation);

@@ -1,13 +1,22 @@
 package vericommand;
 
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
 
 /** The replies as texts. The Spanish ones use only letters of the GSM alphabet: é and ñ, but not á, í, ó, ú. */
 final class ReplyTexts {
     private final Locale locale;
+    private final Supplier<Optional<String>> unknownType;
 
     ReplyTexts(Locale locale) {
+        this(locale, Optional::empty);
+    }
+
+    /** @param unknownType supplies {@link Robot#unknownType} */
+    ReplyTexts(Locale locale, Supplier<Optional<String>> unknownType) {
         this.locale = locale;
+        this.unknownType = unknownType;
     }
 
     /** All instructions are executed. */
@@ -96,7 +105,10 @@ final class ReplyTexts {
     }
 
     private String notPossible(RobotStatus status) {
-        return text("reply.impossible", text("reason." + status));
+        Optional<String> unknown = status == RobotStatus.NO_MOTORS ? unknownType.get() : Optional.empty();
+        return text(
+                "reply.impossible",
+                unknown.map(type -> text("reason.UNKNOWN_TYPE", type)).orElseGet(() -> text("reason." + status)));
     }
 
     private String where(RobotStatus status, Pose pose) {

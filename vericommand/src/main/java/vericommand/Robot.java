@@ -1,5 +1,6 @@
 package vericommand;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** A robot, simulated or real, as orders command it. All methods are called on the robot's owner thread. */
@@ -29,6 +30,11 @@ public interface Robot {
      */
     default void endAutonomy(Runnable standing) {
         standing.run();
+    }
+
+    /** The name of the robot's type if it is not known: then its status stays No motors. Empty for a known one. */
+    default Optional<String> unknownType() {
+        return Optional.empty();
     }
 
     /** The true pose. */

@@ -33,7 +33,7 @@ public final class VeriCommand {
         this.robot = robot;
         this.settings = settings;
         this.listener = listener;
-        texts = new ReplyTexts(settings.language());
+        texts = new ReplyTexts(settings.language(), robot::unknownType);
         display = new OrderDisplay(settings.language(), texts);
     }
 

@@ -2,6 +2,7 @@ package vericommand;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** A robot that moves when the test says so. */
@@ -11,6 +12,7 @@ final class HandDrivenRobot implements Robot {
     Pose pose = new Pose(1.2, 0.5, 90);
     int brakes;
     boolean autonomous;
+    Optional<String> unknownType = Optional.empty();
     int autonomyEnds;
     private Consumer<MotionOutcome> ended;
     private Runnable standing;
@@ -37,6 +39,11 @@ final class HandDrivenRobot implements Robot {
     @Override
     public void brake() {
         brakes++;
+    }
+
+    @Override
+    public Optional<String> unknownType() {
+        return unknownType;
     }
 
     @Override

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,6 +29,17 @@ class VeriCommandMessageTest {
                         TO + "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
                         "under-way false"),
                 bench.events());
+    }
+
+    @Test
+    void aRobotOfAnUnknownTypeNamesItsTypeWhereItRefuses() {
+        Bench bench = Bench.in(RobotStatus.NO_MOTORS);
+        bench.robot.unknownType = Optional.of("rover9");
+        bench.sms("** #**20 **");
+        assertEquals(List.of(TO + "8 Not possible: robot type rover9 is not known."), bench.events("sms"));
+        bench.veri.callBegan("5550101");
+        "**#**20**".chars().forEach(key -> bench.veri.key((char) key));
+        assertEquals(List.of("tone 8"), bench.events("tone"));
     }
 
     @Test

@@ -1,5 +1,7 @@
 package simrobot.app;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -14,6 +16,7 @@ import simgsm.console.UsageException;
 import simgsm.net.LineAddress;
 import simgsm.sim.SimSlot;
 import simrobot.control.RobotName;
+import simrobot.pioneer.RobotParameters;
 import simrobot.world.Home;
 import simrobot.world.World;
 
@@ -72,6 +75,9 @@ public final class RequestedRobots {
     /** The address of a real robot; empty if the robots are simulated. */
     public static Optional<LineAddress> real(Arguments arguments, List<RobotName> robots) throws UsageException {
         Optional<LineAddress> address = arguments.value("pioneer", LineAddress::parse);
+        if (address.isEmpty() && arguments.has("pioneer-params")) {
+            throw new UsageException("--pioneer-params: expected a real robot, named by --pioneer");
+        }
         if (address.isPresent()) {
             if (robots.size() > 1) {
                 throw new UsageException("--pioneer: expected one robot, found " + robots.size());
@@ -83,6 +89,12 @@ public final class RequestedRobots {
             }
         }
         return address;
+    }
+
+    /** The units of a real robot, from a file. @throws IOException if it cannot be read, or describes no robot */
+    public static Optional<RobotParameters> parameters(Arguments arguments) throws UsageException, IOException {
+        Optional<Path> file = arguments.path("pioneer-params");
+        return file.isEmpty() ? Optional.empty() : Optional.of(RobotParameters.read(file.get()));
     }
 
     private static void requireDifferent(List<RobotName> robots) throws UsageException {

@@ -17,6 +17,7 @@ import simgsm.station.StationOptions;
 import simrobot.behaviour.BehaviourKind;
 import simrobot.pioneer.PioneerCall;
 import simrobot.pioneer.RealPioneer;
+import simrobot.pioneer.RobotParameters;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
@@ -97,7 +98,8 @@ public final class Fleet {
     }
 
     /** Adds a real robot before the start; its assumed pose is the world's first home. */
-    public TelephoneRobot addReal(RobotName name, LineAddress address, Simulation simulation)
+    public TelephoneRobot addReal(
+            RobotName name, LineAddress address, Optional<RobotParameters> parameters, Simulation simulation)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
         Pose start = simulation.world().homes().stream()
@@ -105,7 +107,7 @@ public final class Fleet {
                 .map(home -> new Pose(
                         home.position().xMeters(), home.position().yMeters(), Math.toDegrees(home.headingRadians())))
                 .orElse(new Pose(0, 0, 0));
-        RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors());
+        RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors(), parameters);
         Supplier<RobotSnapshot> guest = robot::snapshot;
         simulation.addGuest(guest);
         TelephoneRobot added =

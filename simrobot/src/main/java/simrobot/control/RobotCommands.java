@@ -97,6 +97,10 @@ final class RobotCommands {
             if (on && !robot.isPowered()) {
                 throw new CommandException("motors on: the robot is off, expected power on first");
             }
+            if (on && robot.unknownType().isPresent()) {
+                throw new CommandException("motors on: robot type "
+                        + robot.unknownType().get() + " is not known, expected --pioneer-params FILE.p");
+            }
             setAndAnswer(() -> robot.setMotors(on));
         });
     }

@@ -106,6 +106,9 @@ final class RobotControl {
     private void statusChanged(RobotStatus now) {
         status = now;
         tell(new RobotEvent.StatusChanged(now));
+        if (now == RobotStatus.NO_MOTORS) {
+            robot.unknownType().ifPresent(type -> tell(new RobotEvent.TypeUnknown(type)));
+        }
         veriCommand.statusChanged();
     }
 

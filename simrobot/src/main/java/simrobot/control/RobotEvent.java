@@ -144,6 +144,15 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** A real robot's type is not known, so it is not moved. @param type as the robot names it */
+    record TypeUnknown(String type) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "error")
+                    .with("text", "robot type " + type + " is not known: no motion; expected --pioneer-params FILE.p");
+        }
+    }
+
     private static Event about(String robot, String name) {
         return Event.of(name).with("robot", robot);
     }

@@ -6,7 +6,7 @@ import vericommand.Pose;
 
 /**
  * The pose of a robot by its own odometry, relative to the pose that was set last. Odometry counters wrap at 15 bits
- * (position) and 4096 units (heading); of two possible differences the smaller is used.
+ * (position) and a full turn (heading); of two possible differences the smaller is used.
  */
 final class DeadReckoning {
     private static final int PLACE_BITS = 15;
@@ -39,15 +39,16 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    void take(InformationPacket information, RobotScale scale) {
+    void take(InformationPacket information, RobotKind kind) {
         if (last == null) {
-            skew = heading - radians(information.heading());
+            skew = heading - radians(information.heading(), kind);
         } else {
-            double dx = step(information.x() - last.x(), PLACE_BITS) * scale.millimetersPerUnit() / 1000;
-            double dy = step(information.y() - last.y(), PLACE_BITS) * scale.millimetersPerUnit() / 1000;
+            int headingBits = Integer.numberOfTrailingZeros(kind.unitsPerTurn());
+            double dx = step(information.x() - last.x(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
+            double dy = step(information.y() - last.y(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
             x += dx * Math.cos(skew) - dy * Math.sin(skew);
             y += dx * Math.sin(skew) + dy * Math.cos(skew);
-            heading += radians(step(information.heading() - last.heading(), 12));
+            heading += radians(step(information.heading() - last.heading(), headingBits), kind);
         }
         last = information;
     }
@@ -58,8 +59,8 @@ final class DeadReckoning {
         return (difference + half & (1 << bits) - 1) - half;
     }
 
-    private static double radians(int units) {
-        return units * 2 * Math.PI / RobotScale.UNITS_PER_TURN;
+    private static double radians(int units, RobotKind kind) {
+        return units * 2 * Math.PI / kind.unitsPerTurn();
     }
 
     double xMeters() {

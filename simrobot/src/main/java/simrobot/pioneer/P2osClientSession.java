@@ -3,6 +3,7 @@ package simrobot.pioneer;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.function.Consumer;
 import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
@@ -26,6 +27,9 @@ final class P2osClientSession {
     private static final int LAST_STEP = 2;
     private static final int START_OVER_ID = 255;
 
+    /** Maximum of a name in the introduction. */
+    private static final int MOST_CHARACTERS = 19;
+
     private enum Stage {
         APART,
         SYNCHRONISING,
@@ -37,7 +41,9 @@ final class P2osClientSession {
     private final Runnable opened;
     private final Consumer<byte[]> said;
     private Stage stage = Stage.APART;
-    private RobotScale scale = RobotScale.of("p3dx");
+    private final Optional<RobotParameters> parameters;
+    private Optional<RobotKind> kind = Optional.empty();
+    private String subclass = "";
     private int step;
     private int silentTries;
     private int tries;
@@ -45,12 +51,19 @@ final class P2osClientSession {
     private long heardNanos;
 
     /**
+     * @param parameters of the robot, for a kind that is not built in
      * @param opened called when the session is open and commands may be sent
      * @param said receives the data of each packet from then on
      */
-    P2osClientSession(String robot, PioneerLine line, Runnable opened, Consumer<byte[]> said) {
+    P2osClientSession(
+            String robot,
+            PioneerLine line,
+            Optional<RobotParameters> parameters,
+            Runnable opened,
+            Consumer<byte[]> said) {
         this.robot = robot;
         this.line = line;
+        this.parameters = parameters;
         this.opened = opened;
         this.said = said;
     }
@@ -59,8 +72,14 @@ final class P2osClientSession {
         return stage == Stage.OPEN;
     }
 
-    RobotScale scale() {
-        return scale;
+    /** The robot's units, from its introduction; empty if its type is not known. */
+    Optional<RobotKind> kind() {
+        return kind;
+    }
+
+    /** The type that the robot has named: at most 19 printable ASCII characters. */
+    String subclass() {
+        return subclass;
     }
 
     /** Starts the synchronisation on a new connection. */
@@ -147,15 +166,16 @@ final class P2osClientSession {
 
     private void introduced(byte[] data, long nanos) {
         String[] names = new String(data, 1, data.length - 1, StandardCharsets.US_ASCII).split("\0", -1);
-        String subclass = names.length > 2 ? names[2] : "";
-        scale = RobotScale.of(subclass);
+        subclass = names.length > 2 ? printable(names[2]) : "";
+        kind = RobotParameters.kindOf(subclass, parameters);
         LOG.log(Level.INFO, robot + ": talks with the Pioneer " + names[0] + ", a " + subclass);
-        if (!RobotScale.isKnown(subclass)) {
-            LOG.log(Level.WARNING, robot + ": a " + subclass + " is not known, its numbers are read as a p3dx's");
-        }
         stage = Stage.OPEN;
         heardNanos = nanos;
         send(P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1), nanos);
         opened.run();
+    }
+
+    private static String printable(String name) {
+        return name.substring(0, Math.min(MOST_CHARACTERS, name.length())).replaceAll("[^!-~]", "?");
     }
 }

@@ -1,8 +1,11 @@
 package simrobot.pioneer;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import simrobot.behaviour.BehaviourKind;
@@ -32,10 +35,21 @@ import vericommand.StatusRules;
  * Disconnected, motors off is No motors, a stall is Collision. Owned by the simulation's thread.
  */
 public final class RealPioneer implements Pioneer {
+    private static final Logger LOG = System.getLogger(RealPioneer.class.getName());
+
+    /** An information packet that has not come by then is not waited for. */
+    private static final long LATE_NANOS = 150_000_000;
+
+    /** Without an information packet for this time a driven robot is told to stop. */
+    private static final long BLIND_NANOS = 500_000_000;
+
     /** After switching the motors here, contradicting information packets are ignored for this time. */
     private static final long SWITCH_NANOS = 1_000_000_000;
 
     private static final int BOTH_BUMPERS_STALL = 3;
+
+    /** The robot's limits of acceleration, as multiples of those of the commanded speeds. */
+    private static final double RESERVE = 1.5;
 
     private final String name;
     private final PioneerLine line;
@@ -48,9 +62,17 @@ public final class RealPioneer implements Pioneer {
     private final Trail trail = new Trail();
     private final int[] sonars = new int[SonarRing.COUNT];
     private InformationPacket newest;
-    private InstructionLegs travel;
+    private VelocityLoop travel;
+
+    /** Whether the newest command makes the robot turn. */
+    private boolean turns;
+
     private boolean motorsWanted;
     private long switchedNanos;
+    private long measuredNanos;
+
+    /** Whether the connection was lost while the robot was driven: it may go on when it is spoken to again. */
+    private boolean lostUnderWay;
 
     /** Whether the robot has stood still since its last instruction; coasting before that is no external motion. */
     private boolean settled;
@@ -61,13 +83,15 @@ public final class RealPioneer implements Pioneer {
      * A robot that is not connected yet.
      *
      * @param motors whether its motors are switched on when it connects
+     * @param parameters of the robot, for a type that is not built in
      */
-    public RealPioneer(String name, PioneerLine line, Pose start, boolean motors) {
+    public RealPioneer(
+            String name, PioneerLine line, Pose start, boolean motors, Optional<RobotParameters> parameters) {
         this.name = Objects.requireNonNull(name);
         this.line = Objects.requireNonNull(line);
         place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
         motorsWanted = motors;
-        conversation = new P2osClientSession(name, line, this::opened, this::said);
+        conversation = new P2osClientSession(name, line, parameters, this::opened, this::said);
         forgetSonars();
     }
 
@@ -81,6 +105,10 @@ public final class RealPioneer implements Pioneer {
     public void connected(long nowNanos) {
         nanos = nowNanos;
         reader = new P2osPacketReader(this::heard);
+        if (lostUnderWay) {
+            lostUnderWay = false;
+            line.send(P2osCommandCodec.packet(P2osCommandNumber.STOP));
+        }
         conversation.begin(nanos);
     }
 
@@ -99,6 +127,9 @@ public final class RealPioneer implements Pioneer {
     public void tick(long nowNanos) {
         nanos = nowNanos;
         conversation.tick(nanos);
+        if (travel != null && nanos - measuredNanos > LATE_NANOS) {
+            steer(travel);
+        }
     }
 
     private void heard(byte[] data) {
@@ -107,20 +138,22 @@ public final class RealPioneer implements Pioneer {
 
     private void lose() {
         newest = null;
+        lostUnderWay |= travel != null;
         if (isPowered()) {
             cut(StatusEvent.POWER_OFF);
         }
     }
 
-    /** Sets the limits of the simulated robot, so that orders take the same time. */
+    /** Sets limits above those of the commanded speeds, so that the wheels follow them. */
     private void opened() {
         place.restart();
         settled = false;
         forgetSonars();
         int speed = (int) Math.round(Pioneer2Dx.TOP_SPEED_METERS_PER_SECOND * 1000);
         int turn = (int) Math.round(Math.toDegrees(Pioneer2Dx.TOP_TURN_RADIANS_PER_SECOND));
-        int acceleration = (int) Math.round(Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2 * 1000);
-        int turnAcceleration = (int) Math.round(Math.toDegrees(Pioneer2Dx.TURN_ACCELERATION_RADIANS_PER_SECOND2));
+        int acceleration = (int) Math.round(Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2 * 1000 * RESERVE);
+        int turnAcceleration =
+                (int) Math.round(Math.toDegrees(Pioneer2Dx.TURN_ACCELERATION_RADIANS_PER_SECOND2) * RESERVE);
         tell(P2osCommandNumber.SETV, speed);
         tell(P2osCommandNumber.SETRV, turn);
         tell(P2osCommandNumber.SETA, acceleration);
@@ -129,7 +162,11 @@ public final class RealPioneer implements Pioneer {
         tell(P2osCommandNumber.SETRA, -turnAcceleration);
         tell(P2osCommandNumber.BUMPSTALL, BOTH_BUMPERS_STALL);
         tell(P2osCommandNumber.SONAR, 1);
-        tell(P2osCommandNumber.ENABLE, motorsWanted ? 1 : 0);
+        tell(P2osCommandNumber.ENABLE, motorsWanted && unknownType().isEmpty() ? 1 : 0);
+        unknownType()
+                .ifPresent(type -> LOG.log(
+                        Level.ERROR,
+                        name + ": robot type " + type + " is not known, it is not moved; expected --pioneer-params"));
         switchedNanos = nanos;
     }
 
@@ -147,15 +184,14 @@ public final class RealPioneer implements Pioneer {
 
     private void take(InformationPacket information) {
         newest = information;
-        place.take(information, conversation.scale());
-        trail.pass(place.xMeters(), place.yMeters(), nanos);
-        for (InformationPacket.Echo echo : information.echoes()) {
-            if (echo.sonar() < sonars.length) {
-                sonars[echo.sonar()] = millimeters(echo.range());
-            }
-        }
+        measuredNanos = nanos;
+        Optional<RobotKind> kind = conversation.kind();
+        kind.ifPresent(units -> measure(information, units));
         if (!isPowered()) {
             change(StatusEvent.POWER_ON);
+        }
+        if (kind.isEmpty()) {
+            return;
         }
         followMotors(information);
         settled |= !information.isMoving();
@@ -166,8 +202,18 @@ public final class RealPioneer implements Pioneer {
         }
     }
 
-    private int millimeters(int range) {
-        long millimeters = Math.round(range * conversation.scale().millimetersPerRangeUnit());
+    private void measure(InformationPacket information, RobotKind kind) {
+        place.take(information, kind);
+        trail.pass(place.xMeters(), place.yMeters(), nanos);
+        for (InformationPacket.Echo echo : information.echoes()) {
+            if (echo.sonar() < sonars.length) {
+                sonars[echo.sonar()] = millimeters(echo.range() * kind.millimetersPerRangeUnit());
+            }
+        }
+    }
+
+    private static int millimeters(double measured) {
+        long millimeters = Math.round(measured);
         return (int) Math.max(
                 Pioneer2Dx.SONAR_LEAST_METERS * 1000, Math.min(Pioneer2Dx.SONAR_RANGE_METERS * 1000, millimeters));
     }
@@ -182,9 +228,9 @@ public final class RealPioneer implements Pioneer {
 
     // ---- motion --------------------------------------------------------------------------------------------------
 
-    private void follow(InstructionLegs under, InformationPacket information) {
+    private void follow(VelocityLoop under, InformationPacket information) {
         boolean hadMoved = under.hasMoved();
-        InstructionLegs.Progress progress = under.judge(information, nanos);
+        VelocityLoop.Progress progress = under.judge(information, nanos);
         if (!hadMoved && under.hasMoved()) {
             firstMotionListeners.forEach(Runnable::run);
         }
@@ -193,21 +239,38 @@ public final class RealPioneer implements Pioneer {
                 stop();
                 finish(StatusEvent.TOUCHED, MotionOutcome.Ending.COLLISION, false);
             }
-            case AT_GOAL -> rest(under, information, true);
+            case AT_GOAL -> {
+                stop();
+                rest(under, information, true);
+            }
             case BRAKED -> rest(under, information, false);
-            case OVERDUE -> {
+            case STUCK -> {
                 stop();
                 finish(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, false);
             }
-            case UNDER_WAY -> {
-                if (under.wantsNextLeg(information, nanos)) {
-                    conversation.send(under.nextLeg(nanos), nanos);
-                }
-            }
+            case UNDER_WAY -> steer(under);
         }
     }
 
-    private void rest(InstructionLegs under, InformationPacket information, boolean atGoal) {
+    /** Commands the speeds for this moment; stops a robot that has sent no information packet for half a second. */
+    private void steer(VelocityLoop under) {
+        if (under.isBraking()) {
+            return;
+        }
+        if (nanos - measuredNanos > BLIND_NANOS) {
+            under.interrupt();
+            stop();
+            return;
+        }
+        VelocityLoop.Command command = under.command(nanos, measuredNanos);
+        tell(P2osCommandNumber.VEL, command.millimetersPerSecond());
+        if (command.degreesPerSecond() != 0 || turns) {
+            tell(P2osCommandNumber.RVEL, command.degreesPerSecond());
+        }
+        turns = command.degreesPerSecond() != 0;
+    }
+
+    private void rest(VelocityLoop under, InformationPacket information, boolean atGoal) {
         boolean blocked = under.begunInCollision() && information.stalled();
         MotionOutcome.Ending well = atGoal ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
@@ -217,9 +280,10 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void finish(StatusEvent event, MotionOutcome.Ending kind, boolean atGoal) {
-        InstructionLegs over = travel;
+        VelocityLoop over = travel;
         travel = null;
         settled = false;
+        turns = false;
         change(event);
         over.end(kind, atGoal);
     }
@@ -244,9 +308,15 @@ public final class RealPioneer implements Pioneer {
         if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
-        travel = new InstructionLegs(motion, ended, status() == RobotStatus.COLLISION, place, nanos);
+        travel = new VelocityLoop(
+                motion,
+                ended,
+                status() == RobotStatus.COLLISION,
+                place,
+                conversation.kind().orElseThrow(),
+                nanos);
         change(StatusEvent.MOTION_STARTED);
-        conversation.send(travel.nextLeg(nanos), nanos);
+        steer(travel);
     }
 
     @Override
@@ -276,7 +346,7 @@ public final class RealPioneer implements Pioneer {
     @Override
     public void setMotors(boolean on) {
         motorsWanted = on;
-        if (isPowered() && on != hasMotors()) {
+        if (isPowered() && on != hasMotors() && unknownType().isEmpty()) {
             tell(P2osCommandNumber.ENABLE, on ? 1 : 0);
             switchedNanos = nanos;
             cut(on ? StatusEvent.MOTORS_ON : StatusEvent.MOTORS_OFF);
@@ -284,7 +354,7 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void cut(StatusEvent event) {
-        InstructionLegs cutShort = travel;
+        VelocityLoop cutShort = travel;
         travel = null;
         change(event);
         if (cutShort != null) {
@@ -302,6 +372,13 @@ public final class RealPioneer implements Pioneer {
     @Override
     public String name() {
         return name;
+    }
+
+    @Override
+    public Optional<String> unknownType() {
+        return conversation.isOpen() && conversation.kind().isEmpty()
+                ? Optional.of(conversation.subclass())
+                : Optional.empty();
     }
 
     @Override
@@ -342,8 +419,9 @@ public final class RealPioneer implements Pioneer {
     /** Returns the state that windows and the web show beside the simulated robots. */
     public RobotSnapshot snapshot() {
         boolean known = newest != null;
-        double left = known ? newest.leftWheel() / 1000.0 : 0;
-        double right = known ? newest.rightWheel() / 1000.0 : 0;
+        double factor = conversation.kind().map(RobotKind::wheelSpeedFactor).orElse(0.0) / 1000;
+        double left = known ? newest.leftWheel() * factor : 0;
+        double right = known ? newest.rightWheel() * factor : 0;
         double volts = known ? newest.batteryDecivolts() / 10.0 : 0;
         Bumpers bumpers = known ? new Bumpers(newest.frontBumpers(), newest.rearBumpers()) : new Bumpers(0, 0);
         return new RobotSnapshot(

@@ -5,7 +5,7 @@
  * connection.
  *
  * <pre>
- *   PioneerCall - RealPioneer - P2osClientSession, InstructionLegs, DeadReckoning - InformationPacket
+ *   PioneerCall - RealPioneer - P2osClientSession, VelocityLoop, DeadReckoning - InformationPacket
  * </pre>
  *
  * Arrows: pioneer -&gt; p2os -&gt; simulation -&gt; robot.

@@ -52,6 +52,7 @@ class RealRobotRemovalTest {
                 .addReal(
                         new RobotName("real", new Msisdn("5550200")),
                         LineAddress.parse("127.0.0.1:" + pioneer.getLocalPort()),
+                        Optional.empty(),
                         simulation);
         simRobot.start();
         connection = pioneer.accept();

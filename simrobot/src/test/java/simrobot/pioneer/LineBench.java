@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import simrobot.p2os.P2osSession;
 import simrobot.p2os.PacketOutput;
 import simrobot.robot.SimulatedRobot;
@@ -37,7 +38,7 @@ final class LineBench {
     LineBench(World world) {
         simulation = new Simulation(world, 1);
         body = simulation.addRobot("body", new Position(0, 0), 0);
-        robot = new RealPioneer("robot", new Ours(), new Pose(0, 0, 0), true);
+        robot = new RealPioneer("robot", new Ours(), new Pose(0, 0, 0), true, Optional.empty());
         robot.addStatusListener(statuses::add);
     }
 
