@@ -75,11 +75,13 @@ class TelephoneSceneTest {
     @Test
     void theScopeShowsTheKeyThatWasHeardLast() {
         TelephoneScene scene = called();
-        assertEquals(Optional.empty(), scene.link.trace().digit());
+        assertEquals(Optional.empty(), scene.link.trace().modem().digit());
         scene.press("7");
         scene.seconds(0.06);
-        assertEquals(DtmfKey.of('7'), scene.link.trace().digit().orElseThrow().key());
-        assertTrue(scene.link.trace().isSounding());
+        assertEquals(
+                DtmfKey.of('7'),
+                scene.link.trace().modem().digit().orElseThrow().key());
+        assertTrue(scene.link.trace().modem().isSounding());
     }
 
     @Test

@@ -26,6 +26,8 @@ public final class ClassicReceiver implements KeyReceiver {
     private static final double LEAST_HARMONIC_DB = 10;
     /** Of all power in the block, the two tones'. */
     private static final double LEAST_SHARE = 0.8;
+    /** Twist, peaks, overtones or a second block, share. */
+    private static final int TESTS = 4;
 
     private final Goertzel[] tones = new Goertzel[8];
     private final Goertzel[] harmonics = new Goertzel[8];
@@ -39,6 +41,10 @@ public final class ClassicReceiver implements KeyReceiver {
     private DtmfKey last;
     private int repeats;
     private DtmfDigit current;
+    /** Of the newest block, peaks in sample units. */
+    private double[] amplitude = new double[8];
+    /** The best finding for the key whose tones are the strongest, or null. */
+    private KeyCandidate candidate;
 
     /**
      * @param candidates receives each block with two strong tones
@@ -74,52 +80,79 @@ public final class ClassicReceiver implements KeyReceiver {
 
     /** The key of the block, or null. */
     private DtmfKey look() {
-        double[] amplitude = Arrays.stream(tones).mapToDouble(this::amplitude).toArray();
+        amplitude = Arrays.stream(tones).mapToDouble(this::amplitude).toArray();
         int row = strongest(amplitude, 0);
         int column = strongest(amplitude, 4);
         if (ToneLevel.dbm0(Math.min(amplitude[row], amplitude[column])) < LEAST_DBM0) {
+            conclude();
             return null;
         }
         DtmfKey key = DtmfKey.at(row, column - 4);
+        double twist = decibels(amplitude[column] / amplitude[row]);
+        if (twist < LEAST_TWIST_DB || twist > MOST_TWIST_DB) {
+            return failed(key, KeyCandidate.Finding.TWIST, 0, twist);
+        }
+        double peak = Math.min(peak(row), peak(column));
+        if (peak < LEAST_PEAK_DB) {
+            return failed(key, KeyCandidate.Finding.PEAK, 1, peak);
+        }
+        double overHarmonic =
+                length < LONG_BLOCK ? LEAST_HARMONIC_DB : Math.min(overHarmonic(row), overHarmonic(column));
+        if (overHarmonic < LEAST_HARMONIC_DB) {
+            return failed(key, KeyCandidate.Finding.OVERTONE, 2, overHarmonic);
+        }
+        double share = (square(amplitude[row]) + square(amplitude[column])) / 2 / power();
+        return share < LEAST_SHARE ? failed(key, KeyCandidate.Finding.SHARE, TESTS - needed, 100 * share) : key;
+    }
+
+    /** Mean square of the block. */
+    private double power() {
         double power = 0;
         for (short sample : block) {
             power += (double) sample * sample / length;
         }
-        double share = (square(amplitude[row]) + square(amplitude[column])) / 2 / power;
-        double twist = decibels(amplitude[column] / amplitude[row]);
-        double peak = Math.min(peak(amplitude, row, 0), peak(amplitude, column, 4));
-        if (twist < LEAST_TWIST_DB || twist > MOST_TWIST_DB) {
-            return failed(key, "twist in dB", twist);
-        }
-        if (peak < LEAST_PEAK_DB) {
-            return failed(key, "peak over its group in dB", peak);
-        }
-        double harmonic = length < LONG_BLOCK ? LEAST_HARMONIC_DB : overHarmonic(amplitude, row, column);
-        if (harmonic < LEAST_HARMONIC_DB) {
-            return failed(key, "tone over its second harmonic in dB", harmonic);
-        }
-        return share < LEAST_SHARE ? failed(key, "share of all power in percent", 100 * share) : key;
+        return power;
     }
 
-    private double overHarmonic(double[] amplitude, int row, int column) {
-        return Math.min(
-                decibels(amplitude[row] / amplitude(harmonics[row])),
-                decibels(amplitude[column] / amplitude(harmonics[column])));
+    private double overHarmonic(int tone) {
+        return decibels(amplitude[tone] / amplitude(harmonics[tone]));
     }
 
-    private DtmfKey failed(DtmfKey key, String test, double value) {
-        consider(key, KeyCandidate.Finding.TEST, test, value);
+    private DtmfKey failed(DtmfKey key, KeyCandidate.Finding finding, int passed, double value) {
+        consider(key, finding, passed, value);
         return null;
     }
 
-    private void consider(DtmfKey key, KeyCandidate.Finding finding, String test, double value) {
-        candidates.accept(
-                new KeyCandidate(key, heard - length, heard, finding, Double.NaN, Double.NaN, test, value, true));
+    /** One candidate lasts while the same key's tones are the strongest; its best finding counts. */
+    private void consider(DtmfKey key, KeyCandidate.Finding finding, int passed, double value) {
+        if (candidate != null && candidate.key() != key) {
+            conclude();
+        }
+        if (candidate == null || passed >= candidate.score() && !candidate.isAccepted()) {
+            long from = candidate == null ? heard - length : candidate.fromSample();
+            candidate = new KeyCandidate(key, from, heard, finding, passed, TESTS, "", value, false);
+            candidates.accept(candidate);
+        }
+    }
+
+    private void conclude() {
+        if (candidate != null) {
+            candidates.accept(candidate.over());
+            candidate = null;
+        }
     }
 
     private void decide(DtmfKey key) {
         repeats = key == last ? repeats + 1 : 1;
         last = key;
+        if (key != null) {
+            boolean passed = repeats >= needed;
+            consider(
+                    key,
+                    passed ? KeyCandidate.Finding.PASSED : KeyCandidate.Finding.ONE_BLOCK,
+                    passed ? TESTS : TESTS - 1,
+                    needed);
+        }
         if (repeats < needed) {
             return;
         }
@@ -128,14 +161,24 @@ public final class ClassicReceiver implements KeyReceiver {
         }
         if (key != null && current == null) {
             long start = heard - (long) needed * length;
-            consider(key, KeyCandidate.Finding.PASSED, "", needed);
             current = new DtmfDigit(key, heard, start, heard - start, level(key.row()), level(4 + key.column()), 0, 0);
             listener.keyDecided(current);
         }
     }
 
+    @Override
+    public ToneLevels levels() {
+        double row = ToneLevel.dbm0(amplitude[strongest(amplitude, 0)]);
+        double column = ToneLevel.dbm0(amplitude[strongest(amplitude, 4)]);
+        return new ToneLevels(
+                amplitude,
+                Math.max(LEAST_DBM0, column - MOST_TWIST_DB),
+                Math.max(LEAST_DBM0, row + LEAST_TWIST_DB),
+                tone -> peak(tone) >= LEAST_PEAK_DB);
+    }
+
     private double level(int tone) {
-        return ToneLevel.dbm0(amplitude(tones[tone]));
+        return ToneLevel.dbm0(amplitude[tone]);
     }
 
     private void end() {
@@ -146,6 +189,7 @@ public final class ClassicReceiver implements KeyReceiver {
 
     @Override
     public void finish() {
+        conclude();
         if (current != null) {
             end();
         }
@@ -158,6 +202,8 @@ public final class ClassicReceiver implements KeyReceiver {
         last = null;
         repeats = 0;
         current = null;
+        candidate = null;
+        amplitude = new double[8];
     }
 
     private double amplitude(Goertzel filter) {
@@ -174,8 +220,10 @@ public final class ClassicReceiver implements KeyReceiver {
         return best;
     }
 
-    private static double peak(double[] amplitude, int tone, int from) {
-        double other = 0;
+    /** A tone's lead over the others of its group in decibels. */
+    private double peak(int tone) {
+        int from = tone / 4 * 4;
+        double other = 1e-3;
         for (int i = from; i < from + 4; i++) {
             other = i == tone ? other : Math.max(other, amplitude[i]);
         }

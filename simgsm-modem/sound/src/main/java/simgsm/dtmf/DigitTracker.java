@@ -184,7 +184,7 @@ final class DigitTracker {
                 Math.round(ToneBank.HOP * (hop - Math.max(fit.sinceOnset, run))),
                 ToneBank.HOP * (hop + 1),
                 finding,
-                sum,
+                isEvidence || finding == KeyCandidate.Finding.ACCEPTED ? sum : Double.NaN,
                 KeyLikelihood.LIMIT,
                 isEvidence ? against.name() : "",
                 value,

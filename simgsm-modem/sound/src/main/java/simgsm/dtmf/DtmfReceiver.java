@@ -70,6 +70,11 @@ public final class DtmfReceiver implements KeyReceiver {
     }
 
     @Override
+    public ToneLevels levels() {
+        return gate.levels();
+    }
+
+    @Override
     public void finish() {
         tracker.finish();
     }

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -8,10 +10,10 @@ import java.util.Locale;
  * @param fromSample the estimated start of the tones
  * @param toSample the number of samples received until the newest evaluation
  * @param finding accepted, or the requirement that failed
- * @param logOdds the sum that is compared with {@link #limit}; NaN if it was not computed
- * @param limit the sum of an accepted key is greater
- * @param measure the measure with the strongest evidence against a key, or the classic test that failed; empty if accepted
- * @param value that measure's value, in its unit
+ * @param score the log odds, or the number of tests that the classic receiver found passed; NaN if not determined
+ * @param limit the log odds of a key are greater, the number of tests equal
+ * @param measure the name of the measure with the strongest evidence against a key; empty with other findings
+ * @param value the figure that decided, in its unit
  * @param isOver whether the tones have ended or another key has begun
  */
 public record KeyCandidate(
@@ -19,7 +21,7 @@ public record KeyCandidate(
         long fromSample,
         long toSample,
         Finding finding,
-        double logOdds,
+        double score,
         double limit,
         String measure,
         double value,
@@ -43,8 +45,14 @@ public record KeyCandidate(
         EVIDENCE("log odds %3$.1f of %4$.1f, most against: %1$s %2$.2f"),
         /** Accepted by the classic receiver's tests; the value is the number of blocks. */
         PASSED("all tests passed in %2$.0f blocks"),
-        /** A test of the classic receiver failed. */
-        TEST("%1$s %2$.1f");
+        /** The classic receiver: a tone does not stand out in its group; the value is its lead in decibels. */
+        PEAK("%2$.1f dB over the others of its group"),
+        /** The classic receiver: a tone has an overtone; the value is the tone's lead over it in decibels. */
+        OVERTONE("%2$.1f dB over its second harmonic"),
+        /** The classic receiver: other sound is too loud; the value is the tones' share of all power in percent. */
+        SHARE("%2$.0f %% of all power"),
+        /** The classic receiver: the tests passed in one block only. */
+        ONE_BLOCK("all tests passed in one block only");
 
         private final String text;
 
@@ -53,16 +61,30 @@ public record KeyCandidate(
         }
     }
 
+    /** The names that {@link #measure} can have. */
+    public static List<String> measures() {
+        return Arrays.stream(KeyMeasures.Kind.values()).map(Enum::name).toList();
+    }
+
     public boolean isAccepted() {
         return finding == Finding.ACCEPTED || finding == Finding.PASSED;
     }
 
+    /** From 0 to 1 at the limit, and more for an accepted key: even odds are a half, as is half of the tests. */
+    public double climbed() {
+        if (Double.isNaN(score)) {
+            return 0;
+        }
+        boolean isOdds = finding == Finding.EVIDENCE || finding == Finding.ACCEPTED;
+        return Math.max(0, isOdds ? (score + limit) / (2 * limit) : score / limit);
+    }
+
     KeyCandidate over() {
-        return new KeyCandidate(key, fromSample, toSample, finding, logOdds, limit, measure, value, true);
+        return new KeyCandidate(key, fromSample, toSample, finding, score, limit, measure, value, true);
     }
 
     /** The finding in English with the value that decided. */
     public String reason() {
-        return String.format(Locale.ROOT, finding.text, measure, value, logOdds, limit);
+        return String.format(Locale.ROOT, finding.text, measure, value, score, limit);
     }
 }

@@ -10,6 +10,9 @@ public interface KeyReceiver {
         accept(samples, 0, samples.length);
     }
 
+    /** What was measured last, with the limits that the tones must reach. */
+    ToneLevels levels();
+
     /** The stream ends here: a key that still sounds ends, too. */
     void finish();
 

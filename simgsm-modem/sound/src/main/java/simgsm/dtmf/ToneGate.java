@@ -1,15 +1,20 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+
 /**
  * The first, cheap test, every fourth hop: do one row's and one column's tone stand out in the last 20 ms? Its window is smooth:
  * seven hops of the {@link ToneBank}, turned into step with one another, under a Hann window. What lies 100 Hz or more
  * beside a tone is some 40 dB down, so that mains, dial tone and direct current do not reach it.
  */
 final class ToneGate {
-    /** Tones below -50 dBm0 are ignored (Q.24: tones at -55 dBm0 must not be decoded). */
-    private static final float FLOOR = (float) square(ToneLevel.amplitude(-50));
-    /** 13 dB either way; what lies beyond is no key (the finer tests are stricter). */
-    private static final float MOST_TWIST = 20;
+    /** Tones below this level are ignored (Q.24: tones at -55 dBm0 must not be decoded). */
+    static final double LEAST_DBM0 = -50;
+    /** Either way; what lies beyond is no key (the finer tests are stricter). */
+    static final double MOST_TWIST_DB = 13;
+
+    private static final float FLOOR = (float) square(ToneLevel.amplitude(LEAST_DBM0));
+    private static final float MOST_TWIST = (float) Math.pow(10, MOST_TWIST_DB / 10);
     /** All four tones of a group together against the strongest of them; 1.8 % beside its own, a tone gives 1.35. */
     private static final float MOST_SPREAD = 1.6f;
     /** Hops on either side of the window's middle. */
@@ -36,6 +41,8 @@ final class ToneGate {
     private final float[] margin = new float[MOST_LOOKS];
 
     private final int[] keys = new int[MOST_LOOKS];
+    /** The tones' amplitudes at the newest look. */
+    private final double[] newest = new double[ToneBank.TONES];
 
     ToneGate() {
         for (int k = 0; k < ToneBank.TONES; k++) {
@@ -71,6 +78,31 @@ final class ToneGate {
         for (int look = 0; look < looks; look++) {
             keys[look] = keyAt(look);
         }
+        for (int k = 0; looks > 0 && k < ToneBank.TONES; k++) {
+            newest[k] = Math.sqrt(power[k][looks - 1]);
+        }
+    }
+
+    /** The tones of the newest look and what they had to reach. */
+    ToneLevels levels() {
+        return new ToneLevels(newest, least(ROWS), least(0), tone -> standsOut(tone / ROWS * ROWS, newest[tone]));
+    }
+
+    /** What a group's tone has to reach, from the other group's first tone on. */
+    private double least(int other) {
+        double most = 0;
+        for (int k = other; k < other + ROWS; k++) {
+            most = Math.max(most, newest[k]);
+        }
+        return Math.max(LEAST_DBM0, ToneLevel.dbm0(Math.max(1, most)) - MOST_TWIST_DB);
+    }
+
+    private boolean standsOut(int group, double amplitude) {
+        double together = 0;
+        for (int k = group; k < group + ROWS; k++) {
+            together += square(newest[k]);
+        }
+        return together < MOST_SPREAD * square(amplitude);
     }
 
     /** The key, as its ordinal, whose tones stood out at the last look up to hop b, or -1. */
@@ -91,6 +123,7 @@ final class ToneGate {
     void clear() {
         looks = 0;
         lastKey = -1;
+        Arrays.fill(newest, 0);
     }
 
     private int strongest(int b, int from, float most) {

@@ -1,40 +1,42 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.List;
 
 /**
  * Collects what a tone scope shows from the sound that passes: feed it frames, ask for the newest {@link ToneTrace}. It
- * listens with a receiver of its own, so the scope measures what it draws, and an experiment does not disturb other receivers. Owned
- * by one thread.
+ * listens with receivers of its own, so the scope shows what decides, and an experiment does not disturb other receivers.
+ * Owned by one thread.
  */
 public final class ToneTracer {
-    /** Levels are measured over the last 25.6 ms: the frequencies, 73 Hz apart and more, are resolved. */
-    private static final int LEVEL_WINDOW = 205;
-
-    private static final int FREQUENCIES = 8;
+    /** A-law's quietest steps are silence, too. */
+    private static final int SILENCE = 16;
 
     private final short[] samples = new short[ToneTrace.SAMPLES];
-    private final Goertzel[] filters = new Goertzel[FREQUENCIES];
-    private final DtmfReceiver receiver = new DtmfReceiver(new Ear());
+    private final ReceiverTracer modem = new ReceiverTracer(DtmfReceiver::new, this::samplesPassed);
+    private final ReceiverTracer classic = new ReceiverTracer(
+            (keys, candidates) -> new ClassicReceiver(keys, candidates, ClassicReceiver.SHORT_BLOCK),
+            this::samplesPassed);
+    private final List<ReceiverTracer> receivers = List.of(modem, classic);
     private final Disturber disturber = new Disturber();
-    private final ScoreKeeper scores = new ScoreKeeper();
     /** Hears the sound as it is while there is an experiment to be judged. */
     private final DtmfReceiver reference;
 
     private ToneExperiment experiment = ToneExperiment.NONE;
     private long samplesPassed;
-    private DtmfDigit digit;
-    private boolean sounding;
     private boolean silent = true;
     private ToneTrace newest = ToneTrace.EMPTY;
 
     public ToneTracer() {
-        for (int i = 0; i < 4; i++) {
-            filters[i] = new Goertzel(DtmfKey.ROW_HERTZ[i]);
-            filters[4 + i] = new Goertzel(DtmfKey.COLUMN_HERTZ[i]);
-        }
-        reference = new DtmfReceiver(heard -> scores.truth(heard.key(), samplesPassed));
+        reference = new DtmfReceiver(heard -> {
+            for (ReceiverTracer each : receivers) {
+                each.scores().truth(heard.key(), samplesPassed);
+            }
+        });
+    }
+
+    private long samplesPassed() {
+        return samplesPassed;
     }
 
     /** From now on the sound is disturbed so before it is looked at. The score begins anew. */
@@ -43,27 +45,36 @@ public final class ToneTracer {
             experiment = newExperiment;
             disturber.set(newExperiment);
             reference.reset();
-            scores.clear();
+            receivers.forEach(each -> each.scores().clear());
             publish();
         }
     }
 
     /** The next stretch of sound, at most 280 samples long. @return whether the picture has changed */
     public boolean accept(short[] frame) {
-        boolean tries = !experiment.equals(ToneExperiment.NONE);
-        short[] heard = tries ? disturber.disturbed(frame) : frame;
+        short[] heard = isExperiment() ? disturber.disturbed(frame) : frame;
         samplesPassed += frame.length;
-        ToneScore before = scores.score();
-        if (tries) {
+        List<ToneScore> before = scores();
+        if (isExperiment()) {
             reference.accept(frame);
         }
-        receiver.accept(heard);
-        scores.timePassed(samplesPassed);
-        boolean changed = look(heard) || !before.equals(scores.score());
+        for (ReceiverTracer each : receivers) {
+            each.accept(heard);
+            each.scores().timePassed(samplesPassed);
+        }
+        boolean changed = look(heard) || !before.equals(scores());
         if (changed) {
             publish();
         }
         return changed;
+    }
+
+    private boolean isExperiment() {
+        return !experiment.equals(ToneExperiment.NONE);
+    }
+
+    private List<ToneScore> scores() {
+        return List.of(modem.scores().score(), classic.scores().score());
     }
 
     /** @return whether there is anything new to be seen */
@@ -79,37 +90,23 @@ public final class ToneTracer {
     /** No sound comes for now: the picture is quiet, and the last key stays. */
     public void rest() {
         Arrays.fill(samples, (short) 0);
-        receiver.finish();
-        sounding = false;
+        receivers.forEach(ReceiverTracer::rest);
         silent = true;
         publish();
     }
 
     private void publish() {
         newest = new ToneTrace(
-                samples.clone(), levels(), Optional.ofNullable(digit), sounding, experiment, scores.score());
+                samples.clone(), experiment, modem.newest(isExperiment()), classic.newest(isExperiment()));
     }
 
     private boolean isSilent() {
         for (short sample : samples) {
-            // A-law's quietest steps are silence, too.
-            if (Math.abs(sample) > 16) {
+            if (Math.abs(sample) > SILENCE) {
                 return false;
             }
         }
-        return !sounding;
-    }
-
-    private double[] levels() {
-        double[] levels = new double[FREQUENCIES];
-        for (int i = 0; i < FREQUENCIES; i++) {
-            filters[i].reset();
-            filters[i].accept(samples, samples.length - LEVEL_WINDOW, samples.length);
-            double amplitude = filters[i].amplitude();
-            levels[i] =
-                    amplitude < 1 ? ToneTrace.FLOOR_DBM0 : Math.max(ToneTrace.FLOOR_DBM0, ToneLevel.dbm0(amplitude));
-        }
-        return levels;
+        return !modem.isSounding() && !classic.isSounding();
     }
 
     public ToneTrace newest() {
@@ -118,35 +115,15 @@ public final class ToneTracer {
 
     /** As new, but for the experiment. */
     public void reset() {
-        receiver.reset();
+        receivers.forEach(ReceiverTracer::reset);
         reference.reset();
         disturber.clear();
-        scores.clear();
         Arrays.fill(samples, (short) 0);
-        digit = null;
-        sounding = false;
         silent = true;
-        if (experiment.equals(ToneExperiment.NONE)) {
-            newest = ToneTrace.EMPTY;
-        } else {
+        if (isExperiment()) {
             publish();
-        }
-    }
-
-    private final class Ear implements DtmfListener {
-        @Override
-        public void keyDecided(DtmfDigit decided) {
-            digit = decided;
-            sounding = true;
-            if (!experiment.equals(ToneExperiment.NONE)) {
-                scores.attempt(decided.key(), samplesPassed);
-            }
-        }
-
-        @Override
-        public void keyEnded(DtmfDigit ended) {
-            digit = ended;
-            sounding = false;
+        } else {
+            newest = ToneTrace.EMPTY;
         }
     }
 }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -39,7 +41,7 @@ class ClassicReceiverTest {
         Catalogue.twist(tape, 7);
         assertEquals("", keys(tape.digits("5"), blockSamples));
         assertTrue(
-                candidates.stream().anyMatch(candidate -> candidate.reason().startsWith("twist in dB 7")),
+                candidates.stream().anyMatch(candidate -> candidate.reason().startsWith("twist 7")),
                 () -> candidates.toString());
     }
 
@@ -47,5 +49,26 @@ class ClassicReceiverTest {
     @ValueSource(ints = {ClassicReceiver.SHORT_BLOCK, ClassicReceiver.LONG_BLOCK})
     void noiseAsLoudAsTheTonesHidesThem(int blockSamples) {
         assertEquals("", keys(keys().digits("159").noise(-8), blockSamples));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {ClassicReceiver.SHORT_BLOCK, ClassicReceiver.LONG_BLOCK})
+    void eachKeyIsOneCandidate(int blockSamples) {
+        keys(keys().digits("159"), blockSamples);
+        assertEquals(
+                "159",
+                candidates.stream()
+                        .filter(candidate -> candidate.isOver() && candidate.isAccepted())
+                        .map(candidate -> String.valueOf(candidate.key().symbol()))
+                        .collect(Collectors.joining()));
+    }
+
+    @Test
+    void shortBlocksTakeATooHighRowThatTheOtherReceiverRejects() {
+        Tape tape = keys();
+        tape.rowError = 0.024;
+        tape.digits("159");
+        assertEquals("159", keys(tape, ClassicReceiver.SHORT_BLOCK));
+        assertEquals("", Bench.text(Bench.hear(tape.samples())));
     }
 }

@@ -33,7 +33,7 @@ class KeyCandidateTest {
         KeyCandidate key = candidates(tape(80).digits("5")).get(0);
         assertEquals(DtmfKey.FIVE, key.key());
         assertTrue(key.isAccepted());
-        assertTrue(key.logOdds() > key.limit());
+        assertTrue(key.score() > key.limit());
         assertEquals(200, key.fromSample() / 8.0, 3);
         assertEquals(230, key.toSample() / 8.0, 3);
         assertTrue(key.reason().matches("log odds [0-9.]+ over 3.5"), key.reason());
@@ -75,7 +75,7 @@ class KeyCandidateTest {
         }
         assertTrue(candidates(tape).stream()
                 .filter(candidate -> candidate.finding() == KeyCandidate.Finding.EVIDENCE)
-                .allMatch(candidate -> candidate.logOdds() <= candidate.limit()
+                .allMatch(candidate -> candidate.score() <= candidate.limit()
                         && candidate.reason().contains("most against: ")));
     }
 }

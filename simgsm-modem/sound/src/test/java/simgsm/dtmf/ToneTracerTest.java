@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -15,6 +17,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ToneTracerTest {
     private final ToneTracer tracer = new ToneTracer();
     private final DtmfGenerator generator = new DtmfGenerator();
+
+    private ReceiverTrace modem() {
+        return tracer.newest().modem();
+    }
+
+    private ToneLevels levels() {
+        return modem().levels();
+    }
 
     private void pass(int frames) {
         for (int i = 0; i < frames; i++) {
@@ -30,24 +40,24 @@ class ToneTracerTest {
         generator.enqueue(key);
         pass(4);
         for (int i = 0; i < 4; i++) {
-            double row = tracer.newest().rowDbm0(i);
-            double column = tracer.newest().columnDbm0(i);
+            double row = levels().dbm0(i);
+            double column = levels().dbm0(4 + i);
             assertEquals(i == key.row(), row > -12, "row " + i + " at " + row);
             assertEquals(i == key.column(), column > -12, "column " + i + " at " + column);
         }
-        assertEquals(-10, tracer.newest().rowDbm0(key.row()), 0.7);
-        assertEquals(-10, tracer.newest().columnDbm0(key.column()), 0.7);
+        assertEquals(-10, levels().dbm0(key.row()), 0.7);
+        assertEquals(-10, levels().dbm0(4 + key.column()), 0.7);
     }
 
     @Test
     void theKeySoundsAndThenHasSounded() {
         generator.enqueue(DtmfKey.SEVEN);
         pass(4);
-        assertTrue(tracer.newest().isSounding());
+        assertTrue(modem().isSounding());
         pass(6);
-        assertFalse(tracer.newest().isSounding());
-        assertEquals(DtmfKey.SEVEN, tracer.newest().digit().orElseThrow().key());
-        assertEquals(100, tracer.newest().digit().orElseThrow().durationMillis(), 10);
+        assertFalse(modem().isSounding());
+        assertEquals(DtmfKey.SEVEN, modem().digit().orElseThrow().key());
+        assertEquals(100, modem().digit().orElseThrow().durationMillis(), 10);
     }
 
     /** Ten keys, as the scope hears them under an experiment. */
@@ -55,7 +65,7 @@ class ToneTracerTest {
         tracer.tryOut(new ToneExperiment(snrDecibels, shiftPercent));
         DtmfKey.sequence("1234567890").forEach(generator::enqueue);
         pass(110);
-        return tracer.newest().score();
+        return modem().score();
     }
 
     @Test
@@ -91,7 +101,7 @@ class ToneTracerTest {
     @ValueSource(doubles = {-1.5, -0.5, 0.5, 1.5})
     void aSmallShiftIsHeardAndMeasured(double percent) {
         assertEquals(new ToneScore(10, 0, 0), score(Double.POSITIVE_INFINITY, percent));
-        assertEquals(percent, tracer.newest().digit().orElseThrow().frequencyErrorPercent(), 0.15);
+        assertEquals(percent, modem().digit().orElseThrow().frequencyErrorPercent(), 0.15);
     }
 
     @ParameterizedTest
@@ -115,25 +125,25 @@ class ToneTracerTest {
     void everyNewExperimentBeginsItsScoreAnew() {
         score(15, 0);
         tracer.tryOut(new ToneExperiment(14, 0));
-        assertEquals(ToneScore.NONE, tracer.newest().score());
+        assertEquals(ToneScore.NONE, modem().score());
         assertEquals(14, tracer.newest().experiment().snrDecibels());
     }
 
     /** The dashed lines mean what they say: just above them a key is heard, below the lowest it is not. */
     @Test
     void theThresholdsAreTheReceivers() {
-        double level = ToneTrace.LEAST_DBM0 + 3;
+        double level = ToneGate.LEAST_DBM0 + 3;
         generator.enqueue(DtmfKey.FIVE, ToneShape.STANDARD.withLevel(level));
         pass(10);
-        assertEquals(DtmfKey.FIVE, tracer.newest().digit().orElseThrow().key());
-        generator.enqueue(DtmfKey.NINE, ToneShape.STANDARD.withLevel(ToneTrace.LEAST_DBM0 - 1));
-        generator.enqueue(DtmfKey.NINE, new ToneShape(100, 100, -10, -10 - ToneTrace.MOST_TWIST_DECIBELS - 1, 0));
+        assertEquals(DtmfKey.FIVE, modem().digit().orElseThrow().key());
+        generator.enqueue(DtmfKey.NINE, ToneShape.STANDARD.withLevel(ToneGate.LEAST_DBM0 - 1));
+        generator.enqueue(DtmfKey.NINE, new ToneShape(100, 100, -10, -10 - ToneGate.MOST_TWIST_DB - 1, 0));
         pass(20);
-        assertEquals(DtmfKey.FIVE, tracer.newest().digit().orElseThrow().key());
+        assertEquals(DtmfKey.FIVE, modem().digit().orElseThrow().key());
         generator.enqueue(DtmfKey.ZERO, new ToneShape(100, 100, -10, -16, 0));
         pass(4);
-        assertEquals(-16 - ToneTrace.MOST_TWIST_DECIBELS, tracer.newest().leastRowDbm0(), 1);
-        assertEquals(-10 - ToneTrace.MOST_TWIST_DECIBELS, tracer.newest().leastColumnDbm0(), 1);
+        assertEquals(-16 - ToneGate.MOST_TWIST_DB, levels().leastDbm0(0), 1);
+        assertEquals(-10 - ToneGate.MOST_TWIST_DB, levels().leastDbm0(4), 1);
     }
 
     @Test
@@ -143,9 +153,9 @@ class ToneTracerTest {
         pass(4);
         tracer.rest();
         ToneTrace trace = tracer.newest();
-        assertFalse(trace.isSounding());
-        assertEquals(ToneTrace.FLOOR_DBM0, trace.rowDbm0(1));
-        assertEquals(DtmfKey.FIVE, trace.digit().orElseThrow().key());
+        assertFalse(trace.modem().isSounding());
+        assertEquals(ToneLevels.FLOOR_DBM0, trace.modem().levels().dbm0(1));
+        assertEquals(DtmfKey.FIVE, trace.modem().digit().orElseThrow().key());
     }
 
     @Test
@@ -160,7 +170,7 @@ class ToneTracerTest {
         generator.enqueue(DtmfKey.ONE);
         pass(20);
         assertEquals(0, tracer.newest().sample(ToneTrace.SAMPLES - 1));
-        assertEquals(ToneTrace.FLOOR_DBM0, tracer.newest().rowDbm0(0));
+        assertEquals(ToneLevels.FLOOR_DBM0, levels().dbm0(0));
     }
 
     @Test
@@ -169,5 +179,53 @@ class ToneTracerTest {
         pass(4);
         tracer.reset();
         assertSame(ToneTrace.EMPTY, tracer.newest());
+    }
+
+    /** What both receivers heard of five keys. */
+    private String bothHear(ToneShape shape) {
+        DtmfKey.sequence("12345").forEach(key -> generator.enqueue(key, shape));
+        pass(60);
+        return heard(tracer.newest().modem()) + "/" + heard(tracer.newest().classic());
+    }
+
+    private static String heard(ReceiverTrace trace) {
+        return trace.candidates().stream()
+                .filter(KeyCandidate::isAccepted)
+                .map(candidate -> String.valueOf(candidate.key().symbol()))
+                .collect(Collectors.joining());
+    }
+
+    @Test
+    void bothReceiversHearTheSameSamples() {
+        assertEquals("12345/12345", bothHear(ToneShape.STANDARD));
+    }
+
+    @Test
+    void aTwistBeyondQ24IsTooMuchForTheClassicReceiverOnly() {
+        assertEquals("12345/", bothHear(new ToneShape(100, 100, -16, -9, 0)));
+        KeyCandidate last = tracer.newest().classic().candidates().get(4);
+        assertEquals(KeyCandidate.Finding.TWIST, last.finding());
+        assertEquals(7, last.value(), 1);
+        assertEquals(0, last.climbed());
+        assertFalse(tracer.newest().classic().levels().counts(5), "the row's tone lies below its limit");
+    }
+
+    @Test
+    void noiseTooLoudForTheClassicReceiverLeavesEnoughForTheOther() {
+        tracer.tryOut(new ToneExperiment(3, 0));
+        bothHear(ToneShape.STANDARD);
+        assertEquals(new ToneScore(5, 0, 0), modem().score());
+        assertEquals(new ToneScore(0, 5, 0), tracer.newest().classic().score());
+    }
+
+    @Test
+    void aCandidatesBarPassesTheLineWhenItIsAKey() {
+        generator.enqueue(DtmfKey.FIVE);
+        pass(4);
+        for (ReceiverTrace each : List.of(modem(), tracer.newest().classic())) {
+            KeyCandidate candidate = each.candidates().get(0);
+            assertEquals(DtmfKey.FIVE, candidate.key());
+            assertTrue(candidate.climbed() >= 1, candidate.toString());
+        }
     }
 }

@@ -17,7 +17,7 @@ import simgsm.ui.Theme;
 final class HandsetLayout implements LayoutManager2 {
     static final double WIDTH = 320;
     static final double CLOSED_HEIGHT = 624;
-    static final double OPEN_HEIGHT = 892;
+    static final double OPEN_HEIGHT = 976;
 
     static final Rectangle2D LINK = new Rectangle2D.Double(24, 14, 110, 22);
     static final Rectangle2D BRAND = new Rectangle2D.Double(136, 14, 100, 22);
@@ -27,9 +27,9 @@ final class HandsetLayout implements LayoutManager2 {
     static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
     static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
     /** The background of the scope. */
-    static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 260);
+    static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 344);
 
-    static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 242);
+    static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 326);
 
     private static final double KEY_TOP = 332;
     private static final double KEY_WIDTH = 88;

@@ -145,9 +145,9 @@ class HandsetKeysTest {
         Bench bench = Bench.connected();
         bench.handset.press(DtmfKey.sequence("#"));
         bench.speechMillis(100);
-        assertEquals(-10, bench.snapshot().trace().rowDbm0(3), 0.7);
-        assertEquals(-10, bench.snapshot().trace().columnDbm0(2), 0.7);
-        assertTrue(bench.snapshot().trace().rowDbm0(0) < -20);
+        assertEquals(-10, bench.snapshot().trace().modem().levels().dbm0(3), 0.7);
+        assertEquals(-10, bench.snapshot().trace().modem().levels().dbm0(4 + 2), 0.7);
+        assertTrue(bench.snapshot().trace().modem().levels().dbm0(0) < -20);
     }
 
     @Test

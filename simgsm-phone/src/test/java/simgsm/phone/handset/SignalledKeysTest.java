@@ -61,7 +61,7 @@ class SignalledKeysTest {
         bench.handset.accept(new StationEvent.KeyStarted(DtmfKey.FIVE));
         bench.speechMillis(40);
         assertEquals(Optional.of(DtmfKey.FIVE), bench.snapshot().sounding());
-        assertTrue(bench.snapshot().trace().rowDbm0(1) > -15);
+        assertTrue(bench.snapshot().trace().modem().levels().dbm0(1) > -15);
         bench.up(PhoneKey.FIVE);
         assertEquals(List.of("hold 5", "let go"), asked());
         bench.handset.accept(new StationEvent.KeyStopping(DtmfKey.FIVE));

@@ -52,6 +52,8 @@ final class ToneExperimentBar extends JPanel {
     private final JPanel sliders = new JPanel(columns);
     private ToneExperiment experiment = ToneExperiment.NONE;
     private ToneScore score = ToneScore.NONE;
+    private ShownReceiver receiver = ShownReceiver.MODEM;
+    private ToneTrace newest = ToneTrace.EMPTY;
 
     /** @param chosen receives each experiment that is set, on the event thread */
     ToneExperimentBar(Locale language, Consumer<ToneExperiment> chosen) {
@@ -113,9 +115,17 @@ final class ToneExperimentBar extends JPanel {
         columns.setHgap(Theme.px(16));
     }
 
+    /** Selects the receiver whose score is shown. */
+    void show(ShownReceiver newReceiver) {
+        receiver = newReceiver;
+        show(newest);
+    }
+
     /** Shows the score of the experiment that is set. */
     void show(ToneTrace trace) {
-        ToneScore now = trace.experiment().equals(experiment) ? trace.score() : ToneScore.NONE;
+        newest = trace;
+        ToneScore now =
+                trace.experiment().equals(experiment) ? receiver.of(trace).score() : ToneScore.NONE;
         if (!now.equals(score)) {
             score = now;
             showState();

@@ -19,6 +19,7 @@ public final class ToneScope extends PaintedComponent {
     private final ToneScopePainter painter;
     private boolean compact;
     private ToneTrace trace = ToneTrace.EMPTY;
+    private ShownReceiver receiver = ShownReceiver.MODEM;
 
     public ToneScope(Locale language) {
         super(AccessibleRole.CANVAS);
@@ -31,6 +32,12 @@ public final class ToneScope extends PaintedComponent {
             change(() -> trace = newTrace);
             repaint();
         }
+    }
+
+    /** Selects the receiver whose levels, limits and last key are shown. */
+    void show(ShownReceiver newReceiver) {
+        change(() -> receiver = newReceiver);
+        repaint();
     }
 
     /** A preferred height of 132 units in place of 168. */
@@ -50,11 +57,11 @@ public final class ToneScope extends PaintedComponent {
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
-        painter.paint(g, trace, width, height);
+        painter.paint(g, trace, receiver.of(trace), width, height);
     }
 
     @Override
     protected String spoken() {
-        return painter.spoken(trace);
+        return painter.spoken(receiver.of(trace));
     }
 }

@@ -8,7 +8,9 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ReceiverTrace;
 import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneLevels;
 import simgsm.dtmf.ToneTrace;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
@@ -27,10 +29,10 @@ import simgsm.ui.Theme;
  *   | # -10.2/-10.4 dBm0 ...    |
  * </pre>
  */
-public final class ToneScopePainter {
+final class ToneScopePainter {
     private static final int SHOWN_SAMPLES = 192;
     private static final double TOP_DBM0 = 0;
-    private static final double BOTTOM_DBM0 = ToneTrace.FLOOR_DBM0;
+    private static final double BOTTOM_DBM0 = ToneLevels.FLOOR_DBM0;
     private static final double FULL_SCALE = 32768;
     /** Tones of -10 dBm0 fill most of the height. */
     private static final double WAVE_GAIN = 1.6;
@@ -40,12 +42,17 @@ public final class ToneScopePainter {
 
     private final TextBundle texts;
 
-    public ToneScopePainter(Locale language) {
+    ToneScopePainter(Locale language) {
         texts = DesktopTexts.in(language);
     }
 
-    /** @param width of the box that starts at the origin, in pixels */
-    public void paint(Graphics2D g, ToneTrace trace, double width, double height) {
+    /**
+     * Paints a trace.
+     *
+     * @param shown the receiver's part of the trace, whose levels, limits and last key are painted
+     * @param width of the box that starts at the origin, in pixels
+     */
+    void paint(Graphics2D g, ToneTrace trace, ReceiverTrace shown, double width, double height) {
         double gap = Theme.exact(Theme.GRID);
         double lineHeight = Theme.exact(18);
         double waveHeight = Math.max(Theme.exact(32), (height - lineHeight - gap) * 0.4);
@@ -54,9 +61,9 @@ public final class ToneScopePainter {
         double matrix = Math.min(bottom - barsTop, width * 0.3);
         double scale = Theme.exact(23);
         paintWave(g, trace, width, waveHeight);
-        paintBars(g, trace, scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
-        paintMatrix(g, trace, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
-        paintReading(g, trace, width, height);
+        paintBars(g, shown.levels(), scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
+        paintMatrix(g, shown, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
+        paintReading(g, shown, width, height);
     }
 
     private void paintWave(Graphics2D g, ToneTrace trace, double width, double height) {
@@ -123,7 +130,7 @@ public final class ToneScopePainter {
         return texts.of("scope.trial", snr, decimal("%+.1f", experiment.shiftPercent()) + " %");
     }
 
-    private static void paintBars(Graphics2D g, ToneTrace trace, double x, double y, double width, double height) {
+    private static void paintBars(Graphics2D g, ToneLevels levels, double x, double y, double width, double height) {
         double groupGap = Theme.exact(10);
         double step = (width - groupGap) / 8;
         double line = Theme.exact(LABEL_POINTS + 3);
@@ -133,8 +140,8 @@ public final class ToneScopePainter {
         paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
-            boolean counts = i < 4 ? trace.rowCounts(i) : trace.columnCounts(i - 4);
-            double share = share(level(trace, i));
+            boolean counts = levels.counts(i);
+            double share = share(levels.dbm0(i));
             g.setColor(Theme.color(Ink.LINE, 0.45));
             Drawing.fillCrisp(g, left + step * 0.16, y, step * 0.68, tall);
             g.setColor(Theme.color(counts ? Ink.ACCENT : Ink.QUIET));
@@ -143,8 +150,8 @@ public final class ToneScopePainter {
             double below = staggered && i % 2 == 1 ? 1.55 : 0.58;
             Drawing.centred(g, hertz(i), Theme.mono(points, counts), left + step / 2, y + tall + line * below);
         }
-        paintThreshold(g, trace.leastRowDbm0(), x, y, 4 * step, tall);
-        paintThreshold(g, trace.leastColumnDbm0(), x + 4 * step + groupGap, y, 4 * step, tall);
+        paintThreshold(g, levels.leastDbm0(0), x, y, 4 * step, tall);
+        paintThreshold(g, levels.leastDbm0(4), x + 4 * step + groupGap, y, 4 * step, tall);
     }
 
     /** The levels of the scale in dBm0, as lines behind the bars. */
@@ -173,10 +180,6 @@ public final class ToneScopePainter {
         return Math.max(0, Math.min(1, (dbm0 - BOTTOM_DBM0) / (TOP_DBM0 - BOTTOM_DBM0)));
     }
 
-    private static double level(ToneTrace trace, int index) {
-        return index < 4 ? trace.rowDbm0(index) : trace.columnDbm0(index - 4);
-    }
-
     private static String hertz(int index) {
         double hertz = index < 4
                 ? DtmfKey.at(index, 0).rowHertz()
@@ -184,7 +187,7 @@ public final class ToneScopePainter {
         return String.valueOf((int) hertz);
     }
 
-    private static void paintMatrix(Graphics2D g, ToneTrace trace, double x, double y, double size) {
+    private static void paintMatrix(Graphics2D g, ReceiverTrace trace, double x, double y, double size) {
         double step = size / 4;
         Optional<DtmfKey> key = trace.digit().map(DtmfDigit::key);
         for (DtmfKey each : DtmfKey.values()) {
@@ -206,7 +209,7 @@ public final class ToneScopePainter {
         }
     }
 
-    private void paintReading(Graphics2D g, ToneTrace trace, double width, double height) {
+    private void paintReading(Graphics2D g, ReceiverTrace trace, double width, double height) {
         String text =
                 trace.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
         g.setColor(Theme.color(trace.digit().isPresent() ? Ink.TEXT : Ink.QUIET));
@@ -221,7 +224,7 @@ public final class ToneScopePainter {
     }
 
     /** The numbers in words, for assistive technology. */
-    String spoken(ToneTrace trace) {
+    String spoken(ReceiverTrace trace) {
         return trace.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));
     }
 

@@ -6,14 +6,16 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
+import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
-/** The tone scope of phone and modem with the experiment below it. */
+/** The tone scope of phone and modem; below it the receivers with their candidate keys, and the experiment. */
 public final class ToneScopePanel extends JPanel {
     /** In units: below it the two sliders lie one below the other. */
     private static final int NARROW = 440;
 
     private final ToneScope scope;
+    private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
 
     /**
@@ -28,12 +30,19 @@ public final class ToneScopePanel extends JPanel {
         scope = new ToneScope(language);
         experiment = new ToneExperimentBar(language, chosen);
         add(scope, BorderLayout.CENTER);
-        add(experiment, BorderLayout.SOUTH);
+        receivers = new ReceiverPanel(language, this::select);
+        add(Arrange.column(Theme.HALF, receivers, experiment), BorderLayout.SOUTH);
     }
 
-    /** A compact scope is lower and has no sliders; their settings remain in effect. */
+    private void select(ShownReceiver receiver) {
+        scope.show(receiver);
+        experiment.show(receiver);
+    }
+
+    /** A compact scope is lower, has one receiver's row and no sliders; their settings remain in effect. */
     public void setCompact(boolean compact) {
         scope.setCompact(compact);
+        receivers.setCompact(compact);
         experiment.setVisible(!compact);
     }
 
@@ -45,6 +54,7 @@ public final class ToneScopePanel extends JPanel {
 
     public void show(ToneTrace trace) {
         scope.show(trace);
+        receivers.show(trace);
         experiment.show(trace);
     }
 }

@@ -1,6 +1,7 @@
 package simgsm.ui.scope;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -10,19 +11,26 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.KeyCandidate;
 import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneShape;
 import simgsm.dtmf.ToneTracer;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
 import simgsm.ui.Painted;
 import simgsm.ui.Theme;
 
@@ -138,7 +146,7 @@ class ToneScopeTest {
         move(panel, "scope.noise", 40);
         move(panel, "scope.shift", -50);
         for (int width : new int[] {220, 319, 320, 500}) {
-            panel.setSize(width, 242);
+            panel.setSize(width, 326);
             layOut(panel);
             layOut(panel);
             for (Component label : labels(panel, new ArrayList<>())) {
@@ -177,5 +185,87 @@ class ToneScopeTest {
             pictures.add(Painted.hash(Painted.at(scopeAfter(key, 80), 1)));
         }
         assertEquals(DtmfKey.values().length, pictures.size());
+    }
+
+    /** A panel that has seen one key at 7 dB of twist. */
+    private static ToneScopePanel twisted(String language) {
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.FIVE, new ToneShape(100, 100, -16, -9, 0));
+        ToneTracer tracer = new ToneTracer();
+        for (int i = 0; i < 4; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
+        panel.show(tracer.newest());
+        return panel;
+    }
+
+    private static String spoken(ToneScopePanel panel, String name) {
+        return ComponentNames.find(panel, name)
+                .orElseThrow()
+                .getAccessibleContext()
+                .getAccessibleName();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "en, '5: key, log odds ', '5: levels differ by '",
+        "es, '5: tecla, log odds ', '5: niveles distintos en '"
+    })
+    void eachReceiverSaysWhyItTookAKeyOrNot(String language, String modem, String classic) {
+        ToneScopePanel panel = twisted(language);
+        String accepted = spoken(panel, "scope.candidates.modem");
+        assertTrue(accepted.startsWith(modem), accepted);
+        String rejected = spoken(panel, "scope.candidates.classic");
+        assertTrue(rejected.startsWith(classic), rejected);
+    }
+
+    @Test
+    void aBarOverTheLineIsAccentedAndOneBelowIsNot() {
+        ToneScopePanel panel = twisted("en");
+        assertTrue(accent(panel, "scope.candidates.modem") > 100);
+        assertEquals(0, accent(panel, "scope.candidates.classic"));
+    }
+
+    private static int accent(ToneScopePanel panel, String name) {
+        return Painted.count(
+                Painted.at((JComponent) ComponentNames.find(panel, name).orElseThrow(), 1), Ink.ACCENT);
+    }
+
+    @Test
+    void theReceiversButtonSelectsItsLevelsAndItsKey() {
+        ToneScopePanel panel = twisted("en");
+        assertTrue(spoken(panel, "scope.picture").startsWith("Tone scope: key 5"));
+        ((JToggleButton) ComponentNames.find(panel, "scope.receiver.classic").orElseThrow()).doClick();
+        assertEquals("Tone scope", spoken(panel, "scope.picture"));
+    }
+
+    @Test
+    void aCompactScopeHasTheSelectedReceiversRowOnly() {
+        ToneScopePanel panel = twisted("en");
+        panel.setCompact(true);
+        assertTrue(isRowVisible(panel, "scope.receiver.modem"));
+        assertFalse(isRowVisible(panel, "scope.receiver.classic"));
+        panel.setCompact(false);
+        assertTrue(isRowVisible(panel, "scope.receiver.classic"));
+    }
+
+    private static boolean isRowVisible(ToneScopePanel panel, String name) {
+        return ComponentNames.find(panel, name).orElseThrow().getParent().isVisible();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyFindingAndMeasureHasItsWords(String language) {
+        TextBundle texts = DesktopTexts.in(Locale.forLanguageTag(language));
+        for (KeyCandidate.Finding finding : KeyCandidate.Finding.values()) {
+            KeyCandidate candidate = new KeyCandidate(DtmfKey.STAR, 0, 1, finding, 1, 2, "LINE", 3, true);
+            assertTrue(CandidateWords.of(texts, candidate).startsWith("*: "), finding.name());
+        }
+        for (String measure : KeyCandidate.measures()) {
+            assertFalse(texts.of("scope.measure." + measure, "1").isEmpty(), measure);
+        }
     }
 }

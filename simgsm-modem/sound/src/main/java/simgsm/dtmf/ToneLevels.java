@@ -1,0 +1,54 @@
+package simgsm.dtmf;
+
+import java.util.Arrays;
+
+/**
+ * The levels of the eight DTMF frequencies as a receiver measured them last, and what it requires of each group. Immutable;
+ * tones are numbered 0 (697 Hz) to 3 (941 Hz) and 4 (1209 Hz) to 7 (1633 Hz).
+ */
+public final class ToneLevels {
+    /** Lower levels are shown as this one. */
+    public static final double FLOOR_DBM0 = -60;
+
+    /** Silence before a receiver that requires nothing. */
+    public static final ToneLevels SILENCE = new ToneLevels(new double[8], FLOOR_DBM0, FLOOR_DBM0, tone -> false);
+
+    /** Whether a tone stands out among the tones of its group. */
+    interface Peaks {
+        boolean standsOut(int tone);
+    }
+
+    private final double[] dbm0;
+    private final double leastRowDbm0;
+    private final double leastColumnDbm0;
+    private final boolean[] counts = new boolean[8];
+
+    /** @param amplitudes peaks in sample units, by tone */
+    ToneLevels(double[] amplitudes, double leastRowDbm0, double leastColumnDbm0, Peaks peaks) {
+        dbm0 = Arrays.stream(amplitudes).map(ToneLevels::level).toArray();
+        this.leastRowDbm0 = leastRowDbm0;
+        this.leastColumnDbm0 = leastColumnDbm0;
+        for (int tone = 0; tone < 8; tone++) {
+            counts[tone] = dbm0[tone] > leastDbm0(tone) && peaks.standsOut(tone);
+        }
+    }
+
+    private static double level(double amplitude) {
+        return amplitude < 1 ? FLOOR_DBM0 : Math.max(FLOOR_DBM0, ToneLevel.dbm0(amplitude));
+    }
+
+    /** The level of a tone. */
+    public double dbm0(int tone) {
+        return dbm0[tone];
+    }
+
+    /** The level that the tone has to exceed now: the receiver's lowest, or what the twist from the other group leaves. */
+    public double leastDbm0(int tone) {
+        return tone < 4 ? leastRowDbm0 : leastColumnDbm0;
+    }
+
+    /** Whether the tone exceeds {@link #leastDbm0} and stands out in its group; a key needs two such tones. */
+    public boolean counts(int tone) {
+        return counts[tone];
+    }
+}
