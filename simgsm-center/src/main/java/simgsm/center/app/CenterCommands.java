@@ -36,8 +36,8 @@ public final class CenterCommands implements Console.Commands {
                     "lists the short messages that wait",
                     (to, command) -> to.list(
                             command,
-                            exchange ->
-                                    exchange.shortMessages().waiting().stream().map(CenterEventPrinter::of)))
+                            exchange -> exchange.shortMessages().messages().waiting().stream()
+                                    .map(CenterEventPrinter::of)))
             .add("message", "ID", "prints what has happened to a message", CenterCommands::message)
             .add(
                     "broadcast",
@@ -82,7 +82,8 @@ public final class CenterCommands implements Console.Commands {
         if (!id.matches("[0-9]{1,18}")) {
             throw new CommandException("message: expected an id as messages lists it, found " + id);
         }
-        MessageHistory history = center.ask(exchange -> exchange.shortMessages().history(Long.parseLong(id)))
+        MessageHistory history = center.ask(
+                        exchange -> exchange.shortMessages().messages().history(Long.parseLong(id)))
                 .orElseThrow(() ->
                         new CommandException("message: expected one that waits or has lately ended, found " + id));
         console.emit(CenterEventPrinter.of(history));

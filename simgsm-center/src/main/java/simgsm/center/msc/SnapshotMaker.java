@@ -94,8 +94,9 @@ final class SnapshotMaker {
 
     /** Waiting messages first, then up to 100 ended ones. */
     private List<ExchangeSnapshot.MessageRow> messages(int most) {
-        List<MessageHistory> histories = new ArrayList<>(shortMessages.waitingHistories(most));
-        histories.addAll(shortMessages.endedHistories(Math.min(MOST_ENDED, most - histories.size())));
+        List<MessageHistory> histories =
+                new ArrayList<>(shortMessages.messages().waitingHistories(most));
+        histories.addAll(shortMessages.messages().endedHistories(Math.min(MOST_ENDED, most - histories.size())));
         return histories.stream()
                 .map(history ->
                         new ExchangeSnapshot.MessageRow(history.message().text(), history))

@@ -45,7 +45,8 @@ final class MessageStatusStore {
         }
         String plainSource = source.startsWith("+") ? source.substring(1) : source;
         return Optional.ofNullable(ended.get(number))
-                .or(() -> center.waitingMessage(number)
+                .or(() -> center.messages()
+                        .waitingMessage(number)
                         .flatMap(message -> message.esme()
                                 .map(origin -> MessageStatus.of(
                                         message, origin, MessageState.ACCEPTED, message.acceptedAt()))))

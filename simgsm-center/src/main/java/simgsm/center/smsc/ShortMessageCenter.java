@@ -3,10 +3,7 @@ package simgsm.center.smsc;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,7 +14,6 @@ import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
@@ -41,13 +37,6 @@ public final class ShortMessageCenter {
     /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
     static final int MAX_UNCOMMITTED = 50_000;
 
-    static final int MAX_ENDED_HISTORIES = 1_000;
-
-    /** Receivers that {@link #available(Predicate)} looks at in one go, and the pause before the next ones. */
-    static final int SCANNED_AT_ONCE = 1_000;
-
-    private static final long SCAN_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
-
     /** Pause before the end of a message is stored again after a failure. */
     private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
@@ -61,10 +50,8 @@ public final class ShortMessageCenter {
     private final MessageStore store;
     private final DeliveryPort port;
     private BiConsumer<ShortMessage, MessageState> listener;
-    private final ReceiverQueue.Context queueContext;
-    private final NavigableMap<Destination, ReceiverQueue> queues;
-    /** Messages that wait, by id; ids rise in the order of acceptance. */
-    private final Map<Long, QueueEntry> waiting;
+    private final ReceiverQueues queues;
+    private final MessageRegister messages;
 
     private final Map<Long, Submission> submissions = new HashMap<>();
     /** Reports on ends that are not yet durable, by ticket: a report that was sent once must not change. */
@@ -72,8 +59,6 @@ public final class ShortMessageCenter {
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
-    private final Map<Long, MessageHistory> endedHistories = new BoundedMap<>(MAX_ENDED_HISTORIES);
-    private final Deque<Predicate<Destination>> scans = new ArrayDeque<>();
     private int waitingCount;
     private int uncommitted;
     private long nextId = 1;
@@ -120,9 +105,8 @@ public final class ShortMessageCenter {
         this.store = store;
         this.port = port;
         this.listener = listener;
-        this.queueContext = new ReceiverQueue.Context(startedAt, timers, port, containers, this::ended);
-        this.queues = containers.sorted();
-        this.waiting = containers.inOrderOfInsertion();
+        this.queues = new ReceiverQueues(new ReceiverQueue.Context(startedAt, timers, port, containers, this::ended));
+        this.messages = new MessageRegister(containers.inOrderOfInsertion());
     }
 
     /** Adds a listener to every change of state of every message. */
@@ -223,7 +207,7 @@ public final class ShortMessageCenter {
     private void commit(List<ShortMessage> messages, Consumer<Optional<RpCause>> answer) {
         nextId += messages.size();
         uncommitted += messages.size();
-        queue(new Destination.Number(messages.get(0).to())).reserve(messages.size());
+        queues.of(new Destination.Number(messages.get(0).to())).reserve(messages.size());
         long ticket = nextTicket++;
         submissions.put(ticket, new Submission(messages, answer));
         store.commit(
@@ -236,10 +220,9 @@ public final class ShortMessageCenter {
         if (!port.isServed(receiver)) {
             return Optional.of(RpCause.UNASSIGNED_NUMBER);
         }
-        ReceiverQueue queue = queues.get(new Destination.Number(receiver));
         boolean hasRoom = uncommitted + count <= MAX_UNCOMMITTED
                 && waitingCount + uncommitted + count <= MAX_WAITING
-                && (queue == null ? 0 : queue.size()) + count <= MAX_WAITING_PER_RECEIVER;
+                && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER;
         return hasRoom ? Optional.empty() : Optional.of(RpCause.CONGESTION);
     }
 
@@ -261,7 +244,7 @@ public final class ShortMessageCenter {
         List<ShortMessage> messages = submission.messages;
         uncommitted -= messages.size();
         Destination destination = new Destination.Number(messages.get(0).to());
-        queue(destination).reserve(-messages.size());
+        queues.of(destination).reserve(-messages.size());
         if (isDurable) {
             submission.answer.accept(Optional.empty());
             for (ShortMessage message : messages) {
@@ -269,7 +252,7 @@ public final class ShortMessageCenter {
                 enqueue(new Envelope.Delivery(message));
             }
         } else {
-            removeIfEmpty(destination);
+            queues.removeIfEmpty(destination);
             for (ShortMessage message : messages) {
                 if (message.esme().isEmpty()) {
                     recent.forget(message.from(), message.to(), TransferUnits.submitOf(message));
@@ -287,49 +270,17 @@ public final class ShortMessageCenter {
 
     /** A receiver has become available. */
     public void available(Destination destination) {
-        ReceiverQueue queue = queues.get(destination);
-        if (queue != null) {
-            queue.receiverAvailable();
-        }
+        queues.available(destination);
     }
 
-    /**
-     * All destinations of a kind have become available. The first {@link #SCANNED_AT_ONCE} are looked at now, the same
-     * number every further millisecond.
-     */
+    /** All destinations of a kind have become available; they are tried in portions, within a second. */
     public void available(Predicate<Destination> destinations) {
-        scans.add(destinations);
-        if (scans.size() == 1) {
-            scan(queues.firstEntry());
-        }
-    }
-
-    /** Looks at the queues from this entry on for the oldest scan. */
-    private void scan(Map.Entry<Destination, ReceiverQueue> from) {
-        Map.Entry<Destination, ReceiverQueue> next = from;
-        for (int i = 0; i < SCANNED_AT_ONCE && next != null; i++) {
-            if (scans.element().test(next.getKey())) {
-                next.getValue().receiverAvailable();
-            }
-            next = queues.higherEntry(next.getKey());
-        }
-        if (next != null) {
-            Destination rest = next.getKey();
-            timers.start(SCAN_PAUSE_NANOS, () -> scan(queues.ceilingEntry(rest)));
-            return;
-        }
-        scans.remove();
-        if (!scans.isEmpty()) {
-            timers.start(SCAN_PAUSE_NANOS, () -> scan(queues.firstEntry()));
-        }
+        queues.available(destinations);
     }
 
     /** There is room again on the way to a destination; nothing else has changed. */
     public void roomFor(Destination destination) {
-        ReceiverQueue queue = queues.get(destination);
-        if (queue != null) {
-            queue.attempt();
-        }
+        queues.roomFor(destination);
     }
 
     /**
@@ -338,45 +289,13 @@ public final class ShortMessageCenter {
      * @return false if no message with this id waits, or an attempt at it is under way
      */
     public boolean cancel(long id) {
-        QueueEntry entry = waiting.get(id);
+        QueueEntry entry = messages.entry(id);
         return entry != null && entry.queue.cancel(entry);
     }
 
-    /** Messages that wait, in the order of acceptance; reports are not among them. */
-    public List<ShortMessage> waiting() {
-        return waiting(Integer.MAX_VALUE);
-    }
-
-    /** The first messages that wait, at most {@code limit}. */
-    public List<ShortMessage> waiting(int limit) {
-        return entries(limit).map(entry -> entry.envelope.message()).toList();
-    }
-
-    /** The histories of the first messages that wait, at most {@code limit}. */
-    public List<MessageHistory> waitingHistories(int limit) {
-        return entries(limit).map(entry -> entry.queue.history(entry)).toList();
-    }
-
-    private Stream<QueueEntry> entries(int limit) {
-        return waiting.values().stream().limit(limit);
-    }
-
-    /** The histories of the messages that ended last, the newest first, at most {@code limit}. */
-    public List<MessageHistory> endedHistories(int limit) {
-        List<MessageHistory> newest = new ArrayList<>(endedHistories.values());
-        Collections.reverse(newest);
-        return newest.subList(0, Math.min(limit, newest.size()));
-    }
-
-    /** The message with this id, if it waits. */
-    public Optional<ShortMessage> waitingMessage(long id) {
-        return Optional.ofNullable(waiting.get(id)).map(entry -> entry.envelope.message());
-    }
-
-    /** A message's history; empty if the id is unknown, or {@link #MAX_ENDED_HISTORIES} have ended since. */
-    public Optional<MessageHistory> history(long id) {
-        QueueEntry entry = waiting.get(id);
-        return Optional.ofNullable(entry == null ? endedHistories.get(id) : entry.queue.history(entry));
+    /** The messages that wait, and the last that have ended. */
+    public MessageRegister messages() {
+        return messages;
     }
 
     /** Messages and reports that wait. */
@@ -384,50 +303,26 @@ public final class ShortMessageCenter {
         return waitingCount;
     }
 
-    private ReceiverQueue queue(Destination destination) {
-        return queues.computeIfAbsent(destination, absent -> new ReceiverQueue(absent, queueContext));
-    }
-
-    private void removeIfEmpty(Destination destination) {
-        ReceiverQueue queue = queues.get(destination);
-        if (queue.size() == 0) {
-            queues.remove(destination);
-            port.emptied(destination);
-        }
-    }
-
     private void enqueue(Envelope envelope) {
         waitingCount++;
-        ReceiverQueue queue = queue(envelope.destination());
+        ReceiverQueue queue = queues.of(envelope.destination());
         QueueEntry entry = queue.add(envelope);
         if (envelope instanceof Envelope.Delivery) {
-            waiting.put(envelope.message().id(), entry);
+            messages.add(entry);
         }
         queue.attempt();
     }
 
     private void ended(QueueEntry entry, MessageState state) {
         waitingCount--;
-        removeIfEmpty(entry.envelope.destination());
+        queues.removeIfEmpty(entry.envelope.destination());
         ShortMessage message = entry.envelope.message();
         if (entry.envelope instanceof Envelope.Delivery) {
-            waiting.remove(message.id());
-            endedHistories.put(message.id(), endedHistory(entry, state));
+            messages.ended(entry, state, now());
             deliveryEnded(message, state);
         } else {
             reported(message);
         }
-    }
-
-    private MessageHistory endedHistory(QueueEntry entry, MessageState state) {
-        return new MessageHistory(
-                entry.envelope.message(),
-                state,
-                WaitReason.ENDED,
-                entry.attempts,
-                entry.attemptCount,
-                Optional.empty(),
-                Optional.of(now()));
     }
 
     private void deliveryEnded(ShortMessage message, MessageState state) {
@@ -451,13 +346,11 @@ public final class ShortMessageCenter {
 
     /** Queues a report; receipts that an application does not fetch are dropped above {@link #MAX_WAITING_RECEIPTS}. */
     private void report(Envelope.Report report) {
-        ReceiverQueue queue = queues.get(report.destination());
-        if (report.destination() instanceof Destination.Number
-                || queue == null
-                || queue.size() < MAX_WAITING_RECEIPTS) {
+        int waiting = queues.size(report.destination());
+        if (report.destination() instanceof Destination.Number || waiting < MAX_WAITING_RECEIPTS) {
             enqueue(report);
         } else {
-            LOG.log(Level.DEBUG, "{0}: {1} receipts wait, one more is dropped", report.destination(), queue.size());
+            LOG.log(Level.DEBUG, "{0}: {1} receipts wait, one more is dropped", report.destination(), waiting);
             reported(report.message());
         }
     }

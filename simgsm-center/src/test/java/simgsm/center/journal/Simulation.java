@@ -333,7 +333,7 @@ final class Simulation {
         Invariant.holds(
                 center.isAtRest(),
                 () -> center.exchange().shortMessages().waitingCount() + " wait for ever: "
-                        + center.exchange().shortMessages().waitingHistories(3));
+                        + center.exchange().shortMessages().messages().waitingHistories(3));
         Invariant.holds(allAreRegistered(), () -> "a phone cannot come back");
         account.close();
         phones.forEach(this::vanish);

@@ -424,7 +424,8 @@ class ClosedNetworkTest {
         TestMobile sender = attach(ANA);
         answerToMessage(sender, 1, "5550101");
         assertEquals(
-                ANA.number(), network.exchange.shortMessages().waiting().get(0).from());
+                ANA.number(),
+                network.exchange.shortMessages().messages().waiting().get(0).from());
     }
 
     @Test

@@ -38,7 +38,7 @@ class TerminatingMessageTest extends MessageStage {
         receiver.leaveReleasedChannel();
         assertEquals(List.of(MessageState.ACCEPTED, MessageState.DELIVERED), states());
         assertEquals(2, network.stored.size());
-        assertTrue(network.exchange.shortMessages().waiting().isEmpty());
+        assertTrue(network.exchange.shortMessages().messages().waiting().isEmpty());
     }
 
     @Test
@@ -46,7 +46,7 @@ class TerminatingMessageTest extends MessageStage {
         TestMobile sender = network.attach("5550100");
         send(sender, submit("5550200", "first"));
         send(sender, submit("5550200", "second"));
-        assertEquals(2, network.exchange.shortMessages().waiting().size());
+        assertEquals(2, network.exchange.shortMessages().messages().waiting().size());
         network.passSeconds(3_600);
         TestMobile receiver = network.attach("5550200");
         receiver.answerPaging();

@@ -142,6 +142,6 @@ class SmppSessionTest extends SmppStage {
         TestCenter.Application sender = sender();
         sender.submit(1, text("1", "5000777", "x"));
         network.commit();
-        assertEquals(0, network.center.waiting().size() - 1);
+        assertEquals(0, network.center.messages().waiting().size() - 1);
     }
 }

@@ -106,18 +106,21 @@ class LargestSizeTest {
         fillTheReceiver();
         int count = ShortMessageCenter.MAX_WAITING_PER_RECEIVER;
         for (long id : new long[] {1, count / 2, count}) {
-            assertFew("history of " + id, () -> assertTrue(center.history(id).isPresent()));
             assertFew(
-                    "state of " + id, () -> assertTrue(center.waitingMessage(id).isPresent()));
+                    "history of " + id,
+                    () -> assertTrue(center.messages().history(id).isPresent()));
+            assertFew(
+                    "state of " + id,
+                    () -> assertTrue(center.messages().waitingMessage(id).isPresent()));
             assertFew("cancel of " + id, () -> assertTrue(center.cancel(id)));
             assertFew("second cancel of " + id, () -> assertFalse(center.cancel(id)));
             assertFew(
                     "history of " + id + ", ended",
-                    () -> assertTrue(center.history(id).isPresent()));
+                    () -> assertTrue(center.messages().history(id).isPresent()));
         }
         assertFew(
                 "history of an unknown message",
-                () -> assertTrue(center.history(count + 1).isEmpty()));
+                () -> assertTrue(center.messages().history(count + 1).isEmpty()));
         center.cancel(2);
         assertFew("submission", () -> submit(RECEIVER));
         assertFew("an absent receiver's room", () -> center.roomFor(QUEUE));
@@ -135,13 +138,13 @@ class LargestSizeTest {
     @Test
     void aListCostsWhatItShows() {
         fillTheReceiver();
-        long steps = containers.stepsOf(
-                () -> assertEquals(1_000, center.waitingHistories(1_000).size()));
+        long steps = containers.stepsOf(() ->
+                assertEquals(1_000, center.messages().waitingHistories(1_000).size()));
         assertTrue(steps <= 2_000 + FEW, steps + " steps");
         assertEquals(
                 1_000,
-                containers.stepsOf(
-                        () -> assertEquals(1_000, center.waiting(1_000).size())));
+                containers.stepsOf(() ->
+                        assertEquals(1_000, center.messages().waiting(1_000).size())));
     }
 
     @Test
@@ -189,12 +192,12 @@ class LargestSizeTest {
         fill(ShortMessageCenter.MAX_WAITING, id -> new Msisdn(Integer.toString(5_600_000 + id)));
         submit(RECEIVER);
         assertEquals(Optional.of(RpCause.CONGESTION), answer, "half a million wait");
-        assertFew("history", () -> center.history(250_000));
+        assertFew("history", () -> center.messages().history(250_000));
         asked.clear();
-        long most = 4L * ShortMessageCenter.SCANNED_AT_ONCE;
+        long most = 4L * ReceiverQueues.SCANNED_AT_ONCE;
         assertTrue(containers.stepsOf(() -> center.available(each -> true)) <= most);
         assertTrue(containers.stepsOf(() -> center.available(each -> false)) <= FEW, "one scan at a time");
-        for (int i = 0; i < ShortMessageCenter.MAX_WAITING / ShortMessageCenter.SCANNED_AT_ONCE; i++) {
+        for (int i = 0; i < ShortMessageCenter.MAX_WAITING / ReceiverQueues.SCANNED_AT_ONCE; i++) {
             assertTrue(containers.stepsOf(() -> timers.advance(timers.nowNanos() + 1_000_000)) <= most);
         }
         assertEquals(ShortMessageCenter.MAX_WAITING, asked.size(), "all were asked for");

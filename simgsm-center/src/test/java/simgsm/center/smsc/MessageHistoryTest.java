@@ -88,7 +88,7 @@ class MessageHistoryTest {
     }
 
     private MessageHistory history(long id) {
-        return center.history(id).orElseThrow();
+        return center.messages().history(id).orElseThrow();
     }
 
     @Test
@@ -171,23 +171,23 @@ class MessageHistoryTest {
                 List.of(DeliveryOutcome.FAILED, DeliveryOutcome.DELIVERED),
                 ended.attempts().stream().map(DeliveryAttempt::outcome).toList());
         assertEquals(Optional.of(START.plusSeconds(60)), ended.endedAt());
-        assertEquals(List.of(ended), center.endedHistories(10));
+        assertEquals(List.of(ended), center.messages().endedHistories(10));
     }
 
     @Test
     void theEndedAreRememberedUpToALimitAndTheNewestComesFirst() {
-        for (int i = 0; i < ShortMessageCenter.MAX_ENDED_HISTORIES + 5; i++) {
+        for (int i = 0; i < MessageRegister.MAX_ENDED_HISTORIES + 5; i++) {
             submit("m" + i);
             end(DeliveryOutcome.DELIVERED);
             while (!underWay.isEmpty()) {
                 end(DeliveryOutcome.DELIVERED);
             }
         }
-        assertEquals(Optional.empty(), center.history(5));
-        assertTrue(center.history(6).isPresent());
+        assertEquals(Optional.empty(), center.messages().history(5));
+        assertTrue(center.messages().history(6).isPresent());
         assertEquals(
-                ShortMessageCenter.MAX_ENDED_HISTORIES + 5,
-                center.endedHistories(1).get(0).message().id());
+                MessageRegister.MAX_ENDED_HISTORIES + 5,
+                center.messages().endedHistories(1).get(0).message().id());
     }
 
     @Test
@@ -212,7 +212,7 @@ class MessageHistoryTest {
         submit("a week by default");
         assertEquals(
                 List.of(300L, 3_600L, 30L, 7_384L, 604_800L),
-                center.waitingHistories(10).stream()
+                center.messages().waitingHistories(10).stream()
                         .map(each -> Duration.between(START, each.message().expiresAt())
                                 .toSeconds())
                         .toList());
@@ -221,7 +221,7 @@ class MessageHistoryTest {
         passSeconds(1);
         assertEquals(MessageState.EXPIRED, history(3).state());
         passSeconds(7_384);
-        assertEquals(1, center.waitingHistories(10).size());
+        assertEquals(1, center.messages().waitingHistories(10).size());
         isThere = true;
         center.available(SENDER);
         StatusReportTpdu report = (StatusReportTpdu) sent.get(sent.size() - 1);

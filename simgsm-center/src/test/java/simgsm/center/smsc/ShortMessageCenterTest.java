@@ -82,8 +82,8 @@ class ShortMessageCenterTest {
             submit("" + i);
         }
         assertEquals(count, center.waitingCount());
-        assertEquals(count, center.waiting().size());
-        assertEquals(10, center.waiting(10).size());
+        assertEquals(count, center.messages().waiting().size());
+        assertEquals(10, center.messages().waiting(10).size());
         reachable.add(RECEIVER);
         center.available(RECEIVER);
         for (int i = 0; i < count; i++) {
@@ -240,7 +240,7 @@ class ShortMessageCenterTest {
             throws ProtocolViolation {
         reachable.add(RECEIVER);
         submit("hello");
-        ShortMessage first = center.waiting().get(0);
+        ShortMessage first = center.messages().waiting().get(0);
         ShortMessageCenter again = new ShortMessageCenter(
                 Instant.EPOCH, new Timers(), (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
         again.restore(new StoredState(1, List.of(), List.of(), List.of(first), List.of()));
@@ -259,7 +259,7 @@ class ShortMessageCenterTest {
     @Test
     void aMessageKnowsItsWords() {
         submit("** #**20 **");
-        ShortMessage waiting = center.waiting().get(0);
+        ShortMessage waiting = center.messages().waiting().get(0);
         assertEquals("** #**20 **", waiting.text());
         assertEquals(1, waiting.id());
         assertFalse(waiting.expiresAt().isBefore(Instant.EPOCH.plusSeconds(3600)));

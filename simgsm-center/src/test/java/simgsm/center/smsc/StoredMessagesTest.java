@@ -129,7 +129,8 @@ class StoredMessagesTest {
         assertEquals(11, center.nextId());
         assertEquals(2, center.waitingCount());
         assertEquals(
-                List.of(3L, 4L), center.waiting().stream().map(ShortMessage::id).toList());
+                List.of(3L, 4L),
+                center.messages().waiting().stream().map(ShortMessage::id).toList());
         assertEquals(3, delivered.get(0).message().id());
         end(DeliveryOutcome.DELIVERED);
         end(DeliveryOutcome.DELIVERED);
@@ -244,13 +245,15 @@ class StoredMessagesTest {
         assertEquals(List.of(Optional.empty()), answers);
         assertEquals(
                 List.of(EsmeOrigin.Receipts.NONE, EsmeOrigin.Receipts.NONE, EsmeOrigin.Receipts.ALWAYS),
-                center.waiting().stream()
+                center.messages().waiting().stream()
                         .map(part -> part.esme().orElseThrow().receipts())
                         .toList());
         assertEquals(
                 List.of(1L, 2L, 3L),
-                center.waiting().stream().map(ShortMessage::id).toList());
-        assertEquals(START.plus(Duration.ofDays(7)), center.waiting().get(0).expiresAt());
+                center.messages().waiting().stream().map(ShortMessage::id).toList());
+        assertEquals(
+                START.plus(Duration.ofDays(7)),
+                center.messages().waiting().get(0).expiresAt());
     }
 
     @Test
@@ -296,8 +299,10 @@ class StoredMessagesTest {
         end(DeliveryOutcome.FAILED);
         assertTrue(center.cancel(1));
         assertFalse(center.cancel(1));
-        assertEquals(MessageState.DELETED, center.history(1).orElseThrow().state());
-        assertEquals(Optional.of(START), center.history(1).orElseThrow().endedAt());
+        assertEquals(
+                MessageState.DELETED, center.messages().history(1).orElseThrow().state());
+        assertEquals(
+                Optional.of(START), center.messages().history(1).orElseThrow().endedAt());
         assertEquals(0, timers.size());
         assertFalse(center.cancel(2), "there is none");
     }
@@ -335,7 +340,8 @@ class StoredMessagesTest {
         end(DeliveryOutcome.MEMORY_FULL);
         assertEquals(1, delivered.size());
         assertEquals(
-                WaitReason.AWAITING_MEMORY, center.waitingHistories(1).get(0).waitReason());
+                WaitReason.AWAITING_MEMORY,
+                center.messages().waitingHistories(1).get(0).waitReason());
         passSeconds(60);
         assertEquals(2, delivered.size());
         end(DeliveryOutcome.DELIVERED);
@@ -378,7 +384,7 @@ class StoredMessagesTest {
         center.restore(stored(List.of(), unreported));
         assertEquals(ShortMessageCenter.MAX_WAITING_RECEIPTS, center.waitingCount());
         assertEquals(List.of(new StoreEntry.Reported(ShortMessageCenter.MAX_WAITING_RECEIPTS + 1)), stored);
-        assertEquals(List.of(), center.waiting(), "reports are not listed");
+        assertEquals(List.of(), center.messages().waiting(), "reports are not listed");
     }
 
     @Test

@@ -1,0 +1,85 @@
+package simgsm.center.smsc;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** The messages that wait, and the last that have ended, by id. Reports are not among them. */
+public final class MessageRegister {
+    static final int MAX_ENDED_HISTORIES = 1_000;
+
+    /** Ids rise in the order of acceptance. */
+    private final Map<Long, QueueEntry> waiting;
+
+    private final Map<Long, MessageHistory> ended = new BoundedMap<>(MAX_ENDED_HISTORIES);
+
+    /** @param waiting an empty map that keeps the order of insertion */
+    MessageRegister(Map<Long, QueueEntry> waiting) {
+        this.waiting = waiting;
+    }
+
+    void add(QueueEntry entry) {
+        waiting.put(entry.envelope.message().id(), entry);
+    }
+
+    void ended(QueueEntry entry, MessageState state, Instant now) {
+        ShortMessage message = entry.envelope.message();
+        waiting.remove(message.id());
+        ended.put(
+                message.id(),
+                new MessageHistory(
+                        message,
+                        state,
+                        WaitReason.ENDED,
+                        entry.attempts,
+                        entry.attemptCount,
+                        Optional.empty(),
+                        Optional.of(now)));
+    }
+
+    /** The entry of a message that waits; null if none with this id waits. */
+    QueueEntry entry(long id) {
+        return waiting.get(id);
+    }
+
+    /** Messages that wait, in the order of acceptance. */
+    public List<ShortMessage> waiting() {
+        return waiting(Integer.MAX_VALUE);
+    }
+
+    /** The first messages that wait, at most {@code limit}. */
+    public List<ShortMessage> waiting(int limit) {
+        return entries(limit).map(entry -> entry.envelope.message()).toList();
+    }
+
+    /** The histories of the first messages that wait, at most {@code limit}. */
+    public List<MessageHistory> waitingHistories(int limit) {
+        return entries(limit).map(entry -> entry.queue.history(entry)).toList();
+    }
+
+    private Stream<QueueEntry> entries(int limit) {
+        return waiting.values().stream().limit(limit);
+    }
+
+    /** The histories of the messages that ended last, the newest first, at most {@code limit}. */
+    public List<MessageHistory> endedHistories(int limit) {
+        List<MessageHistory> newest = new ArrayList<>(ended.values());
+        Collections.reverse(newest);
+        return newest.subList(0, Math.min(limit, newest.size()));
+    }
+
+    /** The message with this id, if it waits. */
+    public Optional<ShortMessage> waitingMessage(long id) {
+        return Optional.ofNullable(waiting.get(id)).map(entry -> entry.envelope.message());
+    }
+
+    /** A message's history; empty if the id is unknown, or {@link #MAX_ENDED_HISTORIES} have ended since. */
+    public Optional<MessageHistory> history(long id) {
+        QueueEntry entry = waiting.get(id);
+        return Optional.ofNullable(entry == null ? ended.get(id) : entry.queue.history(entry));
+    }
+}
