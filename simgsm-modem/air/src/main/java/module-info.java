@@ -6,5 +6,6 @@ module simgsm.air {
     exports simgsm.air;
     exports simgsm.sim;
     exports simgsm.sms;
+    exports simgsm.ss;
     exports simgsm.trace;
 }

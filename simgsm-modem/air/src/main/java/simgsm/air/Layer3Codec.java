@@ -3,7 +3,7 @@ package simgsm.air;
 import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
-/** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 44.018). Has no state. */
+/** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 24.080, TS 44.018). Has no state. */
 public final class Layer3Codec {
     private static final int TYPE_MASK = 0x3f;
     private static final int SEND_SEQUENCE_BIT = 0x40;
@@ -16,8 +16,8 @@ public final class Layer3Codec {
     /**
      * The octets of a message.
      *
-     * @param sendSequence N(SD), 0 or 1, set in uplink mobility management and call control messages and ignored in all
-     *     others (TS 24.007, 11.2.3.2.3)
+     * @param sendSequence N(SD), 0 or 1, set in uplink messages of mobility management, call control and supplementary
+     *     services, and ignored in all others (TS 24.007, 11.2.3.2.3)
      * @throws IllegalArgumentException for a message that never goes this way
      */
     public static byte[] encode(Layer3Message message, Direction direction, int sendSequence) {
@@ -35,6 +35,8 @@ public final class Layer3Codec {
             MobilityManagementCodec.write(out, mobility);
         } else if (message instanceof ShortMessageControl shortMessage) {
             ShortMessageCodec.write(out, shortMessage, direction);
+        } else if (message instanceof SupplementaryService service) {
+            SupplementaryServiceCodec.write(out, service);
         } else {
             RadioResourceCodec.write(out, (RadioResource) message);
         }
@@ -57,7 +59,7 @@ public final class Layer3Codec {
         }
     }
 
-    /** N(SD) of an uplink mobility management or call control message, 0 or 1; -1 for messages that carry none. */
+    /** N(SD) of an uplink message, 0 or 1; -1 for messages that carry none. */
     public static int sendSequence(byte[] octets) {
         if (octets.length < 2 || !hasSendSequence(octets[0] & 0x0f)) {
             return -1;
@@ -66,12 +68,17 @@ public final class Layer3Codec {
     }
 
     private static boolean hasSendSequence(int discriminator) {
-        return discriminator == Layer3Header.CALL_CONTROL || discriminator == Layer3Header.MOBILITY_MANAGEMENT;
+        return discriminator == Layer3Header.CALL_CONTROL
+                || discriminator == Layer3Header.MOBILITY_MANAGEMENT
+                || discriminator == Layer3Header.SUPPLEMENTARY_SERVICES;
     }
 
     private static int transactionOrSkip(Layer3Message message) {
         if (message instanceof CallControl callControl) {
             return nibble(callControl.transaction());
+        }
+        if (message instanceof SupplementaryService service) {
+            return nibble(service.transaction());
         }
         return message instanceof ShortMessageControl shortMessage ? nibble(shortMessage.transaction()) : 0;
     }
@@ -88,7 +95,8 @@ public final class Layer3Codec {
         int type = in.octet("message type");
         int discriminator = first & 0x0f;
         return switch (discriminator) {
-            case Layer3Header.CALL_CONTROL -> header(discriminator, direction, transaction(first), type & TYPE_MASK);
+            case Layer3Header.CALL_CONTROL, Layer3Header.SUPPLEMENTARY_SERVICES ->
+                header(discriminator, direction, transaction(first), type & TYPE_MASK);
             case Layer3Header.MOBILITY_MANAGEMENT ->
                 header(discriminator, direction, skipIndicator(first), type & TYPE_MASK);
             case Layer3Header.RADIO_RESOURCE -> header(discriminator, direction, skipIndicator(first), type);
@@ -131,6 +139,8 @@ public final class Layer3Codec {
                 CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
             case Layer3Header.MOBILITY_MANAGEMENT -> MobilityManagementCodec.read(type, in);
             case Layer3Header.RADIO_RESOURCE -> RadioResourceCodec.read(type, in);
+            case Layer3Header.SUPPLEMENTARY_SERVICES ->
+                SupplementaryServiceCodec.read(type, header.transaction().orElseThrow(), in);
             default -> ShortMessageCodec.read(header, type, in);
         };
     }

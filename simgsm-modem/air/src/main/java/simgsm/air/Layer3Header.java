@@ -5,8 +5,9 @@ import java.util.Optional;
 /**
  * The header of a layer-3 message, with all that the answer to a refused one needs.
  *
- * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short messages
- * @param transaction present in call control and short messages
+ * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short messages,
+ *     11 supplementary services
+ * @param transaction present in call control, short messages and supplementary services
  * @param messageType without the send sequence number
  * @param relayReference RP message reference of a refused RP message inside a valid CP-DATA
  */
@@ -20,6 +21,7 @@ public record Layer3Header(
     public static final int MOBILITY_MANAGEMENT = 5;
     public static final int RADIO_RESOURCE = 6;
     public static final int SHORT_MESSAGES = 9;
+    public static final int SUPPLEMENTARY_SERVICES = 11;
 
     /** The message's type; empty if it is not known in this direction. */
     public Optional<Layer3Type> type() {

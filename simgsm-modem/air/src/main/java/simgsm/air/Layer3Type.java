@@ -7,8 +7,9 @@ import simgsm.air.CallControl.*;
 import simgsm.air.MobilityManagement.*;
 import simgsm.air.RadioResource.*;
 import simgsm.air.ShortMessageControl.*;
+import simgsm.air.SupplementaryService.*;
 
-/** All message types in use: numbers, direction, record and name (TS 24.008, 10.4; TS 24.011, 8.1.3). */
+/** All message types in use: numbers, direction, record and name (TS 24.008, 10.4; TS 24.011, 8.1.3; TS 24.080, 3.4). */
 public enum Layer3Type {
     IMSI_DETACH_INDICATION(5, 0x01, Way.UP, ImsiDetachIndication.class, "IMSI Detach Indication"),
     LOCATION_UPDATING_ACCEPT(5, 0x02, Way.DOWN, LocationUpdatingAccept.class, "Location Updating Accept"),
@@ -52,7 +53,11 @@ public enum Layer3Type {
 
     CP_DATA(9, 0x01, Way.BOTH, CpData.class, "CP-DATA"),
     CP_ACK(9, 0x04, Way.BOTH, CpAck.class, "CP-ACK"),
-    CP_ERROR(9, 0x10, Way.BOTH, CpError.class, "CP-ERROR");
+    CP_ERROR(9, 0x10, Way.BOTH, CpError.class, "CP-ERROR"),
+
+    SS_RELEASE_COMPLETE(11, 0x2a, Way.BOTH, SsReleaseComplete.class, "Release Complete"),
+    SS_FACILITY(11, 0x3a, Way.BOTH, SsFacility.class, "Facility"),
+    SS_REGISTER(11, 0x3b, Way.BOTH, SsRegister.class, "Register");
 
     private enum Way {
         UP,

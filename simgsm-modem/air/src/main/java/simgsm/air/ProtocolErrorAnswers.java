@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The answers to a received layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9), in the opposite
+ * The answers to a received layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9; TS 24.010, 4.2), in the opposite
  * direction.
  */
 public final class ProtocolErrorAnswers {
@@ -33,6 +33,9 @@ public final class ProtocolErrorAnswers {
             case Layer3Header.MOBILITY_MANAGEMENT ->
                 List.of(mobilityManagement(type, RejectCause.ofCode(cause.code())));
             case Layer3Header.RADIO_RESOURCE -> List.of(new RadioResource.RrStatus(cause.code()));
+            case Layer3Header.SUPPLEMENTARY_SERVICES ->
+                List.of(new SupplementaryService.SsReleaseComplete(
+                        header.transaction().orElseThrow().answered(), cause));
             default -> shortMessage(header, cause);
         };
     }
@@ -41,7 +44,8 @@ public final class ProtocolErrorAnswers {
         return type == Layer3Type.STATUS
                 || type == Layer3Type.MM_STATUS
                 || type == Layer3Type.RR_STATUS
-                || type == Layer3Type.CP_ERROR;
+                || type == Layer3Type.CP_ERROR
+                || type == Layer3Type.SS_RELEASE_COMPLETE;
     }
 
     /** A refused SETUP creates no call, so RELEASE COMPLETE is the answer (TS 24.008, 8.5.1). */

@@ -3,7 +3,7 @@ package simgsm.air;
 import simgsm.octets.Bounds;
 
 /**
- * The transaction identifier of call control and short-message messages (TS 24.007, 11.2.3.1.3).
+ * The transaction identifier of call control, short-message and supplementary service messages (TS 24.007, 11.2.3.1.3).
  *
  * @param value the transaction's number at the side that opened it, 0 to 6
  * @param fromOtherSide the TI flag: false in messages from the side that opened the transaction, true in the answers

@@ -9,13 +9,17 @@ import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
 import simgsm.air.RelayMessage;
 import simgsm.air.TransactionIdentifier;
+import simgsm.octets.OctetString;
 import simgsm.trace.MessageText.Field;
 
 /** The components of message records as fields in words, by reflection. */
 final class FieldTexts {
     private FieldTexts() {}
 
-    /** Adds the components in their order; absent optional ones are left out, the RP message of a CP-DATA by its components. */
+    /**
+     * Adds the components in their order; absent optional ones are left out, the RP message of a CP-DATA and the
+     * component of a facility by their parts.
+     */
     static void add(List<Field> fields, Object message) {
         for (RecordComponent component : message.getClass().getRecordComponents()) {
             Object value = value(component, message);
@@ -24,6 +28,10 @@ final class FieldTexts {
             }
             if (value instanceof RelayMessage relay) {
                 add(fields, relay);
+            } else if (component.getName().equals("facility")) {
+                if (value != null) {
+                    ComponentText.add(fields, (OctetString) value);
+                }
             } else if (value != null) {
                 fields.add(new Field(spaced(component.getName(), false), text(value)));
             }

@@ -13,6 +13,7 @@ import simgsm.air.Layer3Type;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
+import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
 
 /**
@@ -74,6 +75,12 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
     /** The name of a layer-3 message. */
     public static String nameOf(Layer3Message message, Direction direction) {
         String name = Layer3Type.of(message).title();
+        if (message instanceof SupplementaryService service) {
+            return name
+                    + ComponentText.nameOf(service)
+                            .map(what -> " (" + what + ")")
+                            .orElse("");
+        }
         return message instanceof ShortMessageControl.CpData data
                 ? name + " (" + relayName(data.relay(), direction) + ")"
                 : name;

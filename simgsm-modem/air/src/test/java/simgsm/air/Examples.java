@@ -48,6 +48,9 @@ import simgsm.air.RelayMessage.RpSmma;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.air.SupplementaryService.SsFacility;
+import simgsm.air.SupplementaryService.SsRegister;
+import simgsm.air.SupplementaryService.SsReleaseComplete;
 import simgsm.octets.OctetString;
 
 /** One message of every kind with its octets, each read and named by Wireshark without a complaint. */
@@ -169,10 +172,28 @@ public final class Examples {
             up(new CpData(ours(3), new RpSmma(9)), "3901020609"),
             down(new CpError(theirs(0), 97), "891061"));
 
+    /** processUnstructuredSS-Request of *100#. */
+    public static final OctetString USSD_REQUEST = OctetString.ofHex("a11202010102013b300a04010f0405aa180c3602");
+
+    static final List<Example> SUPPLEMENTARY_SERVICES = List.of(
+            up(
+                    new SsRegister(ours(0), USSD_REQUEST, Optional.of(SsRegister.PHASE_2)),
+                    "0b3b1c14a11202010102013b300a04010f0405aa180c36027f0100"),
+            down(
+                    new SsRegister(ours(1), USSD_REQUEST, Optional.empty()),
+                    "1b3b1c14a11202010102013b300a04010f0405aa180c3602"),
+            up(new SsFacility(theirs(1), OctetString.ofHex("a203020101")), "9b3a05a203020101"),
+            new Example(
+                    new SsFacility(ours(0), OctetString.ofHex("a306020101020124")), UP, 1, "0b7a08a306020101020124"),
+            down(new SsReleaseComplete(theirs(0), OctetString.ofHex("a306020101020115")), "8b2a1c08a306020101020115"),
+            down(new SsReleaseComplete(theirs(0), Cause.INVALID_TRANSACTION_IDENTIFIER), "8b2a0802e0d1"),
+            up(new SsReleaseComplete(ours(0)), "0b2a"));
+
     private Examples() {}
 
     public static List<Example> all() {
-        return List.of(MOBILITY_MANAGEMENT, CALL_CONTROL, RADIO_RESOURCE, SHORT_MESSAGES).stream()
+        return List.of(MOBILITY_MANAGEMENT, CALL_CONTROL, RADIO_RESOURCE, SHORT_MESSAGES, SUPPLEMENTARY_SERVICES)
+                .stream()
                 .flatMap(List::stream)
                 .toList();
     }

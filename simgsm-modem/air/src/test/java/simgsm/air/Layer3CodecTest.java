@@ -47,6 +47,7 @@ class Layer3CodecTest {
                 CallControl.class,
                 RadioResource.class,
                 ShortMessageControl.class,
+                SupplementaryService.class,
                 RelayMessage.class)) {
             for (Class<?> message : kind.getPermittedSubclasses()) {
                 assertTrue(shown.contains(message), message + " has an example");

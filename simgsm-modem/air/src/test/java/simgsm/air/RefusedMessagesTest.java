@@ -179,6 +179,19 @@ class RefusedMessagesTest {
                 ProtocolErrorAnswers.to(refused("190105002a000000", Direction.UPLINK), 0));
     }
 
+    /** TS 24.010, 4.2: there is no STATUS message. */
+    @Test
+    void aBrokenSupplementaryServiceMessageEndsItsDialogue() {
+        assertEquals(
+                List.of(new SupplementaryService.SsReleaseComplete(
+                        Examples.theirs(1), Cause.INVALID_MANDATORY_INFORMATION)),
+                ProtocolErrorAnswers.to(refused("1b3b", Direction.UPLINK), 0));
+        assertEquals(
+                List.of(new SupplementaryService.SsReleaseComplete(
+                        Examples.theirs(1), Cause.MESSAGE_TYPE_NON_EXISTENT)),
+                ProtocolErrorAnswers.to(refused("1b3c", Direction.UPLINK), 0));
+    }
+
     @ParameterizedTest
     @CsvSource({
         "UPLINK, 033d",

@@ -54,6 +54,27 @@ class MessageTextTest {
     }
 
     @Test
+    void aSupplementaryServiceIsToldWithItsOperationAndText() {
+        MessageText request = MessageText.ofLayer3(
+                OctetString.ofHex("0b3b1c14a11202010102013b300a04010f0405aa180c36027f0100"), Direction.UPLINK);
+
+        assertEquals("Register (processUnstructuredSS-Request)", request.name());
+        assertEquals(
+                List.of(
+                        new Field("send sequence number", "0"),
+                        new Field("transaction", "0, opened by the sender"),
+                        new Field("invoke", "1"),
+                        new Field("operation", "59 processUnstructuredSS-Request"),
+                        new Field("text", "*100#"),
+                        new Field("version", "0")),
+                request.fields());
+        assertEquals(
+                "Release Complete (error facility not supported)",
+                MessageText.ofLayer3(OctetString.ofHex("8b2a1c08a306020101020115"), Direction.DOWNLINK)
+                        .name());
+    }
+
+    @Test
     void whatAMobileCanDoIsToldInWords() {
         List<Field> fields = MessageText.ofLayer3(
                         OctetString.ofHex("03050406600402000581" + "5e0791947100000020"), Direction.UPLINK)

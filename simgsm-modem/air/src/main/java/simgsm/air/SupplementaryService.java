@@ -1,0 +1,62 @@
+package simgsm.air;
+
+import java.util.Optional;
+import simgsm.octets.Bounds;
+import simgsm.octets.OctetString;
+
+/**
+ * Supplementary service control (TS 24.080, 2), protocol discriminator 11. The component in a facility element is read by
+ * {@code simgsm.ss}.
+ */
+public sealed interface SupplementaryService extends Layer3Message {
+    TransactionIdentifier transaction();
+
+    /** Octets of a facility element, at most (TS 24.008, 10.5.4.15: its length has one octet). */
+    int MAX_FACILITY_LENGTH = 255;
+
+    /**
+     * Begins a dialogue.
+     *
+     * @param version SS version indicator (TS 24.008, 10.5.4.24), which a mobile of phase 2 or later sends
+     */
+    record SsRegister(TransactionIdentifier transaction, OctetString facility, Optional<Integer> version)
+            implements SupplementaryService {
+        /** Phase 2 with its error handling. */
+        public static final int PHASE_2 = 0;
+
+        public SsRegister {
+            facility.requireLength("facility", 0, MAX_FACILITY_LENGTH);
+            version.ifPresent(value -> Bounds.checkOctet("SS version indicator", value));
+        }
+    }
+
+    /** Continues a dialogue. */
+    record SsFacility(TransactionIdentifier transaction, OctetString facility) implements SupplementaryService {
+        public SsFacility {
+            facility.requireLength("facility", 0, MAX_FACILITY_LENGTH);
+        }
+    }
+
+    /** Ends a dialogue, with its last component or the cause of its failure, or neither. */
+    record SsReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<OctetString> facility)
+            implements SupplementaryService {
+        public SsReleaseComplete {
+            facility.ifPresent(octets -> octets.requireLength("facility", 0, MAX_FACILITY_LENGTH));
+        }
+
+        /** The end of a dialogue that has nothing more to say. */
+        public SsReleaseComplete(TransactionIdentifier transaction) {
+            this(transaction, Optional.empty(), Optional.empty());
+        }
+
+        /** The end of a dialogue with its last component. */
+        public SsReleaseComplete(TransactionIdentifier transaction, OctetString facility) {
+            this(transaction, Optional.empty(), Optional.of(facility));
+        }
+
+        /** The end of a dialogue by a failure. */
+        public SsReleaseComplete(TransactionIdentifier transaction, Cause cause) {
+            this(transaction, Optional.of(cause), Optional.empty());
+        }
+    }
+}
