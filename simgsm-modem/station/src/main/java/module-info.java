@@ -10,4 +10,5 @@ module simgsm.station {
     exports simgsm.station.context;
     exports simgsm.station.mobility;
     exports simgsm.station.sms;
+    exports simgsm.station.ss;
 }

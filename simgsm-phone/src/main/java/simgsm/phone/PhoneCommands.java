@@ -26,7 +26,7 @@ final class PhoneCommands implements Console.Commands {
             .add(
                     "hangup",
                     "",
-                    "ends the call, or rejects the ringing one; drops keys that are not sent yet",
+                    "ends the call, or rejects the ringing one; drops keys that are not sent yet; else ends a USSD dialogue",
                     (phone, command) -> phone.perform(command, Handset::hangUp))
             .add(
                     "press",
@@ -38,6 +38,11 @@ final class PhoneCommands implements Console.Commands {
                     "NUMBER TEXT",
                     "sends a text: the rest of the line, or one double-quoted string with JSON escapes",
                     PhoneCommands::sms)
+            .add(
+                    "ussd",
+                    "CODE",
+                    "sends a USSD code such as *100#, or the reply that the network waits for",
+                    PhoneCommands::ussd)
             .add("inbox", "", "lists the received messages and marks them as read", (phone, command) -> phone.inbox())
             .add(
                     "channels",
@@ -105,6 +110,14 @@ final class PhoneCommands implements Console.Commands {
             throw new CommandException("sms: " + e.getMessage());
         }
         perform(command, handset -> handset.sendMessage(to, text));
+    }
+
+    private void ussd(ConsoleCommand command) throws CommandException {
+        String text = command.text();
+        if (text.isEmpty()) {
+            throw new CommandException("ussd: expected ussd CODE, found nothing after it");
+        }
+        perform(command, handset -> handset.ussd(text));
     }
 
     private void inbox() throws CommandException {

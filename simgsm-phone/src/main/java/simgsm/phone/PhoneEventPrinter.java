@@ -10,6 +10,7 @@ import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
 import simgsm.station.context.StationEvent;
+import simgsm.station.context.UssdEnding;
 
 /** Prints the events of the handset and its station in the console's format; some events are not printed. */
 final class PhoneEventPrinter implements Consumer<StationEvent> {
@@ -42,6 +43,8 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
                     .with("channel", broadcast.channel())
                     .with("pages", broadcast.pages())
                     .with("text", broadcast.text()));
+        } else if (event instanceof StationEvent.OfUssd ofUssd) {
+            print(ofUssd);
         } else if (event instanceof HandsetEvent ofHandset) {
             print(ofHandset);
         }
@@ -90,6 +93,18 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
                     .with("id", undelivered.reference())
                     .with("status", undelivered.status())
                     .with("text", DeliveryStatus.title(undelivered.status())));
+        }
+    }
+
+    private void print(StationEvent.OfUssd event) {
+        if (event instanceof StationEvent.UssdReceived text) {
+            Event line = Event.of("ussd").with("text", text.text());
+            console.emit(text.replyExpected() ? line.with("reply", "expected") : line);
+        } else if (event instanceof StationEvent.UssdEnded end && end.how() != UssdEnding.COMPLETED) {
+            Event line = Event.of("ussd-failed");
+            console.emit(end.error()
+                    .map(error -> line.with("cause", error.code()).with("text", error.title()))
+                    .orElseGet(() -> line.with("text", end.how().title())));
         }
     }
 

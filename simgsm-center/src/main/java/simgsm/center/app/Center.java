@@ -149,7 +149,8 @@ public final class Center implements AutoCloseable {
                         Instant.now(),
                         settings.home().register(),
                         settings.tones(),
-                        settings.callWaiting()),
+                        settings.callWaiting(),
+                        settings.language()),
                 store,
                 smpp.routes(),
                 listener);

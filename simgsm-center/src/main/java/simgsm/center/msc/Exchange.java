@@ -6,9 +6,11 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.IpaFrame;
@@ -23,6 +25,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.msc.sms.MobileMessages;
+import simgsm.center.msc.ss.UssdDialogues;
 import simgsm.center.smsc.ApplicationPort;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.MessageStore;
@@ -75,16 +78,18 @@ public final class Exchange {
                 first -> store.commit(
                         MessageStore.NO_TICKET, List.of(new StoreEntry.Known(first.number(), first.imsi()))));
         mobility = new MobilityProcedures(register, random, settings.networkName(), this::attached, this::detached);
-        MobileMessages mobiles =
-                new MobileMessages(number -> register.ofNumber(number).flatMap(mobility::locationOf));
+        Function<Msisdn, Optional<Link>> locations =
+                number -> register.ofNumber(number).flatMap(mobility::locationOf);
+        MobileMessages mobiles = new MobileMessages(locations);
+        UssdDialogues services = new UssdDialogues(locations, settings.language());
         shortMessages = new ShortMessageCenter(
                 startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
         calls = new CallSwitch(mobility, settings.tones(), settings.callWaiting(), this::callChanged);
         broadcaster = new Broadcaster(mobility, timers, random);
-        signalling = new SignallingDispatcher(mobility, calls, mobiles, ladder);
+        signalling = new SignallingDispatcher(mobility, calls, mobiles, services, ladder);
         links = new Link.Context(
-                timers, ladder, new LinkedHashSet<>(), new LinkedHashSet<>(), List.of(mobility, calls, mobiles));
+                timers, ladder, new LinkedHashSet<>(), new LinkedHashSet<>(), List.of(mobility, calls, mobiles, services));
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 

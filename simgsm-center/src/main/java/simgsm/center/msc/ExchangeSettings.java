@@ -1,6 +1,7 @@
 package simgsm.center.msc;
 
 import java.time.Instant;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
@@ -16,6 +17,7 @@ import simgsm.dtmf.ToneSet;
  * @param home subscribers who may register
  * @param tones call progress tones that the network plays to callers; empty if the phones make them
  * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
+ * @param language of the texts that USSD shows
  */
 public record ExchangeSettings(
         String networkName,
@@ -23,7 +25,8 @@ public record ExchangeSettings(
         Instant startedAt,
         HomeRegister home,
         Optional<ToneSet> tones,
-        boolean callWaiting) {
+        boolean callWaiting,
+        Locale language) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
     /** An open network without tones, reproducible by its seed. */
@@ -31,9 +34,9 @@ public record ExchangeSettings(
         this(networkName, new SplittableRandom(seed), startedAt, HomeRegister.OPEN, Optional.empty());
     }
 
-    /** An exchange without call waiting. */
+    /** An exchange without call waiting, in English. */
     public ExchangeSettings(
             String networkName, RandomGenerator random, Instant startedAt, HomeRegister home, Optional<ToneSet> tones) {
-        this(networkName, random, startedAt, home, tones, false);
+        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH);
     }
 }

@@ -13,11 +13,13 @@ import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;
+import simgsm.air.SupplementaryService;
 import simgsm.center.msc.call.CallSwitch;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.Trace;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.msc.sms.MobileMessages;
+import simgsm.center.msc.ss.UssdDialogues;
 import simgsm.octets.OctetString;
 import simgsm.trace.MessageText;
 
@@ -26,12 +28,14 @@ final class SignallingDispatcher {
     private final MobilityProcedures mobility;
     private final CallSwitch calls;
     private final MobileMessages shortMessages;
+    private final UssdDialogues services;
     private final Trace trace;
 
-    SignallingDispatcher(MobilityProcedures mobility, CallSwitch calls, MobileMessages shortMessages, Trace trace) {
+    SignallingDispatcher(MobilityProcedures mobility, CallSwitch calls, MobileMessages shortMessages, UssdDialogues services, Trace trace) {
         this.mobility = mobility;
         this.calls = calls;
         this.shortMessages = shortMessages;
+        this.services = services;
         this.trace = trace;
     }
 
@@ -128,6 +132,8 @@ final class SignallingDispatcher {
             link.violated("sent " + MessageText.nameOf(message, Direction.UPLINK) + " without being registered");
         } else if (message instanceof CallControl callControl) {
             calls.receive(link, callControl);
+        } else if (message instanceof SupplementaryService service) {
+            services.receive(link, service);
         } else {
             shortMessages.receive(link, (ShortMessageControl) message);
         }

@@ -2,7 +2,7 @@
  * The exchange: one deterministic core of the packages below it, and the views on it for the operator.
  *
  * <pre>
- *   msc -> msc.sms, msc.call -> msc.mobility -> msc.link -> subscriber
+ *   msc -> msc.sms, msc.ss, msc.call -> msc.mobility -> msc.link -> subscriber
  *             |
  *           smsc
  * </pre>

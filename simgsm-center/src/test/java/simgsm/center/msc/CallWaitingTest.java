@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -118,7 +119,8 @@ class CallWaitingTest {
                     Instant.parse("2026-11-21T12:00:00Z"),
                     HomeRegister.OPEN,
                     Optional.empty(),
-                    true),
+                    true,
+                    Locale.ENGLISH),
             (ticket, entry) -> {},
             event -> {});
     private final Phone alice = new Phone(ALICE, true);

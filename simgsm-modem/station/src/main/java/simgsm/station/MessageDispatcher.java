@@ -17,6 +17,7 @@ import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.ShortMessageControl;
+import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
 import simgsm.station.call.KeySignalling;
 import simgsm.station.call.MobileCall;
@@ -27,6 +28,7 @@ import simgsm.station.mobility.MobileRegistrationEvent;
 import simgsm.station.mobility.MobilityMessages;
 import simgsm.station.mobility.ServiceRequests;
 import simgsm.station.sms.ShortMessages;
+import simgsm.station.ss.MobileUssd;
 
 /** Passes messages of the radio link to their machines and answers protocol errors. */
 final class MessageDispatcher {
@@ -37,6 +39,7 @@ final class MessageDispatcher {
     private final MobileCall call;
     private final MobileCallMessages calls;
     private final ShortMessages messages;
+    private final MobileUssd ussd;
 
     MessageDispatcher(
             StationContext context,
@@ -45,7 +48,8 @@ final class MessageDispatcher {
             MobilityMessages mobility,
             MobileCall call,
             KeySignalling keys,
-            ShortMessages messages) {
+            ShortMessages messages,
+            MobileUssd ussd) {
         this.context = context;
         this.registration = registration;
         this.services = services;
@@ -53,6 +57,7 @@ final class MessageDispatcher {
         this.call = call;
         this.calls = new MobileCallMessages(context, call, keys);
         this.messages = messages;
+        this.ussd = ussd;
     }
 
     void arrived(byte[] payload) {
@@ -103,6 +108,8 @@ final class MessageDispatcher {
             mobility.arrived(mobilityManagement);
         } else if (message instanceof ShortMessageControl shortMessage) {
             messages.arrived(shortMessage);
+        } else if (message instanceof SupplementaryService service) {
+            ussd.arrived(service);
         } else if (message instanceof ChannelRelease) {
             channelReleased();
         } else if (message instanceof RadioResource) {

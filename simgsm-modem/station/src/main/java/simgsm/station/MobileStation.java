@@ -25,6 +25,7 @@ import simgsm.station.mobility.MobilityMessages;
 import simgsm.station.mobility.ServiceRequests;
 import simgsm.station.mobility.Sim;
 import simgsm.station.sms.ShortMessages;
+import simgsm.station.ss.MobileUssd;
 
 /**
  * A mobile station as a deterministic core: frames, commands and time in; frames and {@link StationEvent}s out. It has no
@@ -44,6 +45,7 @@ public final class MobileStation implements StationCommands {
     private final KeySignalling keys;
     private final MobileCall call;
     private final ShortMessages messages;
+    private final MobileUssd ussd;
     private final MessageDispatcher dispatcher;
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
@@ -76,8 +78,10 @@ public final class MobileStation implements StationCommands {
         call = new MobileCall(context, services, this.speech, keys, options.callWaiting());
         messages = new ShortMessages(context, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
+        ussd = new MobileUssd(context, services);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
-        dispatcher = new MessageDispatcher(context, registration, services, mobility, call, keys, messages);
+        services.setUser(ServiceType.SUPPLEMENTARY_SERVICE, ussd);
+        dispatcher = new MessageDispatcher(context, registration, services, mobility, call, keys, messages, ussd);
         snapshot = current();
     }
 
@@ -142,6 +146,7 @@ public final class MobileStation implements StationCommands {
         if (registration.isPowered()) {
             call.powerOff();
             messages.powerOff();
+            ussd.powerOff();
             registration.powerOff();
             settle();
         }
@@ -193,6 +198,16 @@ public final class MobileStation implements StationCommands {
         }
         settle();
         return id;
+    }
+
+    @Override
+    public boolean sendUssd(String text) {
+        return settled(registration.isPowered() && ussd.send(text));
+    }
+
+    @Override
+    public boolean endUssd() {
+        return settled(ussd.end());
     }
 
     @Override

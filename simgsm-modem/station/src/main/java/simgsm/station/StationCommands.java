@@ -43,6 +43,17 @@ public interface StationCommands {
     int sendMessage(Msisdn to, String text);
 
     /**
+     * Sends a USSD text: the reply if the network waits for one, else a request such as *100#, which begins a dialogue.
+     *
+     * @return false if a dialogue is under way and the network has not asked, or the station is off
+     * @throws IllegalArgumentException for an empty text, and for more than 182 characters (80 outside the GSM alphabet)
+     */
+    boolean sendUssd(String text);
+
+    /** Ends the USSD dialogue. @return false if there is none */
+    boolean endUssd();
+
+    /**
      * Whether there is room for received messages. Without room the network is refused (RP cause 22) and keeps them; once
      * there is room again it is notified (RP-SMMA).
      */

@@ -13,6 +13,7 @@ import simgsm.dtmf.ToneSet;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
+import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
 import simgsm.station.context.StationEvent;
 
@@ -98,7 +99,24 @@ public final class Handset {
 
     public Optional<Refusal> hangUp() {
         audio.dropKeys();
-        return station.hangUp() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
+        return station.hangUp() || station.endUssd() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
+    }
+
+    /** Sends a USSD code, or the reply that the network waits for. */
+    public Optional<Refusal> ussd(String text) {
+        if (!isPowered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
+        if (!UssdText.fits(text)) {
+            return Optional.of(text.isEmpty() ? Refusal.EMPTY_TEXT : Refusal.USSD_TOO_LONG);
+        }
+        boolean isSent = station.sendUssd(text);
+        if (isSent) {
+            home.clear();
+            screens.ussdSent(text);
+            changed();
+        }
+        return isSent ? Optional.empty() : Optional.of(Refusal.USSD_UNDER_WAY);
     }
 
     /** Queues keys of 100 ms; before the call is connected they wait. */
@@ -171,14 +189,16 @@ public final class Handset {
         return inbox;
     }
 
-    /** Runs the action once all keys are sent and all messages acknowledged, perhaps at once. */
+    /** Runs the action once all keys are sent, all messages acknowledged and a USSD text answered,
+     * perhaps at once. */
     public void whenSettled(Runnable action) {
         whenSettled = action;
         checkSettled();
     }
 
     private void checkSettled() {
-        if (whenSettled != null && audio.keysAreSent() && !mailbox.hasUnacknowledged()) {
+        boolean isSettled = audio.keysAreSent() && !mailbox.hasUnacknowledged() && !screens.awaitsUssd();
+        if (whenSettled != null && isSettled) {
             Runnable action = whenSettled;
             whenSettled = null;
             action.run();
@@ -239,6 +259,10 @@ public final class Handset {
             dial(dial.text());
         } else if (intent instanceof KeyIntent.SendText text) {
             send(text);
+        } else if (intent instanceof KeyIntent.ReplyUssd reply) {
+            ussd(reply.text());
+        } else if (intent == KeyIntent.Simple.END_USSD) {
+            station.endUssd();
         } else if (intent == KeyIntent.Simple.ANSWER) {
             answer();
         } else if (intent == KeyIntent.Simple.SWITCH_OFF) {
@@ -247,7 +271,9 @@ public final class Handset {
     }
 
     private void dial(String text) {
-        if (!ScreenNavigation.isNumber(text)) {
+        if (ScreenNavigation.isServiceCode(text)) {
+            ussd(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
+        } else if (!ScreenNavigation.isNumber(text)) {
             screens.note(Note.Kind.NOT_A_NUMBER, text);
         } else if (dial(Msisdn.parse(text)).isPresent()) {
             screens.note(Note.Kind.REFUSED, text);
@@ -364,6 +390,8 @@ public final class Handset {
             signalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
             mailbox.accept(message).ifPresent(screens::added);
+        } else if (event instanceof StationEvent.OfUssd ofUssd) {
+            screens.accept(ofUssd);
         }
     }
 

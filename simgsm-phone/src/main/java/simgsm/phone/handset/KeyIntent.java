@@ -10,6 +10,7 @@ sealed interface KeyIntent {
     enum Simple implements KeyIntent {
         NOTHING,
         ANSWER,
+        END_USSD,
         SWITCH_OFF
     }
 
@@ -18,6 +19,9 @@ sealed interface KeyIntent {
 
     /** @param text as typed, perhaps no number */
     record DialText(String text) implements KeyIntent {}
+
+    /** The reply to the network's question. */
+    record ReplyUssd(String text) implements KeyIntent {}
 
     /** @param replaced the failed message that is sent again */
     record SendText(Msisdn to, String text, Optional<StoredMessage> replaced) implements KeyIntent {}

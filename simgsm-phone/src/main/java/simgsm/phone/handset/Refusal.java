@@ -8,7 +8,9 @@ public enum Refusal {
     NOT_ANSWERED("the call is not answered; answer first"),
     SWITCHED_OFF("the phone is switched off; power on first"),
     EMPTY_TEXT("the message has no text"),
-    TEXT_TOO_LONG("the text needs more than 255 messages");
+    TEXT_TOO_LONG("the text needs more than 255 messages"),
+    USSD_UNDER_WAY("a USSD dialogue is under way, and the network does not wait for a reply"),
+    USSD_TOO_LONG("the text has more than 182 characters, or 80 outside the GSM alphabet");
 
     private final String words;
 

@@ -28,13 +28,36 @@ public sealed interface Screen {
     /** A message just submitted and its progress; any key leaves. */
     record Sent(StoredMessage message) implements Screen {}
 
+    /**
+     * A USSD dialogue.
+     *
+     * @param text of the network; while it is awaited, what the user has sent
+     * @param reply as typed so far
+     */
+    record Ussd(Phase phase, String text, String reply) implements Screen {
+        public enum Phase {
+            /** The network works. */
+            WAITING,
+            /** The network waits for a reply. */
+            ASKED,
+            /** The dialogue is over; any key leaves. */
+            ANSWERED
+        }
+    }
+
     /** A short notice; any key leaves. @param detail a number or a cause, or empty */
     record Note(Kind kind, String detail) implements Screen {
         public enum Kind {
             REFUSED,
             NOT_A_NUMBER,
             /** The network refused keys; the detail is the cause. */
-            KEYS_REFUSED
+            KEYS_REFUSED,
+            /** The network does not know the code. */
+            USSD_UNKNOWN,
+            /** The network refused; the detail is the error's name in the standard. */
+            USSD_REFUSED,
+            USSD_NO_SERVICE,
+            USSD_NO_ANSWER
         }
     }
 }

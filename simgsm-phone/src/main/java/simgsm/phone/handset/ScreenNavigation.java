@@ -7,6 +7,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.KeyIntent.Simple;
 import simgsm.phone.handset.Screen.Note;
 import simgsm.phone.handset.StoredMessage.Delivery;
+import simgsm.station.context.StationEvent;
 
 /** Menu, lists, messages and text entry: what each key does on every screen but home. */
 final class ScreenNavigation {
@@ -15,6 +16,7 @@ final class ScreenNavigation {
 
     private final Mailbox mailbox;
     private final TextEntry entry = new TextEntry();
+    private final UssdDialog ussd = new UssdDialog();
     private String recipient = "";
     private Screen current = HOME;
 
@@ -29,6 +31,53 @@ final class ScreenNavigation {
                     .orElse(HOME);
         }
         return current instanceof Screen.Writing ? writing() : current;
+    }
+
+    /** Whether the network's answer to the user's USSD text is outstanding. */
+    boolean awaitsUssd() {
+        return ussd.awaitsNetwork();
+    }
+
+    /** The user's USSD text is sent. */
+    void ussdSent(String text) {
+        ussd.sent(text);
+        showUssd();
+    }
+
+    void accept(StationEvent.OfUssd event) {
+        if (event instanceof StationEvent.UssdReceived text) {
+            ussd.received(text);
+            showUssd();
+        } else if (event instanceof StationEvent.UssdEnded end) {
+            Optional<Note> note = ussd.ended(end);
+            if (current instanceof Screen.Ussd && ussd.screen().isEmpty()) {
+                show(HOME);
+            }
+            note.ifPresent(this::show);
+        }
+    }
+
+    /** A text that was begun stays as a draft. */
+    private void showUssd() {
+        entry.commit();
+        ussd.screen().ifPresent(this::show);
+    }
+
+    private KeyIntent inUssd(PhoneKey key) {
+        switch (ussd.press(key)) {
+            case SEND_REPLY -> {
+                return new KeyIntent.ReplyUssd(ussd.screen().orElseThrow().reply());
+            }
+            case LEAVE -> {
+                ussd.close();
+                show(HOME);
+                return Simple.END_USSD;
+            }
+            default -> {
+                showUssd();
+                return Simple.NOTHING;
+            }
+        }
     }
 
     private Screen.Writing writing() {
@@ -82,6 +131,10 @@ final class ScreenNavigation {
             entry.type(character);
             return true;
         }
+        if (current instanceof Screen.Ussd && ussd.type(character)) {
+            showUssd();
+            return true;
+        }
         if (current instanceof Screen.Recipient to) {
             if (character == '+' && to.number().isEmpty() || character >= '0' && character <= '9') {
                 enterRecipient(to.number() + character);
@@ -93,6 +146,9 @@ final class ScreenNavigation {
 
     /** A key, on any screen but home. */
     KeyIntent press(PhoneKey key, long nowNanos) {
+        if (current instanceof Screen.Ussd) {
+            return inUssd(key);
+        }
         if (key == PhoneKey.END) {
             return home();
         }
@@ -301,6 +357,11 @@ final class ScreenNavigation {
             entry.clear();
             recipient = "";
         }
+    }
+
+    /** Whether the green key sends the typed text as a service code and does not call it (TS 22.030, 6.5.3.2). */
+    static boolean isServiceCode(String text) {
+        return text.endsWith("#");
     }
 
     static boolean isNumber(String text) {

@@ -98,6 +98,8 @@ final class LcdPainter {
             writing.recipient(pen, recipient);
         } else if (screen instanceof Screen.Sent sent) {
             writing.sent(pen, phone, sent.message());
+        } else if (screen instanceof Screen.Ussd ussd) {
+            writing.ussd(pen, ussd);
         } else if (screen instanceof Screen.Note note) {
             writing.note(pen, note);
         } else {

@@ -43,6 +43,11 @@ final class LcdSpoken {
         if (screen instanceof Screen.Sent sent) {
             return CauseText.ofDelivery(texts, sent.message()) + news(phone);
         }
+        if (screen instanceof Screen.Ussd ussd) {
+            return ussd.phase() == Screen.Ussd.Phase.WAITING
+                    ? texts.of("lcd.ussd.waiting", ussd.text())
+                    : ussd.text() + " " + ussd.reply();
+        }
         if (screen instanceof Screen.Note note) {
             return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), note.detail());
         }

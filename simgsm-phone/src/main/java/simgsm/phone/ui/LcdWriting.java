@@ -16,6 +16,14 @@ final class LcdWriting {
     private static final int LINES = 4;
     private static final double LINE_HEIGHT = 20;
 
+    // The text of a USSD dialogue, in the display's units.
+    private static final double USSD_TOP = 36;
+    private static final double USSD_BOTTOM = 120;
+    private static final double USSD_REPLY = 26;
+    private static final double USSD_LARGEST = 16;
+    private static final double USSD_SMALLEST = 10;
+    private static final double LEADING = 1.3;
+
     private final TextBundle texts;
 
     LcdWriting(TextBundle texts) {
@@ -109,6 +117,31 @@ final class LcdWriting {
         }
         String hint = failed ? "lcd.hint.failed" : phone.unread() > 0 ? "lcd.hint.sent.unread" : "lcd.hint.note";
         LcdHome.hint(pen, texts.of(hint));
+    }
+
+    /** The network's text, as large as it fits; below it the reply, if one is expected. */
+    void ussd(LcdPen pen, Screen.Ussd ussd) {
+        boolean isWaiting = ussd.phase() == Screen.Ussd.Phase.WAITING;
+        boolean isAsked = ussd.phase() == Screen.Ussd.Phase.ASKED;
+        String text = isWaiting ? texts.of("lcd.ussd.waiting", ussd.text()) : ussd.text();
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
+        double height = isAsked ? USSD_BOTTOM - USSD_REPLY : USSD_BOTTOM;
+        double size = USSD_LARGEST;
+        while (size > USSD_SMALLEST && pen.wrap(text, pen.sans(size, false), room).size() * size * LEADING > height) {
+            size--;
+        }
+        var font = pen.sans(size, isWaiting);
+        double baseline = USSD_TOP + size;
+        for (String line : pen.wrap(text, font, room)) {
+            pen.left(line, font, LcdPen.MARGIN, baseline);
+            baseline += size * LEADING;
+        }
+        if (isAsked) {
+            var typed = pen.mono(18, true);
+            pen.left(ussd.reply(), typed, LcdPen.MARGIN, USSD_TOP + USSD_BOTTOM - 4);
+            caret(pen, LcdPen.MARGIN + pen.width(typed, ussd.reply()), USSD_TOP + USSD_BOTTOM - 4, false);
+        }
+        LcdHome.hint(pen, texts.of("lcd.hint.ussd." + ussd.phase().name().toLowerCase(Locale.ROOT)));
     }
 
     void note(LcdPen pen, Screen.Note note) {

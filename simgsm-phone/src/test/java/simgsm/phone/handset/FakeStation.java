@@ -107,6 +107,18 @@ public final class FakeStation implements StationCommands {
     }
 
     @Override
+    public boolean sendUssd(String text) {
+        asked.add("ussd " + text);
+        return true;
+    }
+
+    @Override
+    public boolean endUssd() {
+        asked.add("end ussd");
+        return false;
+    }
+
+    @Override
     public void setMemoryAvailable(boolean available) {
         asked.add(available ? "memory free" : "memory full");
     }

@@ -1,6 +1,6 @@
 package simgsm.center.msc.link;
 
-/** A protocol on top of links: mobility management, call control, short messages. */
+/** A protocol on top of links: mobility management, call control, short messages, supplementary services. */
 public interface LinkUser {
     /** Whether a transaction uses the link's radio connection, which is released otherwise. */
     boolean needsRadio(Link link);

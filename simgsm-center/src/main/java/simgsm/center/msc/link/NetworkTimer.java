@@ -46,6 +46,8 @@ public enum NetworkTimer {
 
     // Our own.
 
+    /** A mobile's user does not answer a question of USSD. */
+    USSD_REPLY(60),
     /** The mobile does not begin the transaction that CM SERVICE ACCEPT allows. */
     SERVICE(10),
     /** A called mobile does not finish clearing its last call. */

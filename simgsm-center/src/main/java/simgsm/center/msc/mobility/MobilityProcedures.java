@@ -195,10 +195,7 @@ public final class MobilityProcedures implements LinkUser {
                 && !link.rateLimits().admitCall()) {
             return Optional.of(RejectCause.CONGESTION);
         }
-        return switch (request.service()) {
-            case MOBILE_ORIGINATED_CALL, EMERGENCY_CALL, SHORT_MESSAGE -> Optional.empty();
-            case SUPPLEMENTARY_SERVICE -> Optional.of(RejectCause.SERVICE_OPTION_NOT_SUPPORTED);
-        };
+        return Optional.empty();
     }
 
     private void abortService(Link link) {

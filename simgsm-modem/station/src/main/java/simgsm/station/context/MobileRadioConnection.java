@@ -11,6 +11,7 @@ import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.MobilityManagement;
 import simgsm.air.ShortMessageControl;
+import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
 
 /** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
@@ -18,7 +19,7 @@ public final class MobileRadioConnection {
     private final StationLog log;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean open;
-    /** N(SD) of the next mobility management or call control message (TS 24.007, 11.2.3.2.3). */
+    /** N(SD) of the next message that carries one (TS 24.007, 11.2.3.2.3). */
     private int sendSequence;
 
     MobileRadioConnection(StationLog log) {
@@ -66,7 +67,9 @@ public final class MobileRadioConnection {
             sendSequence = 0;
         }
         int sequence = sendSequence;
-        if (message instanceof MobilityManagement || message instanceof CallControl) {
+        if (message instanceof MobilityManagement
+                || message instanceof CallControl
+                || message instanceof SupplementaryService) {
             sendSequence ^= 1;
         }
         return sequence;

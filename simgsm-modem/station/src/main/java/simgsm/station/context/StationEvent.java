@@ -6,6 +6,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.ss.SsError;
 
 /**
  * What a station reports, and what a terminal built on it adds. Events are delivered on the owner thread once the
@@ -113,4 +114,17 @@ public sealed interface StationEvent {
     record ShortMessageReceived(String from, String text) implements OfMessage {}
 
     record BroadcastReceived(int channel, int pages, String text) implements OfMessage {}
+
+    /** USSD (TS 24.090). */
+    sealed interface OfUssd extends StationEvent {}
+
+    /**
+     * A text of the network for the display.
+     *
+     * @param replyExpected whether the network waits for a reply; else the dialogue is over, or the text is for information
+     */
+    record UssdReceived(String text, boolean replyExpected) implements OfUssd {}
+
+    /** A dialogue has ended without a last text. @param error if the network refused with one that is known */
+    record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {}
 }

@@ -46,6 +46,10 @@ public enum StationTimer {
     ANSWER(1_500),
     /** A call waits for registration at most this long: the caller hears nothing meanwhile. */
     CALL_WAIT(5_000),
+    /** A USSD request waits for registration at most this long: its user looks at the display meanwhile. */
+    SERVICE_WAIT(5_000),
+    /** The network answers a USSD request or reply within this time; ours, above the network's own limits. */
+    SERVICE_ANSWER(120_000),
     /** After this time without IDENTITY REQUEST the station registers unasked. */
     IDENTITY(2_000);
 

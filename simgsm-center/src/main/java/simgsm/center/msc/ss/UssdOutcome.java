@@ -1,0 +1,25 @@
+package simgsm.center.msc.ss;
+
+/**
+ * What became of a question that the network asked a mobile.
+ *
+ * @param text of the reply; else empty
+ */
+public record UssdOutcome(Kind kind, String text) {
+    /** The kinds of outcome. */
+    public enum Kind {
+        REPLIED,
+        /** The mobile is not attached, does not answer paging, or was lost. */
+        ABSENT,
+        /** It has another dialogue. */
+        BUSY,
+        /** Its user has ended the dialogue, or it does not know the operation. */
+        REFUSED,
+        /** No reply in time. */
+        NO_REPLY
+    }
+
+    static UssdOutcome of(Kind kind) {
+        return new UssdOutcome(kind, "");
+    }
+}

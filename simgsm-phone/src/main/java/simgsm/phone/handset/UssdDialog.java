@@ -1,0 +1,104 @@
+package simgsm.phone.handset;
+
+import java.util.Optional;
+import simgsm.dtmf.DtmfKey;
+import simgsm.ss.SsError;
+import simgsm.ss.UssdText;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.UssdEnding;
+
+/** A USSD dialogue on the display: the network's texts and the reply being typed. */
+final class UssdDialog {
+    /** What a key asks for. */
+    enum Wish {
+        NOTHING,
+        SEND_REPLY,
+        /** The user is done with the text, or ends the dialogue. */
+        LEAVE
+    }
+
+    private Optional<Screen.Ussd> shown = Optional.empty();
+
+    /** The screen of the dialogue; empty without one. */
+    Optional<Screen.Ussd> screen() {
+        return shown;
+    }
+
+    boolean awaitsNetwork() {
+        return shown.filter(screen -> screen.phase() == Screen.Ussd.Phase.WAITING)
+                .isPresent();
+    }
+
+    /** The user's text is sent. */
+    void sent(String text) {
+        shown = Optional.of(new Screen.Ussd(Screen.Ussd.Phase.WAITING, text, ""));
+    }
+
+    void close() {
+        shown = Optional.empty();
+    }
+
+    void received(StationEvent.UssdReceived text) {
+        Screen.Ussd.Phase phase = text.replyExpected() ? Screen.Ussd.Phase.ASKED : Screen.Ussd.Phase.ANSWERED;
+        shown = Optional.of(new Screen.Ussd(phase, text.text(), ""));
+    }
+
+    /** @return the note for the user, if there is something to tell */
+    Optional<Screen.Note> ended(StationEvent.UssdEnded end) {
+        boolean isRead = shown.filter(screen -> screen.phase() == Screen.Ussd.Phase.ANSWERED)
+                .isPresent();
+        if (!isRead) {
+            shown = Optional.empty();
+        }
+        boolean isQuiet = end.how() == UssdEnding.COMPLETED || end.how() == UssdEnding.CANCELLED;
+        return isQuiet ? Optional.empty() : Optional.of(note(end));
+    }
+
+    private static Screen.Note note(StationEvent.UssdEnded end) {
+        boolean isUnknown = end.error().equals(Optional.of(SsError.UNEXPECTED_DATA_VALUE));
+        return switch (end.how()) {
+            case REFUSED ->
+                isUnknown
+                        ? new Screen.Note(Screen.Note.Kind.USSD_UNKNOWN, "")
+                        : new Screen.Note(
+                                Screen.Note.Kind.USSD_REFUSED,
+                                end.error().map(SsError::title).orElse(""));
+            case NO_SERVICE -> new Screen.Note(Screen.Note.Kind.USSD_NO_SERVICE, "");
+            default -> new Screen.Note(Screen.Note.Kind.USSD_NO_ANSWER, "");
+        };
+    }
+
+    /** A character of the reply. @return false if none is expected */
+    boolean type(char character) {
+        if (shown.isEmpty() || shown.get().phase() != Screen.Ussd.Phase.ASKED) {
+            return false;
+        }
+        setReply(shown.get().reply() + character);
+        return true;
+    }
+
+    private void setReply(String reply) {
+        Screen.Ussd screen = shown.orElseThrow();
+        if (reply.isEmpty() || UssdText.fits(reply)) {
+            shown = Optional.of(new Screen.Ussd(screen.phase(), screen.text(), reply));
+        }
+    }
+
+    Wish press(PhoneKey key) {
+        if (key == PhoneKey.END || shown.isEmpty()) {
+            return Wish.LEAVE;
+        }
+        Screen.Ussd screen = shown.get();
+        if (screen.phase() != Screen.Ussd.Phase.ASKED) {
+            return screen.phase() == Screen.Ussd.Phase.ANSWERED ? Wish.LEAVE : Wish.NOTHING;
+        }
+        switch (key) {
+            case OK, CALL -> {
+                return screen.reply().isEmpty() ? Wish.NOTHING : Wish.SEND_REPLY;
+            }
+            case LEFT -> setReply(screen.reply().substring(0, Math.max(0, screen.reply().length() - 1)));
+            default -> key.tone().map(DtmfKey::symbol).ifPresent(this::type);
+        }
+        return Wish.NOTHING;
+    }
+}
