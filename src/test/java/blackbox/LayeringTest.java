@@ -35,7 +35,8 @@ class LayeringTest {
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.sim               : simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
-            simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms
+            simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
+            simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.dtmf              :
             simgsm.speech            :
             simgsm.console           :
@@ -44,19 +45,20 @@ class LayeringTest {
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.draw simgsm.ui
             simgsm.ui.window         : simgsm.console simgsm.draw simgsm.ui
-            simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.dtmf
+            simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
             simgsm.station.call      : simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
             simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
-            simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms
+            simgsm.station.ss        : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.ss simgsm.station.context simgsm.station.mobility
+            simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
-            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context
+            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context
             simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.handset
-            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
+            simgsm.phone             : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
@@ -65,7 +67,8 @@ class LayeringTest {
             simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.msc.call   : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
             simgsm.center.msc.sms    : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link
-            simgsm.center.msc        : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms
+            simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
+            simgsm.center.msc        : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.capture    : simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
@@ -233,6 +236,7 @@ class LayeringTest {
         "simgsm.air",
         "simgsm.abis",
         "simgsm.sms",
+        "simgsm.ss",
         "simgsm.dtmf",
         "simgsm.station..",
         "simgsm.modem",

@@ -111,7 +111,8 @@ final class ReplyTexts {
                 unknown.map(type -> text("reason.UNKNOWN_TYPE", type)).orElseGet(() -> text("reason." + status)));
     }
 
-    private String where(RobotStatus status, Pose pose) {
+    /** Status and pose. */
+    String where(RobotStatus status, Pose pose) {
         return text("reply.where", text("status." + status), pose.xText(3), pose.yText(3), pose.headingText(1));
     }
 

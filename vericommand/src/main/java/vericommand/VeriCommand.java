@@ -93,6 +93,20 @@ public final class VeriCommand {
         listener.changed();
     }
 
+    /**
+     * Answers a question that anybody may ask, as by USSD: an order of nothing but {@code #*0} is answered by status and pose,
+     * every other one by what is wrong. Nothing moves, and orders under way go on.
+     */
+    public String query(String text) {
+        Recognition recognition = OrderText.read(text);
+        if (recognition instanceof Recognition.Broken broken) {
+            return texts.invalid(broken.fault()).message();
+        }
+        boolean isReport = recognition instanceof Recognition.Complete complete
+                && complete.order().instructions().stream().allMatch(Instruction.ReportStatus.class::isInstance);
+        return isReport ? texts.where(robot.status(), robot.pose()) : texts.text("reply.report-only");
+    }
+
     /** The robot's status has changed without an order; stop orders that waited for standstill are answered. */
     public void statusChanged() {
         if (running == null && deferred == null && robot.status() != RobotStatus.MOVING) {

@@ -106,6 +106,11 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             // operators are listed without the plus sign of an international number
             String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
             simulation.execute(() -> control.message(sender, message.text()));
+        } else if (event instanceof StationEvent.UssdReceived question && question.replyExpected()) {
+            simulation.execute(() -> {
+                String reply = control.question(question.text());
+                stations.execute(() -> modem.replyUssd(reply));
+            });
         } else if (event instanceof StationEvent.MessageFailed failed) {
             LOG.log(
                     Level.WARNING,

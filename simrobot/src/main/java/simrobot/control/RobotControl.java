@@ -103,6 +103,13 @@ final class RobotControl {
         veriCommand.message(from, text);
     }
 
+    /** A question of the network by USSD. @return the verifier's reply */
+    String question(String text) {
+        String reply = veriCommand.query(text);
+        tell(new RobotEvent.UssdAnswered(text, reply));
+        return reply;
+    }
+
     private void statusChanged(RobotStatus now) {
         status = now;
         tell(new RobotEvent.StatusChanged(now));

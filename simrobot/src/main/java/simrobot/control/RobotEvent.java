@@ -101,6 +101,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** A question of the network by USSD was answered. */
+    record UssdAnswered(String text, String reply) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "ussd").with("text", text).with("reply", reply);
+        }
+    }
+
     /** A short message was received. */
     record MessageReceived(String from, String text) implements RobotEvent {
         @Override
@@ -176,6 +184,7 @@ public sealed interface RobotEvent {
                             new OrderAnswered(Integer.parseInt(field(fields, "tone")), field(fields, "text"));
                         case "reply" -> new ReplySent(field(fields, "to"), field(fields, "text"));
                         case "sms" -> new MessageReceived(field(fields, "from"), field(fields, "text"));
+                        case "ussd" -> new UssdAnswered(field(fields, "text"), field(fields, "reply"));
                         case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
                         case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
                         case "behaviour" -> new BehaviourChanged(BehaviourKind.ofText(field(fields, "value")));

@@ -89,7 +89,11 @@ public final class Exchange {
         broadcaster = new Broadcaster(mobility, timers, random);
         signalling = new SignallingDispatcher(mobility, calls, mobiles, services, ladder);
         links = new Link.Context(
-                timers, ladder, new LinkedHashSet<>(), new LinkedHashSet<>(), List.of(mobility, calls, mobiles, services));
+                timers,
+                ladder,
+                new LinkedHashSet<>(),
+                new LinkedHashSet<>(),
+                List.of(mobility, calls, mobiles, services));
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 

@@ -31,7 +31,12 @@ final class SignallingDispatcher {
     private final UssdDialogues services;
     private final Trace trace;
 
-    SignallingDispatcher(MobilityProcedures mobility, CallSwitch calls, MobileMessages shortMessages, UssdDialogues services, Trace trace) {
+    SignallingDispatcher(
+            MobilityProcedures mobility,
+            CallSwitch calls,
+            MobileMessages shortMessages,
+            UssdDialogues services,
+            Trace trace) {
         this.mobility = mobility;
         this.calls = calls;
         this.shortMessages = shortMessages;

@@ -39,6 +39,11 @@ public interface AnsweringModem {
      */
     int reply(Msisdn to, String text);
 
+    /** Replies to a USSD question of the network. @return false if none is open, or the modem knows no USSD */
+    default boolean replyUssd(String text) {
+        return false;
+    }
+
     /** While an order is being executed, the count of 60 s without a key stands still. */
     void setOrderUnderWay(boolean active);
 

@@ -124,6 +124,11 @@ public final class Modem implements AnsweringModem {
         return replies.send(to, text);
     }
 
+    @Override
+    public boolean replyUssd(String text) {
+        return station.awaitsUssdReply() && station.sendUssd(text);
+    }
+
     /** Every reply tone starts the count again. */
     @Override
     public void setOrderUnderWay(boolean active) {

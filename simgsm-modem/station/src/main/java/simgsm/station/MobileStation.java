@@ -205,6 +205,11 @@ public final class MobileStation implements StationCommands {
         return settled(registration.isPowered() && ussd.send(text));
     }
 
+    /** Whether the network waits for the reply to its USSD question. */
+    public boolean awaitsUssdReply() {
+        return ussd.awaitsReply();
+    }
+
     @Override
     public boolean endUssd() {
         return settled(ussd.end());

@@ -96,7 +96,8 @@ final class UssdDialog {
             case OK, CALL -> {
                 return screen.reply().isEmpty() ? Wish.NOTHING : Wish.SEND_REPLY;
             }
-            case LEFT -> setReply(screen.reply().substring(0, Math.max(0, screen.reply().length() - 1)));
+            case LEFT ->
+                setReply(screen.reply().substring(0, Math.max(0, screen.reply().length() - 1)));
             default -> key.tone().map(DtmfKey::symbol).ifPresent(this::type);
         }
         return Wish.NOTHING;

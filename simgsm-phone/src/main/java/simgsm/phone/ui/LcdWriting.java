@@ -127,7 +127,8 @@ final class LcdWriting {
         double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
         double height = isAsked ? USSD_BOTTOM - USSD_REPLY : USSD_BOTTOM;
         double size = USSD_LARGEST;
-        while (size > USSD_SMALLEST && pen.wrap(text, pen.sans(size, false), room).size() * size * LEADING > height) {
+        while (size > USSD_SMALLEST
+                && pen.wrap(text, pen.sans(size, false), room).size() * size * LEADING > height) {
             size--;
         }
         var font = pen.sans(size, isWaiting);

@@ -93,8 +93,8 @@ final class LinkDialogues {
         }
         try {
             begin(ComponentCodec.decode(register.facility()), transaction)
-                    .ifPresent(refusal ->
-                            link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(refusal))));
+                    .ifPresent(
+                            refusal -> link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(refusal))));
         } catch (ComponentFault fault) {
             link.violated(fault.getMessage());
             link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(fault.answer())));

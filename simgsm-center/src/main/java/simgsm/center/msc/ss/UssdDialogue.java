@@ -135,7 +135,9 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
     @Override
     public void end(String text) {
         end(id -> new ReturnResult(
-                id, SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST, UssdText.of(text).encode()));
+                id,
+                SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST,
+                UssdText.of(text).encode()));
     }
 
     @Override
@@ -237,8 +239,7 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
     }
 
     private OctetString questionOctets() {
-        return ComponentCodec.encode(
-                new Invoke(questionId, SsOperation.UNSTRUCTURED_SS_REQUEST, question.encode()));
+        return ComponentCodec.encode(new Invoke(questionId, SsOperation.UNSTRUCTURED_SS_REQUEST, question.encode()));
     }
 
     private void send(Component component) {
