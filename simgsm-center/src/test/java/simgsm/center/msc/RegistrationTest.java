@@ -282,16 +282,6 @@ class RegistrationTest {
     }
 
     @Test
-    void supplementaryServicesAreNotOffered() {
-        TestMobile mobile = network.attach("5550100");
-        mobile.establish(new MobilityManagement.CmServiceRequest(
-                MobilityManagement.ServiceType.SUPPLEMENTARY_SERVICE, MobilityManagement.NO_KEY, mobile.identity()));
-        assertEquals(
-                RejectCause.SERVICE_OPTION_NOT_SUPPORTED,
-                mobile.next(MobilityManagement.CmServiceReject.class).cause());
-    }
-
-    @Test
     void aServiceThatIsNotBegunLosesItsChannelAfter10Seconds() {
         TestMobile mobile = network.attach("5550100");
         mobile.requestService(MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL);
