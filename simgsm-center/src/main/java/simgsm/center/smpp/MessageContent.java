@@ -8,6 +8,7 @@ import java.util.Optional;
 import simgsm.air.Septets;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 import simgsm.sms.Alphabet;
 import simgsm.sms.DataCodingScheme;
 import simgsm.sms.GsmAlphabet;
@@ -48,7 +49,7 @@ final class MessageContent {
         }
         DataCodingScheme scheme = scheme(dataCoding);
         byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
-        byte[] text = message.hasHeader() ? Arrays.copyOfRange(octets, header.length, octets.length) : octets;
+        byte[] text = message.hasHeader() ? Octets.range(octets, header.length, octets.length) : octets;
         return parts(header, text, scheme, reference);
     }
 
@@ -181,7 +182,7 @@ final class MessageContent {
             } else if (to < text.length && alphabet == Alphabet.UCS2 && (text[to - 2] & 0xfc) == 0xd8) {
                 to -= 2;
             }
-            pieces.add(Arrays.copyOfRange(text, from, to));
+            pieces.add(Octets.range(text, from, to));
             from = to;
         }
         return pieces;

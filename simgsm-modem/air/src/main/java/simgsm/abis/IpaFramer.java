@@ -1,11 +1,11 @@
 package simgsm.abis;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 
 /**
  * Cuts a stream of octets into IPA frames; one framer per connection. With {@link #next} called until it is empty after
@@ -62,7 +62,7 @@ public final class IpaFramer {
         int stream = octets[start + 2] & 0xff;
         int from = start + IpaFrame.HEADER_LENGTH;
         start = from + length;
-        return Optional.of(new IpaFrame(stream, Arrays.copyOfRange(octets, from, start)));
+        return Optional.of(new IpaFrame(stream, Octets.range(octets, from, start)));
     }
 
     private void makeRoomFor(int count) {

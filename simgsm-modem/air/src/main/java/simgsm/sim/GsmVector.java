@@ -1,7 +1,7 @@
 package simgsm.sim;
 
-import java.util.Arrays;
 import simgsm.octets.OctetString;
+import simgsm.octets.Octets;
 
 /**
  * The GSM authentication vector of a challenge, derived from the UMTS values by the conversion functions c2 and c3
@@ -28,7 +28,7 @@ public record GsmVector(OctetString sres, OctetString kc) {
     private static byte[] folded(byte[] octets, int length) {
         byte[] result = new byte[length];
         for (int from = 0; from < octets.length; from += length) {
-            result = Milenage.xor(result, Arrays.copyOfRange(octets, from, from + length));
+            result = Milenage.xor(result, Octets.range(octets, from, from + length));
         }
         return result;
     }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import javax.crypto.Cipher;
 import javax.crypto.spec.SecretKeySpec;
 import simgsm.octets.OctetString;
+import simgsm.octets.Octets;
 
 /**
  * MILENAGE, the authentication functions of most cards (TS 35.206): f1 to f5* over AES-128 with the key K and
@@ -113,7 +114,7 @@ public final class Milenage {
     }
 
     private static OctetString part(byte[] block, int from, int to) {
-        return OctetString.of(Arrays.copyOfRange(block, from, to));
+        return OctetString.of(Octets.range(block, from, to));
     }
 
     private static byte[] checked(String what, OctetString octets, int length) {

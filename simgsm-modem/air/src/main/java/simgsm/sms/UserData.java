@@ -1,12 +1,12 @@
 package simgsm.sms;
 
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.Septets;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 
 /**
  * The user data of one part. The octets are kept, so that a centre forwards exactly what it received.
@@ -84,7 +84,7 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
     /** The octets after the header, for {@link Alphabet#OCTETS} and {@link Alphabet#UCS2}. */
     public OctetString body() {
         byte[] all = octets.toArray();
-        return OctetString.of(Arrays.copyOfRange(all, headerLength(), all.length));
+        return OctetString.of(Octets.range(all, headerLength(), all.length));
     }
 
     private int headerLength() {
@@ -96,7 +96,7 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
     }
 
     private static byte[] unpack(byte[] octets, int bits, int count) {
-        byte[] text = Arrays.copyOfRange(octets, Math.min(octets.length, bits / 8), octets.length);
+        byte[] text = Octets.range(octets, Math.min(octets.length, bits / 8), octets.length);
         return Septets.unpack(text, count, bits % 8);
     }
 }

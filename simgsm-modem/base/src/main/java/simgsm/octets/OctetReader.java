@@ -1,7 +1,6 @@
 package simgsm.octets;
 
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.function.Function;
 
 /**
@@ -125,7 +124,7 @@ public class OctetReader<X extends Exception> {
 
     /** All octets that are left. */
     public final OctetString rest() {
-        byte[] copy = Arrays.copyOfRange(octets, position, end);
+        byte[] copy = Octets.range(octets, position, end);
         position = end;
         return OctetString.adopting(copy);
     }
@@ -133,7 +132,7 @@ public class OctetReader<X extends Exception> {
     /** A copy of the next {@code count} octets. */
     public final byte[] bytes(int count, String what) throws X {
         int start = take(count, what);
-        return Arrays.copyOfRange(octets, start, position);
+        return Octets.range(octets, start, position);
     }
 
     /** Leaves the rest unread. */

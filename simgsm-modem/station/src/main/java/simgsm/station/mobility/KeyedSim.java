@@ -1,9 +1,9 @@
 package simgsm.station.mobility;
 
-import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.RejectCause;
 import simgsm.octets.OctetString;
+import simgsm.octets.Octets;
 import simgsm.sim.GsmVector;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
@@ -66,6 +66,6 @@ final class KeyedSim implements Sim {
     }
 
     private static OctetString part(byte[] octets, int from, int length) {
-        return OctetString.of(Arrays.copyOfRange(octets, from, from + length));
+        return OctetString.of(Octets.range(octets, from, from + length));
     }
 }
