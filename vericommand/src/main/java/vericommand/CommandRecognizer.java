@@ -84,8 +84,7 @@ public final class CommandRecognizer {
 
     private OrderFault fault(KeyClass key, int position, boolean timedOut) {
         Place place = machine.state();
-        ExpectedKeys expected =
-                digits == MAX_DIGITS && key != KeyClass.TIMEOUT ? ExpectedKeys.HASH_OR_STAR : place.expected();
+        ExpectedKeys expected = digits == MAX_DIGITS ? ExpectedKeys.HASH_OR_STAR : place.expected();
         OrderFault.Limit limit = OrderFault.Limit.NONE;
         if (isFifthDigit(key)) {
             limit = place.range();

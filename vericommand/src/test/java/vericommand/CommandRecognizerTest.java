@@ -242,6 +242,14 @@ class CommandRecognizerTest {
     }
 
     @Test
+    void aTimeOutAfterFourDigitsMissesTheClosingOrAnotherInstruction() {
+        press("** #**1234");
+        OrderFault fault = ((Recognition.Broken) recognizer.elapsed(CommandRecognizer.TIMEOUT_SAMPLES)).fault();
+        assertEquals(ExpectedKeys.HASH_OR_STAR, fault.expected());
+        assertEquals(10, fault.position());
+    }
+
+    @Test
     void everyKeyStartsTheTenSecondsAgain() {
         press("** #");
         for (char key : "**20*".toCharArray()) {

@@ -28,6 +28,8 @@ import simrobot.ui.TextLine;
 
 /** M2: its number, the network, the call, and the tone scope. */
 final class ModemPanel extends JPanel {
+    private static final int NARROW_UNITS = 440;
+
     private final TextBundle texts;
     private final TextLine number = new TextLine("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
     private final TextLine network = new TextLine("modem.network", Theme::base, Ink.QUIET);
@@ -36,7 +38,12 @@ final class ModemPanel extends JPanel {
     private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
     private final JLabel sound = ComponentNames.name(Theme.label("", Theme::small, Ink.QUIET), "modem.sound", "");
+    private final JPanel facts;
+    private final JPanel secondary;
+    private final BorderLayout contentLayout = new BorderLayout();
+    private final JPanel content = new JPanel(contentLayout);
     private final ToneScopePanel scope;
+    private boolean compact;
     private final OperatorActions operator;
     /** The same for all robots. */
     private ToneExperiment experiment = ToneExperiment.NONE;
@@ -55,16 +62,12 @@ final class ModemPanel extends JPanel {
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
         scope = new ToneScopePanel(language, this::tryOut);
-        JPanel facts = Arrange.column(
-                6,
-                Arrange.row(10, number, Arrange.spring(), signal),
-                network,
-                call,
-                peer,
-                codec,
-                Arrange.row(0, sound, Arrange.spring()),
-                Arrange.spring());
-        JPanel content = Arrange.row(16, facts, Arrange.growing(scope));
+        secondary = Arrange.column(6, codec, Arrange.row(0, sound, Arrange.spring()), Arrange.spring());
+        JPanel numberRow = Arrange.row(10, number, Arrange.spring(), signal);
+        facts = Arrange.column(6, numberRow, network, call, peer, Arrange.growing(secondary));
+        content.setOpaque(false);
+        content.add(scope, BorderLayout.CENTER);
+        content.add(facts, BorderLayout.WEST);
         Card card = new Card(texts.of("modem.title"), content);
         add(card, BorderLayout.CENTER);
     }
@@ -109,9 +112,23 @@ final class ModemPanel extends JPanel {
         };
     }
 
-    /** @param compact without the tone scope's sliders, and lower */
-    void setCompact(boolean compact) {
-        scope.setCompact(compact);
+    /** Puts the facts beside the scope or, where that leaves too little room for it, the first of them above. */
+    @Override
+    public void doLayout() {
+        boolean narrow = !compact && getWidth() < Theme.px(NARROW_UNITS);
+        if (narrow == secondary.isVisible()) {
+            network.setVisible(!narrow);
+            secondary.setVisible(!narrow);
+            content.add(facts, narrow ? BorderLayout.NORTH : BorderLayout.WEST);
+        }
+        contentLayout.setHgap(Theme.px(16));
+        super.doLayout();
+    }
+
+    /** @param wanted without the tone scope's sliders, and lower */
+    void setCompact(boolean wanted) {
+        compact = wanted;
+        scope.setCompact(wanted);
     }
 
     private void tryOut(ToneExperiment chosen) {

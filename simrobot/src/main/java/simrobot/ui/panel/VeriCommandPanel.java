@@ -42,10 +42,13 @@ final class VeriCommandPanel extends JPanel {
         add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
     }
 
-    /** Wide enough for an order's keys; the tone scope gets the rest of the row. */
+    /** Wide enough for an order's keys, but at most two fifths of the row; the tone scope gets the rest. */
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
+        int row = getParent() == null || getParent().getWidth() == 0
+                ? Integer.MAX_VALUE
+                : getParent().getWidth();
+        return new Dimension(Math.min(Theme.px(WIDTH_UNITS), row / 5 * 2), super.getPreferredSize().height);
     }
 
     void show(TelephoneSnapshot line) {

@@ -48,6 +48,7 @@ final class CandidateLane extends PaintedComponent {
     void show(ReceiverTrace trace) {
         if (!trace.candidates().equals(candidates)) {
             change(() -> candidates = trace.candidates());
+            setToolTipText(spoken());
             repaint();
         }
     }
