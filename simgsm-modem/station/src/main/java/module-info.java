@@ -5,6 +5,8 @@ module simgsm.station {
     requires transitive simgsm.sound;
 
     exports simgsm.modem;
+    exports simgsm.modem.at.command;
+    exports simgsm.modem.at.port;
     exports simgsm.station;
     exports simgsm.station.call;
     exports simgsm.station.context;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.InstantSource;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -12,6 +13,8 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import simgsm.console.FatalError;
+import simgsm.modem.at.command.AtModem;
+import simgsm.modem.at.port.AtPort;
 import simgsm.phone.handset.Handset;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -32,6 +35,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final CallAudioListener recorder;
     private final Handset handset;
     private final MobileStation station;
+    private Optional<AtPort> at = Optional.empty();
 
     /** @throws IOException if the recording's file cannot be written */
     Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
@@ -51,9 +55,22 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 settings.sim(),
                 new StationOptions(settings.codec(), recorder, true),
                 handset::fillFrame,
-                handset::accept);
+                this::accept);
         handset.attach(station);
         handset.setChannels(settings.channels());
+    }
+
+    private void accept(StationEvent event) {
+        handset.accept(event);
+        at.ifPresent(port -> port.accept(event));
+    }
+
+    /** Opens a port for AT commands, before the start. @return its number */
+    int openAtPort(InetSocketAddress address) throws IOException {
+        AtModem modem = new AtModem(new PhoneTerminal(handset, station), InstantSource.system());
+        AtPort port = AtPort.open(modem, thread, address);
+        at = Optional.of(port);
+        return port.port();
     }
 
     /** Connects to the centre and retries until it succeeds. */

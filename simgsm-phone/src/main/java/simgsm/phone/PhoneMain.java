@@ -1,6 +1,7 @@
 package simgsm.phone;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Locale;
 import java.util.Optional;
@@ -22,6 +23,7 @@ import simgsm.ui.window.ProgramWindow;
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
     static final String NAME = "simgsm-phone";
+    private static final int MAX_PORT = 0xffff;
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
 
     private PhoneMain() {}
@@ -58,6 +60,10 @@ public final class PhoneMain {
                         "FILE",
                         "the SIM, for a closed network: IMSI, number and key; of a file with several SIMs"
                                 + "\nthe one of --number")
+                .value(
+                        "at",
+                        "PORT",
+                        "take AT commands on this port, as a GSM modem does; 0: any free one. Loopback only")
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
@@ -82,11 +88,21 @@ public final class PhoneMain {
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
+    /** Opens the port for AT commands, if the command line names one, and adds it to the first event. */
+    private static Event withAtPort(Arguments arguments, Phone phone, Event ready) throws UsageException, IOException {
+        if (!arguments.has("at")) {
+            return ready;
+        }
+        int port = (int) arguments.integer("at", 0, 0, MAX_PORT);
+        return ready.with("at", phone.openAtPort(new InetSocketAddress(InetAddress.getLoopbackAddress(), port)));
+    }
+
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, TextBundle texts)
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         Locale language = arguments.language();
         Phone phone = new Phone(settings, event -> {}, sound(arguments));
+        withAtPort(arguments, phone, Event.of("ready"));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
         window.show(() -> HandsetWindow.content(
@@ -105,7 +121,7 @@ public final class PhoneMain {
                 Phone phone = new Phone(settings, new PhoneEventPrinter(console, texts), sound(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
-            console.ready(Event.of("ready"));
+            console.ready(withAtPort(arguments, phone, Event.of("ready")));
             phone.start(address(center));
             Program.runConsole(console, arguments, commands);
             commands.finish();

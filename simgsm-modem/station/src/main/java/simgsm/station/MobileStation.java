@@ -8,6 +8,7 @@ import simgsm.air.Cause;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
 import simgsm.station.call.KeySignalling;
 import simgsm.station.call.MobileCall;
@@ -213,6 +214,21 @@ public final class MobileStation implements StationCommands {
     @Override
     public boolean endUssd() {
         return settled(ussd.end());
+    }
+
+    @Override
+    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        int id = messages.submit(tpdu, to, serviceCenter);
+        if (!registration.isPowered()) {
+            messages.powerOff();
+        }
+        settle();
+        return id;
+    }
+
+    @Override
+    public boolean rejectWaiting() {
+        return settled(call.rejectWaiting());
     }
 
     @Override

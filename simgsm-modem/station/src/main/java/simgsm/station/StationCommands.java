@@ -2,6 +2,7 @@ package simgsm.station;
 
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
 
 /** What the user of a station can do with it. All but {@link #snapshot} are called on the owner thread. */
@@ -52,6 +53,17 @@ public interface StationCommands {
 
     /** Ends the USSD dialogue. @return false if there is none */
     boolean endUssd();
+
+     * Queues a transfer unit as it is; only its reference is set here, and TP-RD when it is sent again. Otherwise as
+     * {@link #sendMessage}.
+     *
+     * @param tpdu SUBMIT or COMMAND (TS 23.040, 9.2.2), 2 to 232 octets
+     * @param to its receiver, for the status report
+     */
+    int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter);
+
+    /** Rejects the waiting call with cause 17. @return false if there is none */
+    boolean rejectWaiting();
 
     /**
      * Whether there is room for received messages. Without room the network is refused (RP cause 22) and keeps them; once

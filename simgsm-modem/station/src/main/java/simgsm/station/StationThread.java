@@ -1,10 +1,13 @@
 package simgsm.station;
 
+import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import simgsm.net.Acceptor;
+import simgsm.net.ConnectionLimits;
 import simgsm.net.SelectorLoop;
 
 /**
@@ -98,6 +101,16 @@ public final class StationThread implements AutoCloseable {
             stations.advance(System.nanoTime());
             return question.call();
         });
+    }
+
+    /**
+     * Opens a port whose connections belong to this thread, as the stations do; see {@link SelectorLoop#listen}.
+     *
+     * @throws IOException naming address and port
+     */
+    public Acceptor listen(InetSocketAddress address, ConnectionLimits limits, Acceptor.Factory factory)
+            throws IOException {
+        return loop.listen(address, limits, factory);
     }
 
     private void endIfDone() {

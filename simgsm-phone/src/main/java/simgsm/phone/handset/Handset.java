@@ -22,6 +22,8 @@ import simgsm.station.context.StationEvent;
  * called from any thread.
  */
 public final class Handset {
+    private static final int KEY_MILLIS = 100;
+
     private final Msisdn own;
     private final KeyMode keyMode;
     private final Consumer<StationEvent> listener;
@@ -121,9 +123,19 @@ public final class Handset {
 
     /** Queues keys of 100 ms; before the call is connected they wait. */
     public Optional<Refusal> press(List<DtmfKey> pressed) {
+        return press(pressed, KEY_MILLIS, () -> {});
+    }
+
+    /**
+     * As above, with tones of another length.
+     *
+     * @param toneMillis 70 at least
+     * @param whenSent runs when the last tone has been sent; never if the call ends before
+     */
+    public Optional<Refusal> press(List<DtmfKey> pressed, int toneMillis, Runnable whenSent) {
         Optional<Refusal> refusal = call.refusalOfKeys();
         if (refusal.isEmpty()) {
-            audio.press(pressed);
+            audio.press(pressed, toneMillis, whenSent);
             pressed.forEach(call::keyed);
         }
         changed();

@@ -116,8 +116,8 @@ final class HandsetAudio {
     }
 
     /** Queues keys for the far end; they are sent once a call is connected. */
-    void press(List<DtmfKey> keys) {
-        sender.press(keys);
+    void press(List<DtmfKey> keys, int toneMillis, Runnable whenSent) {
+        sender.press(keys, toneMillis, whenSent);
     }
 
     /** A key goes down and sounds until {@link #keyUp}: to the far end in a call, else at the earpiece only. */

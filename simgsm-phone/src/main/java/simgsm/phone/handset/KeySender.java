@@ -12,12 +12,16 @@ import simgsm.dtmf.DtmfKey;
 class KeySender {
     private static final class Run {
         final String keys;
+        final Runnable whenSent;
         int sent;
 
-        Run(String keys) {
+        Run(String keys, Runnable whenSent) {
             this.keys = keys;
+            this.whenSent = whenSent;
         }
     }
+
+    private static final int PAUSE_MILLIS = 100;
 
     private final Deque<Run> runs = new ArrayDeque<>();
     private final Consumer<String> runSent;
@@ -30,14 +34,16 @@ class KeySender {
         generator = new DtmfGenerator(this::toneGenerated);
     }
 
-    void press(List<DtmfKey> keys) {
-        runs.add(new Run(keys.stream().map(key -> String.valueOf(key.symbol())).collect(Collectors.joining())));
-        keys.forEach(this::enqueue);
+    /** @param whenSent runs when the last tone has been sent */
+    void press(List<DtmfKey> keys, int toneMillis, Runnable whenSent) {
+        String symbols = keys.stream().map(key -> String.valueOf(key.symbol())).collect(Collectors.joining());
+        runs.add(new Run(symbols, whenSent));
+        keys.forEach(key -> enqueue(key, toneMillis));
     }
 
     /** A key goes down and sounds until {@link #up}. */
     void down(DtmfKey key) {
-        runs.add(new Run(String.valueOf(key.symbol())));
+        runs.add(new Run(String.valueOf(key.symbol()), () -> {}));
         hold(key);
     }
 
@@ -73,8 +79,8 @@ class KeySender {
         return generator.sounding();
     }
 
-    void enqueue(DtmfKey key) {
-        generator.enqueue(key);
+    void enqueue(DtmfKey key, int toneMillis) {
+        generator.enqueue(key, toneMillis, PAUSE_MILLIS);
     }
 
     void hold(DtmfKey key) {
@@ -90,6 +96,7 @@ class KeySender {
         if (run != null && ++run.sent == run.keys.length()) {
             runs.remove();
             runSent.accept(run.keys);
+            run.whenSent.run();
         }
     }
 }

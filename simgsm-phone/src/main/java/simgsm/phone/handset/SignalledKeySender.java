@@ -12,8 +12,6 @@ import simgsm.station.context.StationEvent;
  * as the network plays the key. The station drops its keys at the end of each call by itself.
  */
 final class SignalledKeySender extends KeySender {
-    private static final int TONE_MILLIS = 100;
-
     private final Supplier<StationCommands> station;
 
     SignalledKeySender(Supplier<StationCommands> station, Consumer<String> runSent) {
@@ -32,8 +30,8 @@ final class SignalledKeySender extends KeySender {
     }
 
     @Override
-    void enqueue(DtmfKey key) {
-        station.get().signalKey(key, TONE_MILLIS);
+    void enqueue(DtmfKey key, int toneMillis) {
+        station.get().signalKey(key, toneMillis);
     }
 
     @Override

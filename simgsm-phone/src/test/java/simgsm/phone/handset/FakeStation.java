@@ -8,6 +8,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationCommands;
@@ -115,6 +116,16 @@ public final class FakeStation implements StationCommands {
     @Override
     public boolean endUssd() {
         asked.add("end ussd");
+        return false;
+    }
+
+    @Override
+    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        return nextId++;
+    }
+
+    @Override
+    public boolean rejectWaiting() {
         return false;
     }
 

@@ -141,6 +141,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         next = Optional.empty();
     }
 
+    /** Rejects the waiting call. @return false if there is none */
+    public boolean rejectWaiting() {
+        return waiting.reject();
+    }
+
     public void powerOff() {
         if (next.isPresent()) {
             cancelNext(Cause.NORMAL_CALL_CLEARING);

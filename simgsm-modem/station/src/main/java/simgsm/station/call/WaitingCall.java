@@ -18,6 +18,8 @@ final class WaitingCall {
 
     private final StationContext context;
     private Optional<WaitingOffer> offer = Optional.empty();
+    /** The transaction, as received, of a rejected call that the network has not released yet. */
+    private Optional<TransactionIdentifier> rejected = Optional.empty();
 
     WaitingCall(StationContext context) {
         this.context = context;
@@ -28,7 +30,8 @@ final class WaitingCall {
     }
 
     boolean has(TransactionIdentifier transaction) {
-        return offer.isPresent() && offer.get().received().equals(transaction);
+        return offer.isPresent() && offer.get().received().equals(transaction)
+                || rejected.equals(Optional.of(transaction));
     }
 
     void offered(CallControl.Setup setup) {
@@ -39,6 +42,17 @@ final class WaitingCall {
         context.events().add(new StationEvent.CallWaits(setup.calling()));
     }
 
+    /** Rejects the call: user determined user busy (TS 22.030, 6.5.5.1). @return false if none waits */
+    boolean reject() {
+        if (offer.isEmpty()) {
+            return false;
+        }
+        rejected = Optional.of(offer.get().received());
+        send(new CallControl.Disconnect(offer.get().received().answered(), Cause.USER_BUSY));
+        end();
+        return true;
+    }
+
     /** A message of the waiting call's transaction has arrived. */
     void arrived(CallControl message) {
         TransactionIdentifier own = message.transaction().answered();
@@ -46,12 +60,12 @@ final class WaitingCall {
             sendStatus(own, Cause.RESPONSE_TO_STATUS_ENQUIRY);
         } else if (message instanceof CallControl.Disconnect) {
             send(new CallControl.Release(own, Optional.empty()));
-            end();
+            end(message.transaction());
         } else if (message instanceof CallControl.Release) {
             send(new CallControl.ReleaseComplete(own, Optional.empty()));
-            end();
+            end(message.transaction());
         } else if (message instanceof CallControl.ReleaseComplete || isStatusNull(message)) {
-            end();
+            end(message.transaction());
         } else if (!(message instanceof CallControl.Status) && !(message instanceof CallControl.Setup)) {
             sendStatus(own, Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
         }
@@ -67,6 +81,14 @@ final class WaitingCall {
 
     private void send(CallControl message) {
         context.radio().send(message);
+    }
+
+    private void end(TransactionIdentifier transaction) {
+        if (rejected.equals(Optional.of(transaction))) {
+            rejected = Optional.empty();
+        } else {
+            end();
+        }
     }
 
     /** The caller has hung up, or the radio connection is lost. */

@@ -6,6 +6,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.octets.OctetString;
 import simgsm.ss.SsError;
 
 /**
@@ -127,4 +128,14 @@ public sealed interface StationEvent {
 
     /** A dialogue has ended without a last text. @param error if the network refused with one that is known */
     record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {}
+
+    /**
+     * What the network has delivered, part by part as it came and without duplicates; the events above follow from it.
+     *
+     * @param tpdu DELIVER or STATUS-REPORT (TS 23.040, 9.2.2)
+     */
+    record TransferUnitReceived(OctetString tpdu) implements OfMessage {}
+
+    /** @param octets one page of a broadcast, 88 octets; the cell may repeat it */
+    record BroadcastPageReceived(OctetString octets) implements OfMessage {}
 }

@@ -128,6 +128,7 @@ final class MessageReceiver {
                 return new RpError(relayed.reference(), RpCause.MEMORY_CAPACITY_EXCEEDED);
             }
             if (!duplicates.isDuplicate(relayed.tpdu())) {
+                context.events().add(new StationEvent.TransferUnitReceived(relayed.tpdu()));
                 take(tpdu);
             }
             return new RpAck(relayed.reference(), Optional.empty());

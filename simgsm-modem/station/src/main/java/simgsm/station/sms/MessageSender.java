@@ -13,6 +13,7 @@ import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.TransactionIdentifier;
+import simgsm.octets.OctetString;
 import simgsm.sms.MessageSplitter;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
@@ -35,12 +36,20 @@ final class MessageSender implements ServiceRequests.ServiceUser {
 
     private static final int CP_CONGESTION = 22;
 
+    /** TP-MTI of a SUBMIT, and TP-RD, in the first octet (TS 23.040, 9.2.3.1 and 9.2.3.25). */
+    private static final int TYPE_MASK = 0x03;
+
+    private static final int SUBMIT = 0x01;
+    private static final int REJECT_DUPLICATES = 0x04;
+
     /** What one dialogue sends. */
     private sealed interface Item {
         int reference();
     }
 
-    private record Part(OutgoingMessage message, int reference, UserData data) implements Item {}
+    /** @param tpdu SUBMIT or COMMAND, whose reference and duplicate bit are set when it is sent */
+    private record Part(OutgoingMessage message, int reference, OctetString tpdu, Msisdn serviceCenter)
+            implements Item {}
 
     /** RP-SMMA (TS 24.011, 7.3.2). */
     private record MemoryAvailable(int reference) implements Item {}
@@ -74,11 +83,25 @@ final class MessageSender implements ServiceRequests.ServiceUser {
         List<UserData> texts = MessageSplitter.split(text, id & REFERENCE_MASK);
         OutgoingMessage message = new OutgoingMessage(id, to, texts.size(), context.events());
         for (UserData data : texts) {
-            queue.add(new Part(message, nextNumber & REFERENCE_MASK, data));
-            nextNumber++;
+            add(
+                    message,
+                    TpduCodec.encode(SubmitTpdu.of(0, SmsAddress.of(to), data)),
+                    context.identity().serviceCenter());
         }
         sendNext();
         return id;
+    }
+
+    int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        int id = nextNumber;
+        add(new OutgoingMessage(id, to, 1, context.events()), tpdu, serviceCenter);
+        sendNext();
+        return id;
+    }
+
+    private void add(OutgoingMessage message, OctetString tpdu, Msisdn serviceCenter) {
+        queue.add(new Part(message, nextNumber & REFERENCE_MASK, tpdu, serviceCenter));
+        nextNumber++;
     }
 
     /** Queues RP-SMMA, if none is queued. */
@@ -214,22 +237,18 @@ final class MessageSender implements ServiceRequests.ServiceUser {
 
     private RelayMessage relay(Item item) {
         return item instanceof Part part
-                ? new RpData(part.reference(), context.identity().serviceCenter(), TpduCodec.encode(submit(part)))
+                ? new RpData(part.reference(), part.serviceCenter(), numbered(part))
                 : new RelayMessage.RpSmma(item.reference());
     }
 
-    private SubmitTpdu submit(Part part) {
-        SubmitTpdu plain =
-                SubmitTpdu.of(part.reference(), SmsAddress.of(part.message().to()), part.data());
-        return new SubmitTpdu(
-                repeated,
-                plain.statusReportRequest(),
-                plain.replyPath(),
-                plain.reference(),
-                plain.destination(),
-                plain.protocolIdentifier(),
-                plain.validity(),
-                plain.userData());
+    /** With TP-MR in its second octet and, for a SUBMIT that is sent again, TP-RD (TS 23.040, 9.2.2.2). */
+    private OctetString numbered(Part part) {
+        byte[] octets = part.tpdu().toArray();
+        octets[1] = (byte) part.reference();
+        if (repeated && (octets[0] & TYPE_MASK) == SUBMIT) {
+            octets[0] |= REJECT_DUPLICATES;
+        }
+        return OctetString.of(octets);
     }
 
     private void itemSent() {

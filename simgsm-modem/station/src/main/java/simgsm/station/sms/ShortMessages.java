@@ -43,6 +43,11 @@ public final class ShortMessages {
         return sender.send(to, text);
     }
 
+    /** Queues a transfer unit of the terminal's own making. @return the message's id */
+    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        return sender.submit(tpdu, to, serviceCenter);
+    }
+
     /** All queued messages fail. */
     public void powerOff() {
         sender.powerOff();
@@ -106,6 +111,7 @@ public final class ShortMessages {
     public void broadcastArrived(OctetString page) {
         try {
             CellBroadcastPage received = CellBroadcastPage.decode(page);
+            context.events().add(new StationEvent.BroadcastPageReceived(page));
             if (channels.contains(received.messageIdentifier())) {
                 broadcasts
                         .accept(received)

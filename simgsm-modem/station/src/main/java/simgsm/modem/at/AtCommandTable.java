@@ -1,0 +1,125 @@
+package simgsm.modem.at;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The commands of a modem by name. It prints itself as the manual's list of commands. */
+public final class AtCommandTable<C> {
+    /** One command with its forms. */
+    public static final class Row<C> {
+        private final String name;
+        private final String parameters;
+        private final String meaning;
+        private final Map<AtCommand.Form, AtHandler<C>> handlers = new EnumMap<>(AtCommand.Form.class);
+
+        Row(String name, String parameters, String meaning) {
+            this.name = name;
+            this.parameters = parameters;
+            this.meaning = meaning;
+        }
+
+        private Row<C> on(AtCommand.Form form, AtHandler<C> handler) {
+            handlers.put(form, handler);
+            return this;
+        }
+
+        private static <C> AtHandler<C> ending(AtHandler.Simple<C> simple) {
+            return (client, request) -> {
+                simple.perform(client, request);
+                return AtResult.OK;
+            };
+        }
+
+        /** The form without parameters; for a basic command the only one. */
+        public Row<C> executeFor(AtHandler<C> handler) {
+            return on(AtCommand.Form.EXECUTE, handler);
+        }
+
+        public Row<C> execute(AtHandler.Simple<C> handler) {
+            return executeFor(ending(handler));
+        }
+
+        public Row<C> read(AtHandler.Simple<C> handler) {
+            return on(AtCommand.Form.READ, ending(handler));
+        }
+
+        public Row<C> setFor(AtHandler<C> handler) {
+            return on(AtCommand.Form.SET, handler);
+        }
+
+        public Row<C> set(AtHandler.Simple<C> handler) {
+            return setFor(ending(handler));
+        }
+
+        /** The answer to the test form, after the command's name. */
+        public Row<C> test(String values) {
+            return on(AtCommand.Form.TEST, ending((client, request) -> request.answer(values)));
+        }
+
+        /** A test form whose answer depends on the state. */
+        public Row<C> testWith(AtHandler.Simple<C> handler) {
+            return on(AtCommand.Form.TEST, ending(handler));
+        }
+
+        Optional<AtHandler<C>> handler(AtCommand.Form form) {
+            AtHandler<C> handler = handlers.get(form);
+            boolean isTested = handler == null && form == AtCommand.Form.TEST && name.length() > 2;
+            return isTested ? Optional.of((client, request) -> AtResult.OK) : Optional.ofNullable(handler);
+        }
+
+        public String name() {
+            return name;
+        }
+
+        /** The forms as they are typed, such as {@code AT+CSQ AT+CSQ=?}. */
+        String forms() {
+            List<String> forms = new ArrayList<>();
+            for (AtCommand.Form form : handlers.keySet()) {
+                forms.add("AT" + name
+                        + switch (form) {
+                            case EXECUTE -> name.length() > 2 ? "" : parameters;
+                            case READ -> "?";
+                            case TEST -> "=?";
+                            case SET -> "=" + parameters;
+                        });
+            }
+            return String.join(" ", forms);
+        }
+    }
+
+    private final Map<String, Row<C>> rows = new LinkedHashMap<>();
+
+    /** A table without commands. */
+    public AtCommandTable() {}
+
+    /** Adds a command. @param parameters of SET, or of a basic command, as the manual shows them */
+    public Row<C> add(String name, String parameters, String meaning) {
+        Row<C> row = new Row<>(name, parameters, meaning);
+        if (rows.put(name, row) != null) {
+            throw new IllegalArgumentException("AT" + name + " stands twice in the table");
+        }
+        return row;
+    }
+
+    Optional<AtHandler<C>> handler(AtCommand command) {
+        return Optional.ofNullable(rows.get(command.name())).flatMap(row -> row.handler(command.form()));
+    }
+
+    public List<String> names() {
+        return List.copyOf(rows.keySet());
+    }
+
+    /** The list of commands as a table in Markdown. */
+    public String toMarkdown() {
+        StringBuilder text = new StringBuilder("| command | does |\n|---|---|\n");
+        for (Row<C> row : rows.values()) {
+            text.append("| `").append(row.forms().replace("|", "\\|")).append("` | ");
+            text.append(row.meaning).append(" |\n");
+        }
+        return text.toString();
+    }
+}

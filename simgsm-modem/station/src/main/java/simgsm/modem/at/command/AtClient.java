@@ -1,0 +1,60 @@
+package simgsm.modem.at.command;
+
+import java.util.function.Consumer;
+import simgsm.modem.at.AtResult;
+import simgsm.modem.at.AtSession;
+
+/** One connected client: its dialogue and what it has set. */
+public final class AtClient {
+    private final AtModem modem;
+    private final AtSession<AtClient> session;
+    private ClientSettings settings = new ClientSettings();
+
+    AtClient(AtModem modem, Consumer<byte[]> output) {
+        this.modem = modem;
+        session = new AtSession<>(AtCommands.TABLE, this, modem.timers(), output);
+    }
+
+    /** Takes what the client has sent. */
+    public void received(byte[] octets) {
+        session.received(octets);
+    }
+
+    /** False while the client is to be held back. */
+    public boolean wantsInput() {
+        return session.wantsInput();
+    }
+
+    /** The client has disconnected. */
+    public void close() {
+        session.close();
+        modem.left(this);
+    }
+
+    AtModem modem() {
+        return modem;
+    }
+
+    AtSession<AtClient> session() {
+        return session;
+    }
+
+    ClientSettings settings() {
+        return settings;
+    }
+
+    /** ATZ and AT&F. */
+    void reset() {
+        settings = new ClientSettings();
+        session.resetFormat();
+        modem.settingsChanged();
+    }
+
+    void report(String line) {
+        session.report(line);
+    }
+
+    void report(AtResult code) {
+        session.report(code);
+    }
+}

@@ -1,0 +1,110 @@
+package simgsm.modem.at.command;
+
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import simgsm.station.context.StationEvent;
+import simgsm.timer.Timers;
+
+/**
+ * The AT side of one terminal: what all its clients share. Clients come and go; the terminal's events go to the clients as
+ * unsolicited codes. Time is given by advancing {@link #timers}. Owned by the thread that owns the station.
+ */
+public final class AtModem {
+    private final AtTerminal terminal;
+    private final Timers timers = new Timers();
+    private final List<AtClient> clients = new ArrayList<>();
+    private final ModemClock clock;
+    private final CallCodes calls;
+    private final KeyCodes keys;
+    private final NetworkCodes network;
+    private final MessageCodes messages;
+    private final Submissions submissions;
+    private final PhoneBooks books;
+
+    /** @param wallClock for AT+CCLK */
+    public AtModem(AtTerminal terminal, InstantSource wallClock) {
+        this.terminal = terminal;
+        clock = new ModemClock(wallClock);
+        books = new PhoneBooks(terminal.identity().number());
+        keys = new KeyCodes(this);
+        calls = new CallCodes(this);
+        network = new NetworkCodes(this);
+        messages = new MessageCodes(this);
+        submissions = new Submissions(terminal);
+    }
+
+    /** A client connects. @param output receives what is to be sent to it */
+    public AtClient connect(Consumer<byte[]> output) {
+        AtClient client = new AtClient(this, output);
+        clients.add(client);
+        settingsChanged();
+        return client;
+    }
+
+    void left(AtClient client) {
+        clients.remove(client);
+        settingsChanged();
+    }
+
+    /** Receives each event of the terminal's station. */
+    public void accept(StationEvent event) {
+        terminal.accept(event);
+        if (event instanceof StationEvent.SpeechReceived speech) {
+            keys.hear(speech.samples());
+        } else if (event instanceof StationEvent.OfCall ofCall) {
+            calls.accept(ofCall);
+        } else if (event instanceof StationEvent.OfSubmittedMessage submitted) {
+            submissions.accept(submitted);
+        } else if (event instanceof StationEvent.OfMessage message) {
+            messages.accept(message);
+        }
+        network.check();
+    }
+
+    /** The modem's time; the driver advances it. */
+    public Timers timers() {
+        return timers;
+    }
+
+    List<AtClient> clients() {
+        return List.copyOf(clients);
+    }
+
+    void settingsChanged() {
+        messages.settingsChanged();
+    }
+
+    AtTerminal terminal() {
+        return terminal;
+    }
+
+    ModemClock clock() {
+        return clock;
+    }
+
+    CallCodes calls() {
+        return calls;
+    }
+
+    KeyCodes keys() {
+        return keys;
+    }
+
+    NetworkCodes network() {
+        return network;
+    }
+
+    MessageCodes messages() {
+        return messages;
+    }
+
+    Submissions submissions() {
+        return submissions;
+    }
+
+    PhoneBooks books() {
+        return books;
+    }
+}

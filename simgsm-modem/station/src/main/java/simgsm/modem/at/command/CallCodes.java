@@ -1,0 +1,273 @@
+package simgsm.modem.at.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
+import simgsm.station.call.MobileCallState;
+import simgsm.station.context.StationEvent;
+import simgsm.timer.Timer;
+
+/** The terminal's call as clients see it, and its unsolicited codes: RING, +CLIP, +CCWA, NO CARRIER and the like. */
+final class CallCodes {
+    /** Between two RINGs. */
+    static final long RING_NANOS = TimeUnit.SECONDS.toNanos(3);
+
+    /** Voice, in +CLCC and +CCWA. */
+    private static final int VOICE = 1;
+
+    private final AtModem modem;
+    private boolean isPresent;
+    private boolean isIncoming;
+    private boolean isConnected;
+    /** As dialled, or as the network gave it; empty if unknown. */
+    private String number = "";
+
+    private Optional<StationEvent.CallWaits> waiting = Optional.empty();
+    private boolean answersWaiting;
+    private Timer ringTimer;
+    private int rings;
+    private Optional<Cause> lastCause = Optional.empty();
+    /** The client that has hung up reads OK, and no code after it. */
+    private AtClient hangingUp;
+
+    private AtRequest answering;
+    private final List<AtRequest> sendingKeys = new ArrayList<>();
+
+    CallCodes(AtModem modem) {
+        this.modem = modem;
+    }
+
+    // ---- commands -----------------------------------------------------------------------------------------------
+
+    /** @return false if it is not possible now */
+    boolean dial(String dialled, Msisdn to) {
+        boolean begun = modem.terminal().dial(to);
+        if (begun) {
+            number = dialled;
+        }
+        return begun;
+    }
+
+    AtResult answer(AtRequest request) {
+        answering = request;
+        if (!modem.terminal().answer()) {
+            answering = null;
+            return AtResult.NO_CARRIER;
+        }
+        return AtResult.PENDING;
+    }
+
+    void hangUp(AtClient client) {
+        hangingUp = client;
+        modem.terminal().hangUp();
+        hangingUp = null;
+    }
+
+    /** +CHLD. @return false if it is not possible now */
+    boolean supplementary(int operation, AtClient client) {
+        if (operation == 0 && waiting.isPresent()) {
+            return modem.terminal().rejectWaiting();
+        }
+        if (operation == 1 && isPresent) {
+            answersWaiting = waiting.isPresent();
+            hangUp(client);
+            return true;
+        }
+        return false;
+    }
+
+    AtResult sendKeys(AtRequest request, List<DtmfKey> keys, int toneMillis) {
+        sendingKeys.add(request);
+        modem.terminal().sendKeys(keys, toneMillis, () -> {
+            sendingKeys.remove(request);
+            request.finish(AtResult.OK);
+        });
+        return AtResult.PENDING;
+    }
+
+    boolean isActive() {
+        return modem.terminal().snapshot().callState() == MobileCallState.ACTIVE;
+    }
+
+    boolean isRinging() {
+        return isPresent && isIncoming && !isConnected;
+    }
+
+    boolean isWaiting() {
+        return waiting.isPresent();
+    }
+
+    Optional<Cause> lastCause() {
+        return lastCause;
+    }
+
+    /** The calls in the form of +CLCC, without its name: index, direction, state, voice, no conference, number. */
+    List<String> list() {
+        List<String> calls = new ArrayList<>();
+        state().ifPresent(state -> calls.add("1," + (isIncoming ? 1 : 0) + "," + state + ",0,0" + address(number)));
+        waiting.ifPresent(call -> calls.add("2,1,5,0,0" + address(international(call.from()))));
+        return calls;
+    }
+
+    /** 0 active, 2 dialling, 3 alerting, 4 incoming (TS 27.007, 7.18). */
+    private Optional<Integer> state() {
+        return switch (modem.terminal().snapshot().callState()) {
+            case ACTIVE -> Optional.of(0);
+            case MM_CONNECTION_PENDING, CALL_INITIATED, MO_CALL_PROCEEDING -> Optional.of(2);
+            case CALL_DELIVERED -> Optional.of(3);
+            case CALL_PRESENT, MT_CALL_CONFIRMED, CALL_RECEIVED, CONNECT_REQUEST -> Optional.of(4);
+            default -> Optional.empty();
+        };
+    }
+
+    /** 0 none, 1 incoming, 2 outgoing, 3 alerting at the far end: the indicator callsetup. */
+    int setup() {
+        return switch (state().orElse(0)) {
+            case 2 -> 2;
+            case 3 -> 3;
+            case 4 -> 1;
+            default -> waiting.isPresent() ? 1 : 0;
+        };
+    }
+
+    private static String address(String number) {
+        return number.isEmpty() ? "" : ",\"" + number + "\"," + typeOf(number);
+    }
+
+    /** Type of address (TS 24.008, 10.5.4.7): 145 international, 129 unknown. */
+    static int typeOf(String number) {
+        return number.startsWith("+") ? 145 : 129;
+    }
+
+    static String international(Optional<Msisdn> number) {
+        return number.map(digits -> "+" + digits).orElse("");
+    }
+
+    // ---- events -------------------------------------------------------------------------------------------------
+
+    void accept(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling calling) {
+            begin(false, calling.number().digits());
+            modem.books().dialled(number);
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            begin(true, international(ringing.from()));
+            rings();
+        } else if (event instanceof StationEvent.Connected) {
+            connected();
+        } else if (event instanceof StationEvent.Released released) {
+            released(released.cause());
+        } else if (event instanceof StationEvent.CallWaits waits) {
+            waiting = Optional.of(waits);
+            reportWaiting(waits);
+        } else if (event instanceof StationEvent.WaitingCallEnded) {
+            waiting = Optional.empty();
+        }
+    }
+
+    private void begin(boolean incoming, String digits) {
+        boolean isAsDialled = !incoming && number.replace("+", "").equals(digits);
+        number = isAsDialled ? number : digits;
+        isPresent = true;
+        isIncoming = incoming;
+        isConnected = false;
+        rings = 0;
+        if (incoming) {
+            waiting = Optional.empty();
+        }
+    }
+
+    private void rings() {
+        if (answersWaiting) {
+            answersWaiting = false;
+            modem.terminal().answer();
+            return;
+        }
+        rings++;
+        for (AtClient client : modem.clients()) {
+            if (client.settings().namesRingKind) {
+                client.report("+CRING: VOICE");
+            } else {
+                client.report(AtResult.RING);
+            }
+            if (client.settings().showsCaller) {
+                client.report("+CLIP: \"" + number + "\"," + typeOf(number) + ",,,," + (number.isEmpty() ? 1 : 0));
+            }
+        }
+        if (modem.clients().stream()
+                .anyMatch(client ->
+                        client.settings().ringsBeforeAnswer > 0 && rings >= client.settings().ringsBeforeAnswer)) {
+            modem.terminal().answer();
+        } else {
+            ringTimer = modem.timers().start(RING_NANOS, this::rings);
+        }
+    }
+
+    private void connected() {
+        isConnected = true;
+        modem.timers().cancel(ringTimer);
+        modem.keys().reset();
+        finishAnswer(AtResult.OK);
+        if (isIncoming) {
+            modem.books().answered(number);
+        } else {
+            reportTo(client -> client.settings().showsConnectedNumber, "+COLP: \"" + number + "\"," + typeOf(number));
+        }
+    }
+
+    private void finishAnswer(AtResult result) {
+        AtRequest request = answering;
+        answering = null;
+        if (request != null) {
+            request.finish(result);
+        }
+    }
+
+    private void released(Cause cause) {
+        modem.timers().cancel(ringTimer);
+        modem.keys().callEnded();
+        if (isIncoming && !isConnected) {
+            modem.books().missed(number);
+        }
+        lastCause = Optional.of(cause);
+        AtResult code = code(cause);
+        isPresent = false;
+        isConnected = false;
+        number = "";
+        finishAnswer(AtResult.NO_CARRIER);
+        List<AtRequest> unsent = List.copyOf(sendingKeys);
+        sendingKeys.clear();
+        unsent.forEach(request -> request.finish(AtResult.ERROR));
+        for (AtClient client : modem.clients()) {
+            if (client != hangingUp) {
+                client.report(code == AtResult.BUSY && client.settings().callProgress < 3 ? AtResult.NO_CARRIER : code);
+            }
+        }
+    }
+
+    private AtResult code(Cause cause) {
+        if (isIncoming || isConnected) {
+            return AtResult.NO_CARRIER;
+        }
+        return switch (cause) {
+            case USER_BUSY -> AtResult.BUSY;
+            case NO_USER_RESPONDING, USER_ALERTING_NO_ANSWER -> AtResult.NO_ANSWER;
+            default -> AtResult.NO_CARRIER;
+        };
+    }
+
+    private void reportWaiting(StationEvent.CallWaits call) {
+        String caller = international(call.from());
+        reportTo(client -> client.settings().showsWaiting, "+CCWA: \"" + caller + "\"," + typeOf(caller) + "," + VOICE);
+    }
+
+    private void reportTo(Predicate<AtClient> wish, String line) {
+        modem.clients().stream().filter(wish).forEach(client -> client.report(line));
+    }
+}

@@ -1,0 +1,263 @@
+package simgsm.modem.at.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.at.AtCommandTable;
+import simgsm.modem.at.AtException;
+import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
+import simgsm.modem.at.CmeError;
+
+/** Calls and keys (V.250, 6.3; TS 27.007, 6, 7 and C.2). */
+final class CallCommands {
+    /** Signs that only structure a dial string, and modifiers of lines that are not GSM. */
+    private static final String IGNORED_IN_NUMBERS = " -()/.TPWtpw,!@";
+
+    /** Of keys whose length is not set. */
+    private static final int KEY_MILLIS = 100;
+
+    private static final int TENTH_MILLIS = 100;
+    /** In one +VTS. */
+    private static final int MOST_KEYS = 64;
+
+    private CallCommands() {}
+
+    static void addTo(AtCommandTable<AtClient> table) {
+        table.add(
+                        "D",
+                        "[T]number; | >place; | >\"name\"; | L;",
+                        "calls a number, a place or name of the phone book, or the last number; without the semicolon, a data call: NO CARRIER")
+                .executeFor(CallCommands::dial);
+        table.add("A", "", "answers the ringing call")
+                .executeFor((client, request) -> client.modem().calls().answer(request));
+        table.add("H", "[0]", "ends the call, or rejects the ringing one").execute((client, request) -> {
+            request.basicNumber(0);
+            client.modem().calls().hangUp(client);
+        });
+        table.add("+CHUP", "", "the same")
+                .execute((client, request) -> client.modem().calls().hangUp(client));
+        table.add("+CHLD", "0|1", "rejects the waiting call; ends the call and takes the waiting one")
+                .test("(0,1)")
+                .set(CallCommands::supplementary);
+        table.add("+CLCC", "", "lists the calls: index, direction, state, mode, conference, number, type")
+                .execute((client, request) -> client.modem().calls().list().forEach(request::answer));
+        table.add("+CPAS", "", "activity: 0 ready, 3 ringing, 4 call in progress")
+                .test("(0,3,4)")
+                .execute((client, request) -> request.answer(
+                        client.modem().calls().isRinging()
+                                ? 3
+                                : client.modem().calls().list().isEmpty() ? 0 : 4));
+        table.add("+CEER", "", "cause of the last release")
+                .execute((client, request) -> request.answer(client.modem()
+                        .calls()
+                        .lastCause()
+                        .map(cause -> cause.code() + "," + AtRequest.quoted(cause.title()))
+                        .orElse("\"no cause\"")));
+        codes(table);
+        keys(table);
+    }
+
+    private static void codes(AtCommandTable<AtClient> table) {
+        table.add("+CLIP", "0|1", "+CLIP with the caller's number after each RING (0)")
+                .read((client, request) -> request.answer(client.settings().showsCaller ? 1 : 0, 1))
+                .test("(0,1)")
+                .set((client, request) -> client.settings().showsCaller = flag(request));
+        table.add("+CRC", "0|1", "+CRING: VOICE in place of RING (0)")
+                .read((client, request) -> request.answer(client.settings().namesRingKind ? 1 : 0))
+                .test("(0,1)")
+                .execute((client, request) -> client.settings().namesRingKind = false)
+                .set((client, request) -> client.settings().namesRingKind = flag(request));
+        table.add("+CCWA", "0|1[,0-2[,1]]", "+CCWA with the number of a waiting caller (0); mode 2 asks")
+                .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
+                .test("(0,1)")
+                .set(CallCommands::callWaiting);
+        table.add("+COLP", "0|1", "+COLP with the number that has answered (0)")
+                .read((client, request) -> request.answer(client.settings().showsConnectedNumber ? 1 : 0, 1))
+                .test("(0,1)")
+                .set((client, request) -> client.settings().showsConnectedNumber = flag(request));
+        for (String name : new String[] {"+CLIR", "+CSSN", "+CVHU", "+CSTA", "+CR", "+CMOD", "+CBST"}) {
+            table.add(name, "...", "accepted, without effect")
+                    .read((client, request) -> request.answer(name.equals("+CSTA") ? 145 : 0))
+                    .test("(0,1)")
+                    .set((client, request) -> request.parameters().atMost(3));
+        }
+    }
+
+    private static void keys(AtCommandTable<AtClient> table) {
+        table.add(
+                        "+VTS",
+                        "key,key,... | \"keys\" | {key,tenths},...",
+                        "sends keys in the call; OK once the last has been sent")
+                .test("(0-9,A-D,*,#)")
+                .setFor(CallCommands::sendKeys);
+        table.add("+VTD", "0-255", "length of a key in 0.1 s; 0 is 100 ms (0)")
+                .read((client, request) -> request.answer(client.settings().keyTenths))
+                .test("(0-255)")
+                .set((client, request) -> client.settings().keyTenths =
+                        request.parameters().atMost(1).number(0, 0, 255));
+        table.add(
+                        "+DDET",
+                        "0|1[,interval[,report[,0]]]",
+                        "+DTMF: key for each key of the far end (0); interval: least ms between equal keys, report 1: +DTMF: key,ms once the tone has ended")
+                .read((client, request) -> request.answer(
+                        client.settings().reportsKeys ? 1 : 0,
+                        client.settings().equalKeysMillis,
+                        client.settings().reportsKeyMillis ? 1 : 0,
+                        0))
+                .test("(0,1),(0-10000),(0,1),(0)")
+                .set(CallCommands::detectKeys);
+    }
+
+    private static boolean flag(AtRequest request) throws AtException {
+        return request.parameters().atMost(1).number(0, 0, 1) == 1;
+    }
+
+    private static AtResult dial(AtClient client, AtRequest request) throws AtException {
+        String text = request.command().parameters();
+        if (!text.endsWith(";")) {
+            return AtResult.NO_CARRIER;
+        }
+        String dialled = number(client, text.substring(0, text.length() - 1).strip());
+        Msisdn to;
+        try {
+            to = Msisdn.parse(dialled);
+        } catch (IllegalArgumentException notANumber) {
+            throw new AtException(CmeError.INVALID_DIAL_STRING);
+        }
+        if (!client.modem().calls().dial(dialled, to)) {
+            throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+        return AtResult.OK;
+    }
+
+    private static String number(AtClient client, String text) throws AtException {
+        PhoneBooks books = client.modem().books();
+        if (text.equalsIgnoreCase("L")) {
+            return books.lastDialled().orElseThrow(() -> new AtException(CmeError.NOT_FOUND));
+        }
+        if (text.startsWith(">")) {
+            return fromPhoneBook(client, text.substring(1).strip());
+        }
+        StringBuilder digits = new StringBuilder();
+        String marked = text.replaceFirst("[IiGg]+$", "");
+        marked.chars().filter(sign -> IGNORED_IN_NUMBERS.indexOf(sign) < 0).forEach(sign -> digits.append((char) sign));
+        return digits.toString();
+    }
+
+    private static String fromPhoneBook(AtClient client, String wanted) throws AtException {
+        boolean isName = wanted.startsWith("\"") && wanted.endsWith("\"") && wanted.length() > 1;
+        String book = wanted.length() > 2 && Character.isLetter(wanted.charAt(0))
+                ? wanted.substring(0, 2).toUpperCase(Locale.ROOT)
+                : PhoneBooks.SIM;
+        String place = wanted.replaceFirst("^[A-Za-z]{2}", "");
+        PhoneBooks books = client.modem().books();
+        if (!books.names().contains(book)) {
+            throw new AtException(CmeError.INVALID_INDEX);
+        }
+        Map<Integer, PhoneBooks.Entry> entries = books.entries(isName ? PhoneBooks.SIM : book);
+        for (Map.Entry<Integer, PhoneBooks.Entry> entry : entries.entrySet()) {
+            boolean isMeant = isName
+                    ? entry.getValue().name().equals(wanted.substring(1, wanted.length() - 1))
+                    : entry.getKey().toString().equals(place);
+            if (isMeant) {
+                return entry.getValue().number();
+            }
+        }
+        throw new AtException(isName ? CmeError.NOT_FOUND : CmeError.INVALID_INDEX);
+    }
+
+    private static void supplementary(AtClient client, AtRequest request) throws AtException {
+        int operation = request.parameters().atMost(1).number(0, 0, 4);
+        if (operation > 1) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+        if (!client.modem().calls().supplementary(operation, client)) {
+            throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+    }
+
+    private static void callWaiting(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(3);
+        client.settings().showsWaiting = parameters.number(0, 0, 1, client.settings().showsWaiting ? 1 : 0) == 1;
+        int mode = parameters.number(1, 0, 2, 1);
+        parameters.number(2, 1, 255, 1);
+        if (mode == 2) {
+            request.answer(client.modem().terminal().hasCallWaiting() ? 1 : 0, 1);
+        }
+    }
+
+    /** Each key as +VTS has it: a list, a quoted text of keys, or a key with its length in braces. */
+    private static AtResult sendKeys(AtClient client, AtRequest request) throws AtException {
+        List<DtmfKey> keys = new ArrayList<>();
+        int tenths = client.settings().keyTenths;
+        String text = request.command().parameters().replace(" ", "");
+        AtException refused = new AtException(CmeError.INCORRECT_PARAMETERS);
+        for (int at = 0; at < text.length(); ) {
+            if (text.charAt(at) == '{') {
+                int comma = text.indexOf(',', at);
+                int end = text.indexOf('}', at);
+                if (comma != at + 2 || end < comma + 2 || end > comma + 4) {
+                    throw refused;
+                }
+                keys.add(key(text.charAt(at + 1)));
+                tenths = tenths(text.substring(comma + 1, end));
+                at = end + 1;
+            } else if (text.charAt(at) == '"') {
+                int end = text.indexOf('"', at + 1);
+                if (end <= at + 1) {
+                    throw refused;
+                }
+                for (int i = at + 1; i < end; i++) {
+                    keys.add(key(text.charAt(i)));
+                }
+                at = end + 1;
+            } else {
+                keys.add(key(text.charAt(at++)));
+            }
+            if (at < text.length() && (text.charAt(at) != ',' || at + 1 == text.length())) {
+                throw refused;
+            }
+            at++;
+        }
+        if (keys.isEmpty() || keys.size() > MOST_KEYS) {
+            throw refused;
+        }
+        if (!client.modem().calls().isActive()) {
+            throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+        return client.modem().calls().sendKeys(request, keys, tenths == 0 ? KEY_MILLIS : tenths * TENTH_MILLIS);
+    }
+
+    private static DtmfKey key(char symbol) throws AtException {
+        char upper = Character.toUpperCase(symbol);
+        if (!DtmfKey.isKey(upper)) {
+            throw new AtException(CmeError.INCORRECT_PARAMETERS);
+        }
+        return DtmfKey.of(upper);
+    }
+
+    private static int tenths(String text) throws AtException {
+        if (!text.chars().allMatch(sign -> sign >= '0' && sign <= '9') || Integer.parseInt(text) > 255) {
+            throw new AtException(CmeError.INCORRECT_PARAMETERS);
+        }
+        return Integer.parseInt(text);
+    }
+
+    private static void detectKeys(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(4);
+        int mode = parameters.number(0, 0, 1);
+        int interval = parameters.number(1, 0, 10_000, 0);
+        int report = parameters.number(2, 0, 1, 0);
+        if (parameters.number(3, 0, 1, 0) == 1) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+        client.settings().reportsKeys = mode == 1;
+        client.settings().equalKeysMillis = interval;
+        client.settings().reportsKeyMillis = report == 1;
+    }
+}

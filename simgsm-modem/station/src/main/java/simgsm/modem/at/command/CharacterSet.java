@@ -1,0 +1,63 @@
+package simgsm.modem.at.command;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HexFormat;
+import simgsm.sms.GsmAlphabet;
+
+/** Character sets between client and modem (TS 27.007, 5.5). In a line each character stands for an octet. */
+enum CharacterSet {
+    /** The GSM default alphabet, one septet an octet. */
+    GSM,
+    /** ITU-T T.50: ASCII. */
+    IRA,
+    /** Four hexadecimal digits for each unit of UTF-16. */
+    UCS2;
+
+    private static final char UNKNOWN = '?';
+
+    /** The text that a client has written; IllegalArgumentException for digits that are no UCS2. */
+    String decode(String line) {
+        return switch (this) {
+            case GSM -> GsmAlphabet.decode(line.getBytes(StandardCharsets.ISO_8859_1));
+            case IRA -> line;
+            case UCS2 -> {
+                byte[] octets = HexFormat.of().parseHex(line);
+                if (octets.length % 2 != 0) {
+                    throw new IllegalArgumentException("expected four digits a character, found " + line);
+                }
+                yield new String(octets, StandardCharsets.UTF_16BE);
+            }
+        };
+    }
+
+    /** The text as the client reads it; a question mark for what the set does not have. */
+    String encode(String text) {
+        if (this == UCS2) {
+            return HexFormat.of().withUpperCase().formatHex(text.getBytes(StandardCharsets.UTF_16BE));
+        }
+        StringBuilder line = new StringBuilder(text.length());
+        text.chars().forEach(each -> {
+            String character = String.valueOf((char) each);
+            if (this == IRA) {
+                line.append(each < 0x80 ? (char) each : UNKNOWN);
+            } else {
+                String known = GsmAlphabet.encodes(character) ? character : String.valueOf(UNKNOWN);
+                line.append(new String(GsmAlphabet.encode(known), StandardCharsets.ISO_8859_1));
+            }
+        });
+        return line.toString();
+    }
+
+    /** A number: digits as they are, or in this set. */
+    String decodeNumber(String line) {
+        if (this != UCS2 || line.length() % 4 != 0 || line.startsWith("+")) {
+            return line;
+        }
+        try {
+            String decoded = decode(line);
+            return decoded.matches("\\+?[0-9*#]+") ? decoded : line;
+        } catch (IllegalArgumentException notHexadecimal) {
+            return line;
+        }
+    }
+}

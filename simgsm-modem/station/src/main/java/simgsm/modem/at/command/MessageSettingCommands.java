@@ -1,0 +1,167 @@
+package simgsm.modem.at.command;
+
+import simgsm.air.Msisdn;
+import simgsm.modem.at.AtCommandTable;
+import simgsm.modem.at.AtException;
+import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
+import simgsm.modem.at.CmsError;
+import simgsm.sms.ChannelList;
+
+/** What is set for short messages (TS 27.005, 3.2 and 3.3). */
+final class MessageSettingCommands {
+    private static final AtResult REFUSED = new AtResult.MessageError(CmsError.OPERATION_NOT_SUPPORTED);
+    private static final int SUBMIT = 0x01;
+    private static final int TYPE_MASK = 0x03;
+    private static final int VALIDITY_MASK = 0x18;
+    private static final int VALIDITY_ENHANCED = 0x08;
+    private static final int HAS_HEADER = 0x40;
+
+    private MessageSettingCommands() {}
+
+    static void addTo(AtCommandTable<AtClient> table) {
+        table.add("+CMGF", "0|1", "messages as PDU or as text (PDU)")
+                .read((client, request) -> request.answer(client.settings().textMode ? 1 : 0))
+                .test("(0,1)")
+                .set((client, request) -> client.settings().textMode = number(request, 1) == 1);
+        table.add("+CSMS", "0|1", "1: messages passed directly are acknowledged with +CNMA (0)")
+                .read((client, request) -> request.answer(client.settings().acknowledges ? 1 : 0, 1, 1, 1))
+                .test("(0,1)")
+                .set((client, request) -> {
+                    client.settings().acknowledges = number(request, 1) == 1;
+                    request.answer(1, 1, 1);
+                });
+        table.add("+CPMS", "\"SM\"[,\"SM\"[,\"SM\"]]", "message memory: the SIM, with 50 places")
+                .read((client, request) -> {
+                    String memory = "\"SM\"," + used(client);
+                    request.answer(memory, memory, memory);
+                })
+                .test("(\"SM\"),(\"SM\"),(\"SM\")")
+                .set(MessageSettingCommands::memories);
+        table.add(
+                        "+CNMI",
+                        "mode,mt,bm,ds,bfr",
+                        "new messages: mt 1 +CMTI, 2 +CMT, 3 +CMT for class 3; bm 2 +CBM; ds 1 +CDS, 2 +CDSI; mode 0 keeps the codes (0,0,0,0,0)")
+                .read((client, request) -> {
+                    ClientSettings settings = client.settings();
+                    request.answer(
+                            settings.indicationMode,
+                            settings.deliverMode,
+                            settings.broadcastMode,
+                            settings.reportMode,
+                            settings.bufferMode);
+                })
+                .test("(0-2),(0-3),(0,2),(0-2),(0,1)")
+                .set(MessageSettingCommands::indications);
+        table.add("+CSCA", "\"number\"[,type]", "service centre's number")
+                .read((client, request) -> request.answer(
+                        AtRequest.quoted(client.settings()
+                                .characterSet
+                                .encode("+" + client.modem().messages().serviceCenter())),
+                        145))
+                .set(MessageSettingCommands::serviceCenter);
+        table.add("+CSMP", "fo,vp,pid,dcs", "text mode: first octet, validity, protocol, coding (17,167,0,0)")
+                .read((client, request) -> {
+                    ClientSettings settings = client.settings();
+                    request.answer(
+                            settings.submitFirstOctet,
+                            settings.submitValidity,
+                            settings.submitProtocol,
+                            settings.submitCoding);
+                })
+                .set(MessageSettingCommands::submitParameters);
+        table.add("+CSDH", "0|1", "text mode: shows all header fields (0)")
+                .read((client, request) -> request.answer(client.settings().showsHeader ? 1 : 0))
+                .test("(0,1)")
+                .set((client, request) -> client.settings().showsHeader = number(request, 1) == 1);
+        table.add("+CSCB", "0,\"channels\"", "broadcast channels that +CBM reports, as 50,919,4370-4399 (all)")
+                .read((client, request) -> request.answer(0, AtRequest.quoted("" + client.settings().channels), "\"\""))
+                .test("(0,1)")
+                .set(MessageSettingCommands::channels);
+        table.add("+CMMS", "0-2", "keeps the link between messages; accepted, without effect")
+                .read((client, request) -> request.answer(0))
+                .test("(0-2)")
+                .set((client, request) -> number(request, 2));
+    }
+
+    private static int number(AtRequest request, int most) throws AtException {
+        return request.parameters().refusing(REFUSED).atMost(1).number(0, 0, most);
+    }
+
+    private static String used(AtClient client) {
+        return client.modem().messages().memory().used() + "," + SimMemory.CAPACITY;
+    }
+
+    private static void memories(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(REFUSED).atMost(3);
+        for (int i = 0; i < Math.max(1, parameters.count()); i++) {
+            if (!parameters.text(i).equalsIgnoreCase("SM")) {
+                throw parameters.refused();
+            }
+        }
+        request.answer(used(client), used(client), used(client));
+    }
+
+    private static void indications(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(REFUSED).atMost(5);
+        ClientSettings settings = client.settings();
+        int mode = parameters.number(0, 0, 2, settings.indicationMode);
+        int deliver = parameters.number(1, 0, 3, settings.deliverMode);
+        int broadcast = parameters.number(2, 0, 2, settings.broadcastMode);
+        int report = parameters.number(3, 0, 2, settings.reportMode);
+        int buffer = parameters.number(4, 0, 1, settings.bufferMode);
+        if (broadcast == 1) {
+            throw parameters.refused();
+        }
+        settings.indicationMode = mode;
+        settings.deliverMode = deliver;
+        settings.broadcastMode = broadcast;
+        settings.reportMode = report;
+        settings.bufferMode = buffer;
+        client.modem().messages().indicationsSet(client);
+    }
+
+    private static void serviceCenter(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(REFUSED).atMost(2);
+        try {
+            String number = client.settings().characterSet.decodeNumber(parameters.text(0));
+            client.modem().messages().setServiceCenter(Msisdn.parse(number));
+        } catch (IllegalArgumentException notANumber) {
+            throw AtException.ofMessage(CmsError.INVALID_TEXT_PARAMETER);
+        }
+    }
+
+    private static void submitParameters(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(REFUSED).atMost(4);
+        ClientSettings settings = client.settings();
+        int first = parameters.number(0, 0, 255, settings.submitFirstOctet);
+        int validity = parameters.number(1, 0, 255, settings.submitValidity);
+        int protocol = parameters.number(2, 0, 255, settings.submitProtocol);
+        int coding = parameters.number(3, 0, 255, settings.submitCoding);
+        boolean isAbsolute = (first & VALIDITY_MASK) == VALIDITY_MASK;
+        boolean isEnhanced = (first & VALIDITY_MASK) == VALIDITY_ENHANCED;
+        if ((first & TYPE_MASK) != SUBMIT || isAbsolute || isEnhanced || (first & HAS_HEADER) != 0) {
+            throw parameters.refused();
+        }
+        settings.submitFirstOctet = first;
+        settings.submitValidity = validity;
+        settings.submitProtocol = protocol;
+        settings.submitCoding = coding;
+    }
+
+    private static void channels(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(REFUSED).atMost(3);
+        int mode = parameters.number(0, 0, 1);
+        String list = parameters.text(1);
+        if (mode == 1 && !list.isEmpty()) {
+            throw parameters.refused();
+        }
+        try {
+            client.settings().channels =
+                    list.isEmpty() ? mode == 1 ? ChannelList.ALL : ChannelList.NONE : ChannelList.parse(list);
+        } catch (IllegalArgumentException wrong) {
+            throw parameters.refused();
+        }
+    }
+}

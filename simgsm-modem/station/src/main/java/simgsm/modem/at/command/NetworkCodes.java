@@ -1,0 +1,107 @@
+package simgsm.modem.at.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.air.Imsi;
+import simgsm.air.LocationArea;
+import simgsm.station.StationSnapshot;
+import simgsm.station.call.MobileCallState;
+
+/** Registration and indicators, and their unsolicited codes +CREG and +CIEV. */
+final class NetworkCodes {
+    /** Indicators in the order of +CIND (TS 27.007, 8.9), with their ranges. */
+    static final String INDICATORS = "(\"battchg\",(0-5)),(\"signal\",(0-5)),(\"service\",(0,1)),(\"message\",(0,1)),"
+            + "(\"call\",(0,1)),(\"roam\",(0,1)),(\"smsfull\",(0,1)),(\"callsetup\",(0-3))";
+
+    /** Of the test network's one cell. */
+    private static final String CELL = "0001";
+
+    private static final String DEFAULT_NAME = "SimGSM";
+    private static final int FULL = 5;
+    /** +CSQ: -63 dBm of a terminal that has a link; the suite without cells simulates no radio. */
+    private static final int SIGNAL_WITH_LINK = 25;
+
+    private static final int SIGNAL_UNKNOWN = 99;
+
+    private final AtModem modem;
+    private int lastRegistration = -1;
+    private List<Integer> lastIndicators = List.of();
+
+    NetworkCodes(AtModem modem) {
+        this.modem = modem;
+    }
+
+    private StationSnapshot station() {
+        return modem.terminal().snapshot();
+    }
+
+    /** 0 off, 1 registered at home, 2 searching, 3 denied (TS 27.007, 7.2). */
+    int registration() {
+        if (!station().powered()) {
+            return 0;
+        }
+        if (station().registered()) {
+            return 1;
+        }
+        return station().rejectCause().isPresent() ? 3 : 2;
+    }
+
+    /** State, and for mode 2 the place where the terminal is registered. */
+    String registration(int mode) {
+        int state = registration();
+        String area = String.format("%04X", LocationArea.TEST.areaCode());
+        return mode == 2 && state == 1 ? state + ",\"" + area + "\",\"" + CELL + "\"" : Integer.toString(state);
+    }
+
+    /** 0 to 31, -113 dBm and 2 dB a step, or 99. */
+    int signal() {
+        return station().powered() && station().linkUp() ? SIGNAL_WITH_LINK : SIGNAL_UNKNOWN;
+    }
+
+    String operatorName() {
+        return station().networkName().isEmpty() ? DEFAULT_NAME : station().networkName();
+    }
+
+    static String operatorCode() {
+        return Imsi.TEST_NETWORK;
+    }
+
+    List<Integer> indicators() {
+        boolean isRegistered = station().registered();
+        List<Integer> values = new ArrayList<>();
+        values.add(FULL);
+        values.add(signal() == SIGNAL_UNKNOWN ? 0 : FULL);
+        values.add(isRegistered ? 1 : 0);
+        values.add(modem.messages().hasUnread() ? 1 : 0);
+        values.add(station().callState() == MobileCallState.ACTIVE ? 1 : 0);
+        values.add(0);
+        values.add(modem.messages().isFull() ? 1 : 0);
+        values.add(modem.calls().setup());
+        return values;
+    }
+
+    /** Reports what has changed. */
+    void check() {
+        if (registration() != lastRegistration) {
+            lastRegistration = registration();
+            for (AtClient client : modem.clients()) {
+                if (client.settings().registrationMode > 0) {
+                    client.report("+CREG: " + registration(client.settings().registrationMode));
+                }
+            }
+        }
+        List<Integer> now = indicators();
+        for (int i = 0; i < lastIndicators.size(); i++) {
+            if (!now.get(i).equals(lastIndicators.get(i))) {
+                report("+CIEV: " + (i + 1) + "," + now.get(i));
+            }
+        }
+        lastIndicators = now;
+    }
+
+    private void report(String line) {
+        modem.clients().stream()
+                .filter(client -> client.settings().reportsIndicators)
+                .forEach(client -> client.report(line));
+    }
+}

@@ -1,0 +1,131 @@
+package simgsm.modem.at.command;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.modem.at.AtCommandTable;
+import simgsm.modem.at.AtException;
+import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.CmeError;
+
+/** The phone book (TS 27.007, 8.11 to 8.14). */
+final class PhoneBookCommands {
+    private PhoneBookCommands() {}
+
+    static void addTo(AtCommandTable<AtClient> table) {
+        table.add(
+                        "+CPBS",
+                        "\"SM\"|\"ON\"|\"LD\"|\"RC\"|\"MC\"",
+                        "phone book: SIM, own number, dialled, received, missed (SM)")
+                .read((client, request) -> {
+                    String book = client.settings().phoneBook;
+                    PhoneBooks books = client.modem().books();
+                    request.answer(AtRequest.quoted(book), books.entries(book).size(), books.capacity(book));
+                })
+                .test("(\"SM\",\"ON\",\"LD\",\"RC\",\"MC\")")
+                .set(PhoneBookCommands::select);
+        table.add("+CPBR", "place[,last]", "reads entries")
+                .testWith((client, request) -> request.answer(
+                        "(1-" + client.modem().books().capacity(client.settings().phoneBook) + ")",
+                        PhoneBooks.MOST_DIGITS,
+                        PhoneBooks.MOST_LETTERS))
+                .set(PhoneBookCommands::read);
+        table.add("+CPBF", "\"text\"", "finds entries whose name begins so")
+                .testWith((client, request) -> request.answer(PhoneBooks.MOST_DIGITS, PhoneBooks.MOST_LETTERS))
+                .set(PhoneBookCommands::find);
+        table.add("+CPBW", "[place][,\"number\"[,type[,\"name\"]]]", "writes an entry, or erases it")
+                .test("(1-" + PhoneBooks.CAPACITY + ")," + PhoneBooks.MOST_DIGITS + ",(129,145),"
+                        + PhoneBooks.MOST_LETTERS)
+                .set(PhoneBookCommands::write);
+    }
+
+    private static void select(AtClient client, AtRequest request) throws AtException {
+        String book = request.parameters().atMost(2).text(0).toUpperCase(Locale.ROOT);
+        if (!client.modem().books().names().contains(book)) {
+            throw new AtException(CmeError.INCORRECT_PARAMETERS);
+        }
+        client.settings().phoneBook = book;
+    }
+
+    private static void read(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(2);
+        PhoneBooks books = client.modem().books();
+        int capacity = books.capacity(client.settings().phoneBook);
+        int first = place(parameters, 0, capacity);
+        int last = parameters.given(1).isPresent() ? place(parameters, 1, capacity) : first;
+        books.entries(client.settings().phoneBook).forEach((place, entry) -> {
+            if (place >= first && place <= last) {
+                answer(client, request, place, entry);
+            }
+        });
+    }
+
+    private static int place(AtParameters parameters, int index, int capacity) throws AtException {
+        int place = parameters.number(index, 0, Integer.MAX_VALUE);
+        if (place < 1 || place > capacity) {
+            throw new AtException(CmeError.INVALID_INDEX);
+        }
+        return place;
+    }
+
+    private static void answer(AtClient client, AtRequest request, int place, PhoneBooks.Entry entry) {
+        CharacterSet set = client.settings().characterSet;
+        request.answer(
+                place,
+                AtRequest.quoted(entry.number()),
+                CallCodes.typeOf(entry.number()),
+                AtRequest.quoted(set.encode(entry.name())));
+    }
+
+    private static void find(AtClient client, AtRequest request) throws AtException {
+        String wanted = decoded(client, request.parameters().atMost(1).text(0));
+        for (Map.Entry<Integer, PhoneBooks.Entry> entry :
+                client.modem().books().entries(client.settings().phoneBook).entrySet()) {
+            if (entry.getValue().name().startsWith(wanted)) {
+                answer(client, request, entry.getKey(), entry.getValue());
+            }
+        }
+    }
+
+    private static String decoded(AtClient client, String text) throws AtException {
+        try {
+            return client.settings().characterSet.decode(text);
+        } catch (IllegalArgumentException notOfTheSet) {
+            throw new AtException(CmeError.INVALID_TEXT);
+        }
+    }
+
+    private static void write(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(4);
+        PhoneBooks books = client.modem().books();
+        if (!client.settings().phoneBook.equals(PhoneBooks.SIM)) {
+            throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+        Optional<String> given = parameters.given(0);
+        int place = given.isPresent()
+                ? place(parameters, 0, PhoneBooks.CAPACITY)
+                : books.free().orElseThrow(() -> new AtException(CmeError.MEMORY_FULL));
+        if (parameters.count() < 2) {
+            if (given.isEmpty()) {
+                throw new AtException(CmeError.INCORRECT_PARAMETERS);
+            }
+            books.erase(place);
+            return;
+        }
+        books.write(place, entry(client, parameters));
+    }
+
+    private static PhoneBooks.Entry entry(AtClient client, AtParameters parameters) throws AtException {
+        String number = client.settings().characterSet.decodeNumber(parameters.text(1));
+        boolean international = parameters.number(2, 128, 255, CallCodes.typeOf(number)) == CallCodes.typeOf("+");
+        if (!number.matches("\\+?[0-9*#]*")) {
+            throw new AtException(CmeError.INVALID_DIAL_STRING);
+        }
+        String name = decoded(client, parameters.text(3));
+        if (number.length() > PhoneBooks.MOST_DIGITS + 1 || name.length() > PhoneBooks.MOST_LETTERS) {
+            throw new AtException(CmeError.TEXT_TOO_LONG);
+        }
+        return new PhoneBooks.Entry((international && !number.startsWith("+") ? "+" : "") + number, name);
+    }
+}

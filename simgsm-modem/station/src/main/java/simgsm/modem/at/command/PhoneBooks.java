@@ -1,0 +1,105 @@
+package simgsm.modem.at.command;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import simgsm.air.Msisdn;
+
+/** The phone books: the SIM's, which clients write, and those that the modem keeps. Their places are counted from 1. */
+final class PhoneBooks {
+    static final String SIM = "SM";
+    static final int CAPACITY = 100;
+    static final int LOG_CAPACITY = 10;
+    static final int MOST_DIGITS = 20;
+    static final int MOST_LETTERS = 20;
+
+    /** @param number with + for an international one */
+    record Entry(String number, String name) {}
+
+    private final Map<Integer, Entry> written = new TreeMap<>();
+    private final Map<String, Deque<String>> logs = new LinkedHashMap<>();
+    private final Entry own;
+
+    PhoneBooks(Msisdn own) {
+        this.own = new Entry("+" + own, "");
+        for (String log : List.of("LD", "RC", "MC")) {
+            logs.put(log, new ArrayDeque<>());
+        }
+    }
+
+    /** The names for +CPBS: SIM, own number, last dialled, received, missed. */
+    List<String> names() {
+        List<String> names = new ArrayList<>(List.of(SIM, "ON"));
+        names.addAll(logs.keySet());
+        return names;
+    }
+
+    int capacity(String book) {
+        return book.equals(SIM) ? CAPACITY : book.equals("ON") ? 1 : LOG_CAPACITY;
+    }
+
+    /** The entries by place. */
+    Map<Integer, Entry> entries(String book) {
+        if (book.equals(SIM)) {
+            return written;
+        }
+        if (book.equals("ON")) {
+            return Map.of(1, own);
+        }
+        Map<Integer, Entry> entries = new TreeMap<>();
+        for (String number : logs.get(book)) {
+            entries.put(entries.size() + 1, new Entry(number, ""));
+        }
+        return entries;
+    }
+
+    /** The first free place of the SIM's book. */
+    Optional<Integer> free() {
+        for (int place = 1; place <= CAPACITY; place++) {
+            if (!written.containsKey(place)) {
+                return Optional.of(place);
+            }
+        }
+        return Optional.empty();
+    }
+
+    void write(int place, Entry entry) {
+        written.put(place, entry);
+    }
+
+    void erase(int place) {
+        written.remove(place);
+    }
+
+    Optional<String> lastDialled() {
+        return Optional.ofNullable(logs.get("LD").peekFirst());
+    }
+
+    void dialled(String number) {
+        log("LD", number);
+    }
+
+    void answered(String number) {
+        log("RC", number);
+    }
+
+    void missed(String number) {
+        log("MC", number);
+    }
+
+    private void log(String book, String number) {
+        Deque<String> numbers = logs.get(book);
+        if (!number.isEmpty()) {
+            numbers.remove(number);
+            numbers.addFirst(number);
+        }
+        if (numbers.size() > LOG_CAPACITY) {
+            numbers.removeLast();
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package simgsm.modem.at.command;
+
+import simgsm.modem.at.AtCommandTable;
+import simgsm.modem.at.AtException;
+import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
+import simgsm.modem.at.CmeError;
+
+/** The SIM (TS 27.007, 5, 7 and 8). */
+final class SimCommands {
+    private SimCommands() {}
+
+    static void addTo(AtCommandTable<AtClient> table) {
+        table.add("+CPIN", "\"PIN\"", "SIM: READY, without a PIN")
+                .read((client, request) -> request.answer("READY"))
+                .setFor((client, request) -> new AtResult.EquipmentError(CmeError.OPERATION_NOT_ALLOWED));
+        table.add("+CIMI", "", "IMSI")
+                .execute((client, request) ->
+                        request.line(client.modem().terminal().identity().imsi().digits()));
+        table.add("+CNUM", "", "own number")
+                .execute((client, request) -> request.answer(
+                        "\"\"",
+                        AtRequest.quoted(client.settings()
+                                .characterSet
+                                .encode("+"
+                                        + client.modem().terminal().identity().number())),
+                        145));
+        table.add("+CCID", "", "number of the SIM")
+                .execute((client, request) ->
+                        request.answer(AtRequest.quoted(files(client).iccid())));
+        table.add("+CLCK", "\"SC\",2", "locks: asks whether the SIM has a PIN")
+                .test("(\"SC\")")
+                .set(SimCommands::lock);
+        table.add(
+                        "+CRSM",
+                        "command,file[,P1,P2,P3]",
+                        "reads files of the SIM: ICCID, IMSI, AD, SPN, ECC, MSISDN, SMSP, LOCI and others")
+                .set(SimCommands::restrictedAccess);
+    }
+
+    private static SimFiles files(AtClient client) {
+        return new SimFiles(
+                client.modem().terminal().identity(), client.modem().network().operatorName());
+    }
+
+    private static void lock(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(4);
+        int mode = parameters.number(1, 0, 2);
+        if (!parameters.text(0).equalsIgnoreCase("SC") || mode != 2) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+        request.answer(0);
+    }
+
+    private static void restrictedAccess(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(7);
+        SimFiles.Answer answer = files(client)
+                .access(
+                        parameters.number(0, 0, 255),
+                        parameters.number(1, 0, 0xffff, 0),
+                        parameters.number(2, 0, 255, 0),
+                        parameters.number(3, 0, 255, 0),
+                        parameters.number(4, 0, 255, 0));
+        if (answer.data().isEmpty()) {
+            request.answer(answer.status1(), answer.status2());
+        } else {
+            request.answer(answer.status1(), answer.status2(), AtRequest.quoted(answer.data()));
+        }
+    }
+}

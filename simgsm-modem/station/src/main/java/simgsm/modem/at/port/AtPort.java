@@ -1,0 +1,130 @@
+package simgsm.modem.at.port;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import simgsm.modem.at.command.AtClient;
+import simgsm.modem.at.command.AtModem;
+import simgsm.net.Acceptor;
+import simgsm.net.Connection;
+import simgsm.net.ConnectionLimits;
+import simgsm.net.OutputQueue;
+import simgsm.station.StationThread;
+import simgsm.station.context.StationEvent;
+import simgsm.timer.Timers;
+
+/**
+ * A TCP port where clients give AT commands to one terminal; up to 8 at a time, each with settings of its own. It belongs
+ * to the thread of the terminal's station, and is its clock as well.
+ */
+public final class AtPort implements AutoCloseable {
+    private static final int MOST_CLIENTS = 8;
+    /** Answers and codes that wait for a client; one that reads nothing loses its connection. */
+    private static final int MOST_WAITING = 10_000;
+
+    private static final long MOST_WAIT_NANOS = 1_000_000_000;
+
+    private final AtModem modem;
+    private final Acceptor acceptor;
+    private final long originNanos = System.nanoTime();
+
+    private final class ClientConnection extends Connection {
+        private final OutputQueue output = new OutputQueue(MOST_WAITING, 0, written -> {});
+        private AtClient client;
+
+        ClientConnection(Endpoint endpoint) {
+            super(endpoint);
+        }
+
+        @Override
+        protected void opened() {
+            advance();
+            client = modem.connect(this::send);
+            tick();
+        }
+
+        private void send(byte[] octets) {
+            if (!output.add(octets, false)) {
+                fail("the client does not read");
+            }
+            flushLater();
+        }
+
+        /** Gives the modem its time while somebody is connected: each connection wakes itself at the next deadline. */
+        private void tick() {
+            advance();
+            Timers timers = modem.timers();
+            long wait = timers.nextDeadlineNanos().isPresent()
+                    ? timers.nextDeadlineNanos().getAsLong() - timers.nowNanos()
+                    : MOST_WAIT_NANOS;
+            after(Math.min(wait, MOST_WAIT_NANOS), this::tick);
+        }
+
+        @Override
+        protected void received(ByteBuffer octets) {
+            byte[] all = new byte[octets.remaining()];
+            octets.get(all);
+            advance();
+            client.received(all);
+        }
+
+        @Override
+        protected boolean wantsInput() {
+            return client == null || client.wantsInput();
+        }
+
+        @Override
+        protected boolean hasOutput() {
+            return !output.isEmpty();
+        }
+
+        @Override
+        protected void writeTo(WritableByteChannel channel) throws IOException {
+            output.flush(channel);
+        }
+
+        @Override
+        protected void closing(boolean isByPeer) {
+            if (client != null) {
+                client.close();
+            }
+        }
+    }
+
+    private AtPort(AtModem modem, StationThread thread, InetSocketAddress address) throws IOException {
+        this.modem = modem;
+        acceptor = thread.listen(
+                address, new ConnectionLimits(MOST_CLIENTS, MOST_CLIENTS), endpoint -> new ClientConnection(endpoint));
+    }
+
+    /**
+     * Opens a port; it is served once the thread runs.
+     *
+     * @param thread owns the modem's station
+     * @throws IOException naming address and port
+     */
+    public static AtPort open(AtModem modem, StationThread thread, InetSocketAddress address) throws IOException {
+        return new AtPort(modem, thread, address);
+    }
+
+    public int port() {
+        return acceptor.port();
+    }
+
+    /** Receives each event of the terminal's station, on its thread. */
+    public void accept(StationEvent event) {
+        advance();
+        modem.accept(event);
+    }
+
+    private void advance() {
+        modem.timers().advance(System.nanoTime() - originNanos);
+    }
+
+    /** Closes the port; connected clients stay until the thread ends. */
+    @Override
+    public void close() {
+        acceptor.close();
+    }
+}

@@ -1,0 +1,86 @@
+package simgsm.phone;
+
+import java.util.List;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.at.command.AtTerminal;
+import simgsm.octets.OctetString;
+import simgsm.phone.handset.Handset;
+import simgsm.station.MobileStation;
+import simgsm.station.StationSnapshot;
+import simgsm.station.context.StationIdentity;
+
+/** The phone as a modem: AT commands act on the handset, which shows what they do. */
+final class PhoneTerminal implements AtTerminal {
+    private final Handset handset;
+    private final MobileStation station;
+
+    PhoneTerminal(Handset handset, MobileStation station) {
+        this.handset = handset;
+        this.station = station;
+    }
+
+    @Override
+    public String model() {
+        return "M1";
+    }
+
+    @Override
+    public StationIdentity identity() {
+        return station.identity();
+    }
+
+    @Override
+    public StationSnapshot snapshot() {
+        return station.snapshot();
+    }
+
+    @Override
+    public boolean dial(Msisdn number) {
+        return handset.dial(number).isEmpty();
+    }
+
+    @Override
+    public boolean answer() {
+        return handset.answer().isEmpty();
+    }
+
+    @Override
+    public boolean hangUp() {
+        return handset.hangUp().isEmpty();
+    }
+
+    @Override
+    public boolean rejectWaiting() {
+        return station.rejectWaiting();
+    }
+
+    @Override
+    public boolean hasCallWaiting() {
+        return true;
+    }
+
+    @Override
+    public void sendKeys(List<DtmfKey> keys, int toneMillis, Runnable sent) {
+        handset.press(keys, toneMillis, sent);
+    }
+
+    @Override
+    public void setPower(boolean on) {
+        if (on) {
+            handset.powerOn();
+        } else {
+            handset.powerOff();
+        }
+    }
+
+    @Override
+    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        return station.submit(tpdu, to, serviceCenter);
+    }
+
+    @Override
+    public void setMemoryAvailable(boolean available) {
+        handset.setMemoryAvailable(available);
+    }
+}
