@@ -53,7 +53,8 @@ class LayeringTest {
             simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.modem.at          : simgsm.timer
-            simgsm.modem.at.command  : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
+            simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sms simgsm.station.context
+            simgsm.modem.at.command  : simgsm.modem.at.state simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at.command
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
@@ -244,6 +245,7 @@ class LayeringTest {
         "simgsm.station..",
         "simgsm.modem",
         "simgsm.modem.at",
+        "simgsm.modem.at.state",
         "simgsm.modem.at.command",
         "simgsm.center.msc..",
         "simgsm.center.smpp",

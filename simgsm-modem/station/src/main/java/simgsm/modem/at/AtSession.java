@@ -1,6 +1,5 @@
 package simgsm.modem.at;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -42,7 +41,7 @@ public final class AtSession<C> {
     private final C client;
     private final Timers timers;
     private final Consumer<byte[]> output;
-    private final ByteArrayOutputStream unsent = new ByteArrayOutputStream();
+    private final StringBuilder unsent = new StringBuilder();
     private final Deque<Byte> input = new ArrayDeque<>();
     private final Deque<String> held = new ArrayDeque<>();
     private final StringBuilder line = new StringBuilder();
@@ -114,9 +113,9 @@ public final class AtSession<C> {
     }
 
     private void flush() {
-        if (unsent.size() > 0 && !isClosed) {
-            byte[] octets = unsent.toByteArray();
-            unsent.reset();
+        if (unsent.length() > 0 && !isClosed) {
+            byte[] octets = unsent.toString().getBytes(StandardCharsets.ISO_8859_1);
+            unsent.setLength(0);
             output.accept(octets);
         }
     }
@@ -327,13 +326,12 @@ public final class AtSession<C> {
 
     private void echo(char character) {
         if (format.isEchoed()) {
-            unsent.write(character);
+            unsent.append(character);
         }
     }
 
     private void send(String octets) {
-        byte[] all = octets.getBytes(StandardCharsets.ISO_8859_1);
-        unsent.write(all, 0, all.length);
+        unsent.append(octets);
     }
 
     void line(String information) {

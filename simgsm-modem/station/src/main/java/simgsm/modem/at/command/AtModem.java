@@ -4,6 +4,8 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import simgsm.modem.at.state.ModemClock;
+import simgsm.modem.at.state.PhoneBooks;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timers;
 

@@ -12,6 +12,7 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.state.PhoneBooks;
 
 /** Calls and keys (V.250, 6.3; TS 27.007, 6, 7 and C.2). */
 final class CallCommands {

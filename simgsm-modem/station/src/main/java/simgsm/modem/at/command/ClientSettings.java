@@ -1,5 +1,6 @@
 package simgsm.modem.at.command;
 
+import simgsm.modem.at.state.CharacterSet;
 import simgsm.sms.ChannelList;
 
 /** What one client has set; each connection begins with these values, and ATZ and AT&F restore them. */

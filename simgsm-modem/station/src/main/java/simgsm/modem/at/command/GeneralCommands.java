@@ -5,6 +5,7 @@ import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.state.CharacterSet;
 
 /** Answers and identity (V.250; TS 27.007, 5 and 9). */
 final class GeneralCommands {

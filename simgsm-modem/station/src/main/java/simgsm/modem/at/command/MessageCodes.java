@@ -13,6 +13,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
 import simgsm.sms.CellBroadcastPage;
 import simgsm.sms.DeliverTpdu;

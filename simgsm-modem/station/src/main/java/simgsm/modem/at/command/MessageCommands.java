@@ -13,6 +13,7 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmsError;
+import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.Tpdu;
@@ -175,7 +176,7 @@ final class MessageCommands {
 
     private static Optional<SimMemory.Status> statusOf(String words) {
         for (SimMemory.Status status : SimMemory.Status.values()) {
-            if (status.words.equals(words.toUpperCase(Locale.ROOT))) {
+            if (status.words().equals(words.toUpperCase(Locale.ROOT))) {
                 return Optional.of(status);
             }
         }

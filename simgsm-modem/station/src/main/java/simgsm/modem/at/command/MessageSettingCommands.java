@@ -7,6 +7,7 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmsError;
+import simgsm.modem.at.state.SimMemory;
 import simgsm.sms.ChannelList;
 
 /** What is set for short messages (TS 27.005, 3.2 and 3.3). */

@@ -6,6 +6,7 @@ import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.state.ModemClock;
 
 /** Network, indicators and clock (TS 27.007, 7 and 8). */
 final class NetworkCommands {

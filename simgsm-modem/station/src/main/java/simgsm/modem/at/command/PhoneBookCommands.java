@@ -8,6 +8,8 @@ import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.state.CharacterSet;
+import simgsm.modem.at.state.PhoneBooks;
 
 /** The phone book (TS 27.007, 8.11 to 8.14). */
 final class PhoneBookCommands {

@@ -6,6 +6,7 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.state.SimFiles;
 
 /** The SIM (TS 27.007, 5, 7 and 8). */
 final class SimCommands {

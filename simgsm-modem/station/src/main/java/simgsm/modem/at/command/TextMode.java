@@ -3,6 +3,8 @@ package simgsm.modem.at.command;
 import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
+import simgsm.modem.at.state.ModemClock;
+import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
 import simgsm.sms.Alphabet;
 import simgsm.sms.CellBroadcast;
@@ -28,7 +30,7 @@ final class TextMode {
 
     /** A line of +CMGL, after its name. */
     String listed(int index, SimMemory.Status status, OctetString octets, Tpdu tpdu) {
-        String begin = index + "," + quoted(status.words) + ",";
+        String begin = index + "," + quoted(status.words()) + ",";
         if (tpdu instanceof DeliverTpdu deliver) {
             String more =
                     settings.showsHeader ? "," + type(deliver.originator()) + "," + length(deliver.userData()) : "";
@@ -45,7 +47,7 @@ final class TextMode {
 
     /** A message of +CMGR, after its name. */
     String read(SimMemory.Status status, OctetString octets, Tpdu tpdu) {
-        String begin = quoted(status.words) + ",";
+        String begin = quoted(status.words()) + ",";
         if (tpdu instanceof DeliverTpdu deliver) {
             return begin + delivered(octets, deliver);
         }

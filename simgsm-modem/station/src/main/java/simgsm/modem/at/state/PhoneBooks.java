@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.state;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -11,21 +11,21 @@ import java.util.TreeMap;
 import simgsm.air.Msisdn;
 
 /** The phone books: the SIM's, which clients write, and those that the modem keeps. Their places are counted from 1. */
-final class PhoneBooks {
-    static final String SIM = "SM";
-    static final int CAPACITY = 100;
+public final class PhoneBooks {
+    public static final String SIM = "SM";
+    public static final int CAPACITY = 100;
     static final int LOG_CAPACITY = 10;
-    static final int MOST_DIGITS = 20;
-    static final int MOST_LETTERS = 20;
+    public static final int MOST_DIGITS = 20;
+    public static final int MOST_LETTERS = 20;
 
     /** @param number with + for an international one */
-    record Entry(String number, String name) {}
+    public record Entry(String number, String name) {}
 
     private final Map<Integer, Entry> written = new TreeMap<>();
     private final Map<String, Deque<String>> logs = new LinkedHashMap<>();
     private final Entry own;
 
-    PhoneBooks(Msisdn own) {
+    public PhoneBooks(Msisdn own) {
         this.own = new Entry("+" + own, "");
         for (String log : List.of("LD", "RC", "MC")) {
             logs.put(log, new ArrayDeque<>());
@@ -33,18 +33,18 @@ final class PhoneBooks {
     }
 
     /** The names for +CPBS: SIM, own number, last dialled, received, missed. */
-    List<String> names() {
+    public List<String> names() {
         List<String> names = new ArrayList<>(List.of(SIM, "ON"));
         names.addAll(logs.keySet());
         return names;
     }
 
-    int capacity(String book) {
+    public int capacity(String book) {
         return book.equals(SIM) ? CAPACITY : book.equals("ON") ? 1 : LOG_CAPACITY;
     }
 
     /** The entries by place. */
-    Map<Integer, Entry> entries(String book) {
+    public Map<Integer, Entry> entries(String book) {
         if (book.equals(SIM)) {
             return written;
         }
@@ -59,7 +59,7 @@ final class PhoneBooks {
     }
 
     /** The first free place of the SIM's book. */
-    Optional<Integer> free() {
+    public Optional<Integer> free() {
         for (int place = 1; place <= CAPACITY; place++) {
             if (!written.containsKey(place)) {
                 return Optional.of(place);
@@ -68,27 +68,27 @@ final class PhoneBooks {
         return Optional.empty();
     }
 
-    void write(int place, Entry entry) {
+    public void write(int place, Entry entry) {
         written.put(place, entry);
     }
 
-    void erase(int place) {
+    public void erase(int place) {
         written.remove(place);
     }
 
-    Optional<String> lastDialled() {
+    public Optional<String> lastDialled() {
         return Optional.ofNullable(logs.get("LD").peekFirst());
     }
 
-    void dialled(String number) {
+    public void dialled(String number) {
         log("LD", number);
     }
 
-    void answered(String number) {
+    public void answered(String number) {
         log("RC", number);
     }
 
-    void missed(String number) {
+    public void missed(String number) {
         log("MC", number);
     }
 

@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.state;
 
 import java.util.Arrays;
 import java.util.HexFormat;
@@ -9,9 +9,9 @@ import simgsm.sms.GsmAlphabet;
 import simgsm.station.context.StationIdentity;
 
 /** The elementary files of the SIM that clients read (TS 51.011, 10), made from the terminal's identity. */
-final class SimFiles {
+public final class SimFiles {
     /** Status words and the data read, as hexadecimal digits (TS 27.007, 8.18; TS 51.011, 9.4). */
-    record Answer(int status1, int status2, String data) {}
+    public record Answer(int status1, int status2, String data) {}
 
     /** @param recordLength 0 for a transparent file */
     private record File(byte[] content, int recordLength) {}
@@ -45,7 +45,7 @@ final class SimFiles {
     private final Map<Integer, File> files = new TreeMap<>();
     private final String iccid;
 
-    SimFiles(StationIdentity identity, String operatorName) {
+    public SimFiles(StationIdentity identity, String operatorName) {
         String imsi = identity.imsi().digits();
         iccid = withCheckDigit(("89" + imsi + "000000000000000000").substring(0, 18));
         transparent(ICCID, digits(iccid, 10));
@@ -65,7 +65,7 @@ final class SimFiles {
         transparent(EMERGENCY_CODES, emergency);
     }
 
-    String iccid() {
+    public String iccid() {
         return iccid;
     }
 
@@ -131,7 +131,7 @@ final class SimFiles {
     }
 
     /** Performs one command; files cannot be changed. @param length P3, 0 for all */
-    Answer access(int command, int identifier, int p1, int p2, int length) {
+    public Answer access(int command, int identifier, int p1, int p2, int length) {
         if (command == STATUS) {
             return new Answer(144, 0, "");
         }

@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.state;
 
 import java.time.DateTimeException;
 import java.time.Duration;
@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** The modem's clock (AT+CCLK): the machine's local time until a client sets it. */
-final class ModemClock {
+public final class ModemClock {
     private static final Pattern STAMP =
             Pattern.compile("(\\d\\d)/(\\d\\d)/(\\d\\d),(\\d\\d):(\\d\\d):(\\d\\d)(?:([+-])(\\d\\d))?");
     private static final int QUARTER_SECONDS = 15 * 60;
@@ -20,17 +20,17 @@ final class ModemClock {
     private Duration ahead = Duration.ZERO;
     private ZoneOffset zone;
 
-    ModemClock(InstantSource wallClock) {
+    public ModemClock(InstantSource wallClock) {
         this.wallClock = wallClock;
         zone = ZoneId.systemDefault().getRules().getOffset(wallClock.instant());
     }
 
-    OffsetDateTime now() {
+    public OffsetDateTime now() {
         return wallClock.instant().plus(ahead).atOffset(zone);
     }
 
     /** IllegalArgumentException for anything but {@code yy/MM/dd,hh:mm:ss} with or without quarters of an hour. */
-    void set(String text) {
+    public void set(String text) {
         Matcher stamp = STAMP.matcher(text);
         if (!stamp.matches()) {
             throw new IllegalArgumentException("expected yy/MM/dd,hh:mm:ss, found " + text);
@@ -60,7 +60,7 @@ final class ModemClock {
     }
 
     /** {@code yy/MM/dd,hh:mm:ss+zz}, zz in quarters of an hour (TS 27.007, 8.15; TS 27.005, 3.1). */
-    static String format(OffsetDateTime time) {
+    public static String format(OffsetDateTime time) {
         int quarters = time.getOffset().getTotalSeconds() / QUARTER_SECONDS;
         return String.format(
                 Locale.ROOT,

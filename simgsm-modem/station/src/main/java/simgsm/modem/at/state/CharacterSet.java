@@ -1,11 +1,11 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.state;
 
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import simgsm.sms.GsmAlphabet;
 
 /** Character sets between client and modem (TS 27.007, 5.5). In a line each character stands for an octet. */
-enum CharacterSet {
+public enum CharacterSet {
     /** The GSM default alphabet, one septet an octet. */
     GSM,
     /** ITU-T T.50: ASCII. */
@@ -16,7 +16,7 @@ enum CharacterSet {
     private static final char UNKNOWN = '?';
 
     /** The text that a client has written; IllegalArgumentException for digits that are no UCS2. */
-    String decode(String line) {
+    public String decode(String line) {
         return switch (this) {
             case GSM -> GsmAlphabet.decode(line.getBytes(StandardCharsets.ISO_8859_1));
             case IRA -> line;
@@ -31,7 +31,7 @@ enum CharacterSet {
     }
 
     /** The text as the client reads it; a question mark for what the set does not have. */
-    String encode(String text) {
+    public String encode(String text) {
         if (this == UCS2) {
             return HexFormat.of().withUpperCase().formatHex(text.getBytes(StandardCharsets.UTF_16BE));
         }
@@ -49,7 +49,7 @@ enum CharacterSet {
     }
 
     /** A number: digits as they are, or in this set. */
-    String decodeNumber(String line) {
+    public String decodeNumber(String line) {
         if (this != UCS2 || line.length() % 4 != 0 || line.startsWith("+")) {
             return line;
         }

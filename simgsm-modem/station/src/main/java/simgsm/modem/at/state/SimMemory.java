@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.state;
 
 import java.util.Arrays;
 import java.util.Optional;
@@ -6,24 +6,28 @@ import java.util.OptionalInt;
 import simgsm.octets.OctetString;
 
 /** The messages on the SIM: {@value #CAPACITY} places, counted from 1. */
-final class SimMemory {
-    static final int CAPACITY = 50;
+public final class SimMemory {
+    public static final int CAPACITY = 50;
 
     /** The status of a message (TS 27.005, 3.1); the ordinal is its number in PDU mode. */
-    enum Status {
+    public enum Status {
         RECEIVED_UNREAD("REC UNREAD"),
         RECEIVED_READ("REC READ"),
         STORED_UNSENT("STO UNSENT"),
         STORED_SENT("STO SENT");
 
-        /** As in text mode. */
-        final String words;
+        private final String words;
 
         Status(String words) {
             this.words = words;
         }
 
-        boolean isReceived() {
+        /** As in text mode. */
+        public String words() {
+            return words;
+        }
+
+        public boolean isReceived() {
             return this == RECEIVED_UNREAD || this == RECEIVED_READ;
         }
     }
@@ -34,29 +38,32 @@ final class SimMemory {
      * @param tpdu DELIVER or STATUS-REPORT of a received one, SUBMIT of a stored one
      * @param order when it was stored, counted
      */
-    record Entry(Status status, OctetString tpdu, long order) {}
+    public record Entry(Status status, OctetString tpdu, long order) {}
 
     private final Entry[] places = new Entry[CAPACITY + 1];
     private long stored;
 
-    static boolean isPlace(int index) {
+    /** An empty memory. */
+    public SimMemory() {}
+
+    public static boolean isPlace(int index) {
         return index >= 1 && index <= CAPACITY;
     }
 
-    Optional<Entry> get(int index) {
+    public Optional<Entry> get(int index) {
         return isPlace(index) ? Optional.ofNullable(places[index]) : Optional.empty();
     }
 
-    int used() {
+    public int used() {
         return (int) Arrays.stream(places).filter(entry -> entry != null).count();
     }
 
-    boolean isFull() {
+    public boolean isFull() {
         return used() == CAPACITY;
     }
 
     /** @return the place, or nothing if the memory is full */
-    OptionalInt add(Status status, OctetString tpdu) {
+    public OptionalInt add(Status status, OctetString tpdu) {
         for (int index = 1; index <= CAPACITY; index++) {
             if (places[index] == null) {
                 places[index] = new Entry(status, tpdu, stored++);
@@ -66,16 +73,16 @@ final class SimMemory {
         return OptionalInt.empty();
     }
 
-    void setStatus(int index, Status status) {
+    public void setStatus(int index, Status status) {
         places[index] = new Entry(status, places[index].tpdu(), places[index].order());
     }
 
-    void remove(int index) {
+    public void remove(int index) {
         places[index] = null;
     }
 
     /** Removes the message that was stored first. */
-    void removeOldest() {
+    public void removeOldest() {
         int oldest = 0;
         for (int index = 1; index <= CAPACITY; index++) {
             if (places[index] != null && (oldest == 0 || places[index].order() < places[oldest].order())) {

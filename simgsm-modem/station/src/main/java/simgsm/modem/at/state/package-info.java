@@ -1,0 +1,2 @@
+/** What a modem keeps: its SIM's messages, files and phone book, and its clock. */
+package simgsm.modem.at.state;
