@@ -54,6 +54,7 @@ public interface StationCommands {
     /** Ends the USSD dialogue. @return false if there is none */
     boolean endUssd();
 
+    /**
      * Queues a transfer unit as it is; only its reference is set here, and TP-RD when it is sent again. Otherwise as
      * {@link #sendMessage}.
      *
