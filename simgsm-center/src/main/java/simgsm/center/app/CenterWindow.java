@@ -147,6 +147,7 @@ public final class CenterWindow implements CenterActions {
         words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
         words.addAll(List.of("--window", place.apply(cascade).toString()));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
+        words.addAll(List.of("--zoom", String.valueOf(Math.round(Theme.zoom() * 100))));
         words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
         children.start(jar, words, ProcessBuilder.Redirect.DISCARD);
     }

@@ -1,57 +1,97 @@
 package simgsm.center.demo;
 
+import java.util.OptionalInt;
+import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * The demo's three windows on one screen: the phone at the left in its own size, SimRobot and the centre share the rest,
- * side by side where that leaves each a useful width, else one above the other. On a small screen everything is smaller.
+ * The demo's three windows on one screen: the phone at the left in its own size, SimRobot at its right, the centre below
+ * SimRobot. No window meets another, none leaves the screen, and the world takes at least a fifth of the screen.
  */
 record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
-    /** The phone's width with its frame. */
-    private static final int PHONE_WIDTH = 336;
+    /** What the windows fill comfortably at 100 %; a larger screen gets a larger zoom. */
+    private static final int COMFORTABLE_WIDTH = 1_340;
 
-    private static final int SIDE_BY_SIDE_WIDTH = 1_500;
-    private static final int ROBOT_WIDTH = 1_180;
-    private static final int ROBOT_HEIGHT = 860;
-    private static final int CENTER_WIDTH = 980;
-    private static final int LEAST_CENTER_WIDTH = 800;
-    private static final int CENTER_HEIGHT = 720;
-    private static final double ROBOT_SHARE_OF_HEIGHT = 0.58;
-
-    /** What the windows need at their normal size, one above the other beside the phone. */
-    private static final int NEEDED_WIDTH = 1_310;
-
-    private static final int NEEDED_HEIGHT = 860;
+    private static final int COMFORTABLE_HEIGHT = 900;
     private static final int LEAST_ZOOM_PERCENT = 50;
+    private static final int NORMAL_ZOOM_PERCENT = 100;
+    private static final int MOST_ZOOM_PERCENT = 200;
     private static final int ZOOM_STEP_PERCENT = 5;
 
-    /** @param area usable area of the screen */
-    static DemoLayout of(WindowPlace area) {
-        WindowPlace phone = new WindowPlace(area.x(), area.y(), 0, 0);
-        int zoom = zoomPercent(area);
-        int phoneWidth = (int) Math.ceil(PHONE_WIDTH * zoom / 100.0);
-        int left = area.x() + phoneWidth;
-        int width = Math.max(1, area.width() - phoneWidth);
-        if (width >= SIDE_BY_SIDE_WIDTH) {
-            int centerWidth = Math.max(LEAST_CENTER_WIDTH, Math.min(CENTER_WIDTH, width - ROBOT_WIDTH));
-            int robotWidth = Math.min(ROBOT_WIDTH, width - centerWidth);
-            return new DemoLayout(
-                    phone,
-                    new WindowPlace(left, area.y(), robotWidth, Math.min(ROBOT_HEIGHT, area.height())),
-                    new WindowPlace(left + robotWidth, area.y(), centerWidth, Math.min(CENTER_HEIGHT, area.height())),
-                    zoom);
+    private static final double CENTER_SHARE_OF_HEIGHT = 0.36;
+    private static final double WORLD_SHARE_OF_SCREEN = 0.2;
+
+    // What SimRobot's frame, margins, tools, modem and VeriCommand take of its window, in units.
+    private static final int MARGINS_WIDTH = 20;
+    private static final int TOOLS_HEIGHT = 114;
+    private static final int COLUMN_WIDTH = 320;
+    private static final int ROW_HEIGHT = 166;
+
+    /**
+     * Places the windows.
+     *
+     * @param area usable area of the screen
+     * @param wantedPercent the zoom that was asked for; where it does not fit, the largest one below it that does
+     */
+    static DemoLayout of(WindowPlace area, OptionalInt wantedPercent) {
+        int wanted = wantedPercent.orElse(comfortablePercent(area));
+        int zoom = wanted;
+        while (zoom > LEAST_ZOOM_PERCENT && !fits(area, zoom)) {
+            zoom = Math.max(LEAST_ZOOM_PERCENT, (zoom - 1) / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT);
         }
-        int robotHeight = Math.max(1, (int) (area.height() * ROBOT_SHARE_OF_HEIGHT));
+        return at(area, zoom);
+    }
+
+    private static int comfortablePercent(WindowPlace area) {
+        int percent = Math.min(area.width() * 100 / COMFORTABLE_WIDTH, area.height() * 100 / COMFORTABLE_HEIGHT);
+        int step = percent / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT;
+        return Math.max(NORMAL_ZOOM_PERCENT, Math.min(MOST_ZOOM_PERCENT, step));
+    }
+
+    private static boolean fits(WindowPlace area, int zoom) {
+        DemoLayout layout = at(area, zoom);
+        return pixels(SuiteWindow.PHONE.heightUnits(), zoom) <= area.height()
+                && holds(layout.robot, SuiteWindow.ROBOT, zoom)
+                && holds(layout.center, SuiteWindow.CENTER, zoom)
+                && worldPixels(layout.robot, zoom) >= WORLD_SHARE_OF_SCREEN * area.width() * area.height();
+    }
+
+    private static boolean holds(WindowPlace place, SuiteWindow window, int zoom) {
+        return place.width() >= pixels(window.widthUnits(), zoom)
+                && place.height() >= pixels(window.heightUnits(), zoom);
+    }
+
+    private static DemoLayout at(WindowPlace area, int zoom) {
+        int left = pixels(SuiteWindow.PHONE.widthUnits(), zoom);
+        int width = Math.max(1, area.width() - left);
+        int least = pixels(SuiteWindow.CENTER.heightUnits(), zoom);
+        int centerHeight = Math.max(least, (int) (area.height() * CENTER_SHARE_OF_HEIGHT));
+        if (robotPixels(area, width, centerHeight, zoom) < WORLD_SHARE_OF_SCREEN * area.width() * area.height()) {
+            centerHeight = least;
+        }
+        int robotHeight = Math.max(1, area.height() - centerHeight);
+        int x = area.x() + left;
         return new DemoLayout(
-                phone,
-                new WindowPlace(left, area.y(), width, robotHeight),
-                new WindowPlace(left, area.y() + robotHeight, width, Math.max(1, area.height() - robotHeight)),
+                new WindowPlace(area.x(), area.y(), 0, 0),
+                new WindowPlace(x, area.y(), width, robotHeight),
+                new WindowPlace(x, area.y() + robotHeight, width, Math.max(1, area.height() - robotHeight)),
                 zoom);
     }
 
-    private static int zoomPercent(WindowPlace area) {
-        int fits = Math.min(area.width() * 100 / NEEDED_WIDTH, area.height() * 100 / NEEDED_HEIGHT);
-        int step = fits / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT;
-        return Math.max(LEAST_ZOOM_PERCENT, Math.min(100, step));
+    private static double robotPixels(WindowPlace area, int width, int centerHeight, int zoom) {
+        return worldPixels(new WindowPlace(0, 0, width, Math.max(1, area.height() - centerHeight)), zoom);
+    }
+
+    /** The world's area in SimRobot's window, with modem and VeriCommand at its right or below it. */
+    private static double worldPixels(WindowPlace robot, int zoom) {
+        double width = robot.width() - pixels(MARGINS_WIDTH, zoom);
+        double height = robot.height() - pixels(TOOLS_HEIGHT, zoom);
+        double atRight = (width - pixels(COLUMN_WIDTH, zoom)) * height;
+        double below = width * (height - pixels(ROW_HEIGHT, zoom));
+        return Math.max(atRight, below);
+    }
+
+    private static int pixels(int units, int zoom) {
+        return (int) Math.ceil(units * zoom / 100.0);
     }
 }

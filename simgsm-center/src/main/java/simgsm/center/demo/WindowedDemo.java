@@ -2,21 +2,32 @@ package simgsm.center.demo;
 
 import java.lang.ProcessBuilder.Redirect;
 import java.util.Optional;
+import java.util.OptionalInt;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.console.Arguments;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 
-/** The demo with a display: three windows side by side, ready to dial; closing the centre's window ends all. */
+/** The demo with a display: three windows that do not cover each other, ready to dial; closing the centre's window ends all. */
 public final class WindowedDemo {
+    private static final System.Logger LOG = System.getLogger(WindowedDemo.class.getName());
+
     private WindowedDemo() {}
 
     public static int run(Arguments arguments, CenterSettings settings) throws Exception {
-        DemoLayout layout = DemoLayout.of(Display.usableArea());
+        OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
+        DemoLayout layout = DemoLayout.of(Display.usableArea(), wanted);
+        if (wanted.isPresent() && layout.zoomPercent() < wanted.getAsInt()) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "zoom {0} leaves no room for three windows on this screen; {1} is used",
+                    wanted.getAsInt(),
+                    layout.zoomPercent());
+        }
         ProgramWindow window =
-                ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(arguments, layout.zoomPercent());
-        String zoom = arguments.text("zoom").orElse(String.valueOf(layout.zoomPercent()));
+                ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(layout.zoomPercent());
+        String zoom = String.valueOf(layout.zoomPercent());
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             programs.startPhone(
                     Redirect.DISCARD,

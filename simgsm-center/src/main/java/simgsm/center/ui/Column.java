@@ -5,7 +5,7 @@ import java.util.function.Function;
 /**
  * A column of a table.
  *
- * @param width its share of the width
+ * @param width in units; the first two columns keep theirs, the others share the rest
  * @param value what a cell shows: text, or a {@link StateWord}
  */
 record Column<T>(String title, int width, Function<T, Object> value) {}

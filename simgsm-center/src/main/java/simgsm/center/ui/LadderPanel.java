@@ -226,6 +226,11 @@ final class LadderPanel extends JPanel {
         }
     }
 
+    /** Without the heading the tools take the whole row. */
+    void setHeadingVisible(boolean visible) {
+        heading.setText(visible ? texts.of("window.ladder") : "");
+    }
+
     private boolean isLow() {
         return getHeight() > 0 && getHeight() < Theme.px(LOW_UNITS);
     }

@@ -17,6 +17,10 @@ import simgsm.ui.Theme;
 /** The queue of messages and those that have ended recently; below, the history of the selected one. */
 final class MessagesPanel extends JPanel {
     private static final int HISTORY_UNITS = 132;
+    /** The history takes at most this part of the height; in a panel below {@link #LOW_UNITS} it is hidden. */
+    private static final double HISTORY_SHARE = 0.35;
+
+    private static final int LOW_UNITS = 150;
 
     private final TextBundle texts;
     private final RowsPanel<MessageRow> rows;
@@ -60,8 +64,21 @@ final class MessagesPanel extends JPanel {
         }
     }
 
+    /** The rows come first. */
+    @Override
+    public void doLayout() {
+        scroll.setVisible(getHeight() >= Theme.px(LOW_UNITS));
+        limitHistory();
+        super.doLayout();
+    }
+
+    private void limitHistory() {
+        int most = getHeight() == 0 ? Integer.MAX_VALUE : (int) (getHeight() * HISTORY_SHARE);
+        scroll.setPreferredSize(new Dimension(0, Math.min(Theme.px(HISTORY_UNITS), most)));
+    }
+
     private void dress() {
-        scroll.setPreferredSize(new Dimension(0, Theme.px(HISTORY_UNITS)));
+        limitHistory();
         history.setFont(Theme.base());
         history.setForeground(Theme.color(Ink.TEXT));
         history.setBorder(Theme.padding(6));

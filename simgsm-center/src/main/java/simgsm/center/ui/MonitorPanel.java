@@ -6,7 +6,6 @@ import java.awt.Dimension;
 import java.util.Comparator;
 import java.util.List;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -29,6 +28,10 @@ public final class MonitorPanel extends JPanel {
     private static final int LISTS_UNITS = 484;
     private static final int LADDER_UNITS = 570;
     private static final int LEAST_UNITS = 290;
+    /** In a lower panel the buttons stand beside the lists without their words, and the ladder has no heading. */
+    private static final int LOW_UNITS = 420;
+
+    private static final int MARGIN_UNITS = 12;
     /** Of what room is to spare or to give up. */
     private static final double LEFT_SHARE = 0.3;
 
@@ -45,6 +48,10 @@ public final class MonitorPanel extends JPanel {
     private final JSplitPane split;
     private double shownZoom;
     private final JLabel notice = new JLabel(" ");
+    private final JPanel lists = new JPanel(new BorderLayout());
+    private final JButton newPhone;
+    private final JButton newRobot;
+    private boolean isLow;
 
     /** @param texts of the centre's bundle; @param operator performs what the buttons request, by the background's worker */
     MonitorPanel(TextBundle texts, CenterActions operator, Background background) {
@@ -59,32 +66,62 @@ public final class MonitorPanel extends JPanel {
         calls = Tables.calls(texts);
         messages = new MessagesPanel(texts);
         broadcasts = new BroadcastPanel(texts, operator, background);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left(operator), new Card(ladder));
+        newPhone = starter("new.phone", Symbol.PHONE, operator::newPhone);
+        newRobot = starter("new.robot", Symbol.ROBOT, operator::newRobot);
+        addTabs();
+        arrangeLists();
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(lists), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
-        add(Arrange.column(12, header, new Card(passing), Arrange.growing(split)), BorderLayout.CENTER);
+        add(Arrange.column(MARGIN_UNITS, header, new Card(passing), Arrange.growing(split)), BorderLayout.CENTER);
         dress();
     }
 
-    private JComponent left(CenterActions operator) {
+    private void addTabs() {
         ComponentNames.name(tabs, "tabs", texts.of("window.tabs"));
         tabs.addTab(texts.of("window.subscribers"), subscribers);
         tabs.addTab(texts.of("window.calls"), calls);
         tabs.addTab(texts.of("window.messages"), messages);
         tabs.addTab(texts.of("window.broadcast"), broadcasts);
-        UserAction phone = new UserAction("new.phone", texts.of("window.new.phone"), () -> start(operator::newPhone))
-                .described(texts.of("window.new.phone.why"))
-                .with(Symbol.PHONE.icon());
-        UserAction robot = new UserAction("new.robot", texts.of("window.new.robot"), () -> start(operator::newRobot))
-                .described(texts.of("window.new.robot.why"))
-                .with(Symbol.ROBOT.icon());
-        JPanel buttons = Arrange.row(
-                8,
-                ComponentNames.name(new JButton(phone), "new.phone", texts.of("window.new.phone.why")),
-                ComponentNames.name(new JButton(robot), "new.robot", texts.of("window.new.robot.why")),
-                Arrange.growing(ComponentNames.name(notice, "notice", texts.of("window.notice"))));
-        return new Card(Arrange.column(8, Arrange.growing(tabs), buttons));
+        ComponentNames.name(notice, "notice", texts.of("window.notice"));
+        lists.setOpaque(false);
+    }
+
+    private JButton starter(String id, Symbol symbol, Background.Action action) {
+        UserAction starting = new UserAction(id, texts.of("window." + id), () -> start(action))
+                .described(texts.of("window." + id + ".why"))
+                .with(symbol.icon());
+        return ComponentNames.name(new JButton(starting), id, texts.of("window." + id + ".why"));
+    }
+
+    private void arrangeLists() {
+        lists.removeAll();
+        newPhone.setHideActionText(isLow);
+        newRobot.setHideActionText(isLow);
+        if (isLow) {
+            lists.add(Arrange.row(
+                    Theme.GRID,
+                    Arrange.growing(tabs),
+                    Arrange.column(Theme.GRID, newPhone, newRobot, Arrange.spring(), notice)));
+        } else {
+            lists.add(Arrange.column(
+                    Theme.GRID,
+                    Arrange.growing(tabs),
+                    Arrange.row(Theme.GRID, newPhone, newRobot, Arrange.growing(notice))));
+        }
+        lists.revalidate();
+    }
+
+    @Override
+    public void doLayout() {
+        boolean low = getHeight() < Theme.px(LOW_UNITS);
+        if (low != isLow) {
+            isLow = low;
+            arrangeLists();
+            ladder.setHeadingVisible(!low);
+        }
+        super.doLayout();
     }
 
     /** A second or so has passed: what flows is measured anew. */
@@ -136,7 +173,7 @@ public final class MonitorPanel extends JPanel {
     private void dress() {
         notice.setForeground(Theme.color(Ink.DANGER));
         setBackground(Theme.color(Ink.SURFACE));
-        setBorder(Theme.padding(12));
+        setBorder(Theme.padding(MARGIN_UNITS));
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();
             setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));

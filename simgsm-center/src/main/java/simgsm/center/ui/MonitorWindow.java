@@ -10,6 +10,7 @@ import simgsm.console.TextBundle;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
 
 /** The content of the window "SMSyCT": a {@link MonitorPanel} that shows the latest snapshot. */
@@ -40,7 +41,7 @@ public final class MonitorWindow {
                 WindowIcon.images(Symbol.BROADCAST),
                 panel,
                 Optional.empty(),
-                Optional.empty(),
+                Optional.of(SuiteWindow.CENTER.least()),
                 panel::requestFocusInWindow,
                 () -> {
                     newest.stop();

@@ -20,7 +20,8 @@ import simgsm.ui.Theme;
  * intermedio), the called or receiving telephone (TEL saliente), and the message.
  */
 final class PassingPanel extends JPanel {
-    private static final int ONE_ROW_UNITS = 1100;
+    private static final int ONE_ROW_UNITS = 780;
+    private static final int AREA_AND_PORT_COLUMNS = 11;
 
     private final TextBundle texts;
     private final JTextField incoming = field();
@@ -55,7 +56,7 @@ final class PassingPanel extends JPanel {
     }
 
     private static JTextField field() {
-        JTextField field = new JTextField(12);
+        JTextField field = new JTextField(9);
         field.setEditable(false);
         return field;
     }
@@ -136,6 +137,7 @@ final class PassingPanel extends JPanel {
     private void dress() {
         firstArrow.setForeground(Theme.color(Ink.QUIET));
         secondArrow.setForeground(Theme.color(Ink.QUIET));
+        intermediate.setColumns(AREA_AND_PORT_COLUMNS);
         for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
             field.setFont(Theme.mono(15, false));
         }

@@ -16,6 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
 import simgsm.air.Msisdn;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
@@ -30,6 +31,7 @@ final class RowsPanel<T> extends JPanel {
 
     private final RowsModel<T> model;
     private final JTable table;
+    private final List<Column<T>> columns;
     /** What identifies a row when it changes. */
     private Function<T, Object> identity = row -> row;
 
@@ -44,13 +46,7 @@ final class RowsPanel<T> extends JPanel {
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
-        for (int i = 0; i < columns.size(); i++) {
-            int width = columns.get(i).width();
-            table.getColumnModel().getColumn(i).setPreferredWidth(width);
-            if (i < FIRM_COLUMNS) {
-                table.getColumnModel().getColumn(i).setMinWidth(width);
-            }
-        }
+        this.columns = columns;
         add(new JScrollPane(table), BorderLayout.CENTER);
         dress();
     }
@@ -99,6 +95,12 @@ final class RowsPanel<T> extends JPanel {
         table.setRowHeight(Theme.px(28));
         table.setIntercellSpacing(new Dimension(0, 0));
         table.getTableHeader().setFont(Theme.small());
+        for (int i = 0; i < columns.size(); i++) {
+            TableColumn column = table.getColumnModel().getColumn(i);
+            int width = Theme.px(columns.get(i).width());
+            column.setMinWidth(i < FIRM_COLUMNS ? width : 0);
+            column.setPreferredWidth(width);
+        }
     }
 
     private static final class EmptyTable extends JTable {
@@ -134,6 +136,10 @@ final class RowsPanel<T> extends JPanel {
             setFont(font(value));
             setBorder(Theme.padding(0, 6, 0, 2));
             setToolTipText(String.valueOf(value));
+            if (value instanceof Digits) {
+                int room = table.getColumnModel().getColumn(column).getWidth() - Theme.px(8);
+                setText(Drawing.fittedEnd(getFont(), String.valueOf(value), room));
+            }
             return this;
         }
 

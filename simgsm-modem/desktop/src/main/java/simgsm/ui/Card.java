@@ -10,6 +10,8 @@ import simgsm.draw.Ink;
 
 /** A panel with rounded corners, a thin border, an optional title, and content below it. */
 public final class Card extends JPanel {
+    private final JLabel title = Theme.label("", Theme::title, Ink.TEXT);
+
     public Card(Component content) {
         super(new BorderLayout(0, 0));
         setOpaque(false);
@@ -19,9 +21,14 @@ public final class Card extends JPanel {
 
     public Card(String titleText, Component content) {
         this(content);
-        JLabel title = Theme.label(titleText, Theme::title, Ink.TEXT);
+        title.setText(titleText);
         title.setBorder(Theme.padding(0, 0, Theme.GRID, 0));
         add(title, BorderLayout.NORTH);
+    }
+
+    /** Shows the title, or gives its height to the content. */
+    public void setTitleVisible(boolean visible) {
+        title.setVisible(visible);
     }
 
     @Override

@@ -119,4 +119,16 @@ public final class Drawing {
         }
         return end == 0 ? "" : text.substring(0, end) + "\u2026";
     }
+
+    /** The text, cut in front with an ellipsis where it does not fit: of numbers the last digits differ. */
+    public static String fittedEnd(Font font, String text, double width) {
+        if (width(font, text) <= width) {
+            return text;
+        }
+        int start = 1;
+        while (start < text.length() && width(font, "\u2026" + text.substring(start)) > width) {
+            start++;
+        }
+        return start == text.length() ? "" : "\u2026" + text.substring(start);
+    }
 }

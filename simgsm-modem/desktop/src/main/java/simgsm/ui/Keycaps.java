@@ -6,11 +6,17 @@ import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
-/** A sequence of telephone keys as keycaps, the newest at the right; a fault is underlined at its position. */
+/**
+ * A sequence of telephone keys as keycaps in one row or more; a fault is underlined at its position. Keys that do not fit
+ * become smaller, down to {@link #LEAST_SCALE}; if even then the first ones do not fit, an ellipsis stands for them.
+ */
 public final class Keycaps extends PaintedComponent {
     private static final double CAP_UNITS = 22;
     private static final double STEP_UNITS = 25;
     private static final double HEIGHT_UNITS = 34;
+    private static final double LEAST_SCALE = 0.6;
+    private static final double SCALE_STEP = 0.1;
+    private static final int PREFERRED_ROWS = 2;
 
     private final String subject;
     private String keys = "";
@@ -45,10 +51,15 @@ public final class Keycaps extends PaintedComponent {
         return faultPosition;
     }
 
+    private int places() {
+        return Math.max(1, Math.max(keys.length(), faultPosition));
+    }
+
+    /** One row, or two where the keys do not fit in the present width. */
     @Override
     public Dimension getPreferredSize() {
-        int places = Math.max(1, Math.max(keys.length(), faultPosition));
-        return new Dimension(Theme.px(places * STEP_UNITS), Theme.px(HEIGHT_UNITS));
+        boolean isOneRow = getWidth() == 0 || places() <= Grid.inRow(getWidth(), 1);
+        return new Dimension(Theme.px(places() * STEP_UNITS), Theme.px((isOneRow ? 1 : PREFERRED_ROWS) * HEIGHT_UNITS));
     }
 
     @Override
@@ -56,15 +67,46 @@ public final class Keycaps extends PaintedComponent {
         return new Dimension(Theme.px(4 * STEP_UNITS), Theme.px(HEIGHT_UNITS));
     }
 
+    /** How many keys are shown, from which on, and how large. */
+    record Grid(int inRow, int rows, int first, double scale) {
+        static Grid of(int places, double width, double height) {
+            double scale = 1;
+            while (inRow(width, scale) * rows(height, scale) < places && scale > LEAST_SCALE) {
+                scale = Math.max(LEAST_SCALE, scale - SCALE_STEP);
+            }
+            int inRow = inRow(width, scale);
+            int rows = rows(height, scale);
+            // The ellipsis takes the place of the first key shown.
+            int first = inRow * rows < places ? places - inRow * rows + 1 : 0;
+            return new Grid(inRow, rows, first, scale);
+        }
+
+        static int inRow(double width, double scale) {
+            double gap = Theme.exact(STEP_UNITS - CAP_UNITS) * scale;
+            return Math.max(1, (int) ((width + gap) / (Theme.exact(STEP_UNITS) * scale)));
+        }
+
+        private static int rows(double height, double scale) {
+            return Math.max(1, (int) Math.round(Math.floor(height / (Theme.exact(HEIGHT_UNITS) * scale) + 0.01)));
+        }
+    }
+
     @Override
     protected void paint(Graphics2D g, double width, double height) {
         int places = Math.max(keys.length(), faultPosition);
-        double gap = Theme.exact(STEP_UNITS - CAP_UNITS);
-        int fits = Math.max(1, (int) ((width + gap) / Theme.exact(STEP_UNITS)));
-        int first = Math.max(0, places - fits);
-        double top = (height - Theme.exact(HEIGHT_UNITS)) / 2;
-        for (int i = first; i < places; i++) {
-            double x = (i - first) * Theme.exact(STEP_UNITS);
+        Grid grid = Grid.of(places, width, height);
+        int shift = grid.first() > 0 ? 1 : 0;
+        int usedRows = (int) Math.ceil((double) (places - grid.first() + shift) / grid.inRow());
+        g.translate(0, (height - usedRows * Theme.exact(HEIGHT_UNITS) * grid.scale()) / 2);
+        g.scale(grid.scale(), grid.scale());
+        if (shift > 0) {
+            g.setColor(Theme.color(Ink.QUIET));
+            Drawing.centred(g, "\u2026", Theme.monoStrong(), Theme.exact(CAP_UNITS / 2), Theme.exact(CAP_UNITS / 2));
+        }
+        for (int i = grid.first(); i < places; i++) {
+            int cell = i - grid.first() + shift;
+            double x = cell % grid.inRow() * Theme.exact(STEP_UNITS);
+            double top = cell / grid.inRow() * Theme.exact(HEIGHT_UNITS);
             if (i < keys.length()) {
                 paintCap(g, String.valueOf(keys.charAt(i)), x, top, i + 1 == faultPosition);
             }

@@ -125,16 +125,6 @@ class ShapesTest {
     }
 
     @Test
-    void theNewestKeysAreShownWhereThereIsNoRoomForAll() {
-        Keycaps keys = new Keycaps("Keys");
-        keys.show("1234567890", 0);
-        BufferedImage narrow = Painted.at(keys, 3 * 25, 34, 1);
-        Keycaps last = new Keycaps("Keys");
-        last.show("890", 0);
-        assertEquals(Painted.hash(Painted.at(last, 3 * 25, 34, 1)), Painted.hash(narrow));
-    }
-
-    @Test
     void everyReplyToneHasAChip() {
         for (char tone = '1'; tone <= '8'; tone++) {
             NumberedLabel chip = new NumberedLabel(String.valueOf(tone), "word", NumberedLabel.inkOfTone(tone));

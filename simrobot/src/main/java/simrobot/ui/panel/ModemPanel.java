@@ -28,9 +28,14 @@ import simrobot.ui.TextLine;
 
 /** M2: its number, the network, the call, and the tone scope. */
 final class ModemPanel extends JPanel {
-    private static final int NARROW_UNITS = 440;
+    /** The height of the compact panel that lies below the floor. */
+    static final int COMPACT_HEIGHT_UNITS = 156;
 
     private final TextBundle texts;
+    private final Card card;
+    private final JPanel page = new JPanel(new BorderLayout());
+    private boolean isCompact;
+    private boolean isStacked;
     private final TextLine number = new TextLine("modem.number", () -> Theme.mono(18, true), Ink.TEXT);
     private final TextLine network = new TextLine("modem.network", Theme::base, Ink.QUIET);
     private final SignalBars signal;
@@ -38,12 +43,7 @@ final class ModemPanel extends JPanel {
     private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
     private final JLabel sound = ComponentNames.name(Theme.label("", Theme::small, Ink.QUIET), "modem.sound", "");
-    private final JPanel facts;
-    private final JPanel secondary;
-    private final BorderLayout contentLayout = new BorderLayout();
-    private final JPanel content = new JPanel(contentLayout);
     private final ToneScopePanel scope;
-    private boolean compact;
     private final OperatorActions operator;
     /** The same for all robots. */
     private ToneExperiment experiment = ToneExperiment.NONE;
@@ -62,14 +62,50 @@ final class ModemPanel extends JPanel {
         call = new Lamp(texts.of("modem.call"));
         call.setName("modem.call");
         scope = new ToneScopePanel(language, this::tryOut);
-        secondary = Arrange.column(6, codec, Arrange.row(0, sound, Arrange.spring()), Arrange.spring());
-        JPanel numberRow = Arrange.row(10, number, Arrange.spring(), signal);
-        facts = Arrange.column(6, numberRow, network, call, peer, Arrange.growing(secondary));
-        content.setOpaque(false);
-        content.add(scope, BorderLayout.CENTER);
-        content.add(facts, BorderLayout.WEST);
-        Card card = new Card(texts.of("modem.title"), content);
+        page.setOpaque(false);
+        card = new Card(texts.of("modem.title"), page);
         add(card, BorderLayout.CENTER);
+        place();
+    }
+
+    /**
+     * Chooses the form that the size of the page leaves room for.
+     *
+     * @param compact without title and sliders
+     * @param stacked number and call above the tone scope, in place of all facts at its left
+     */
+    void arrange(boolean compact, boolean stacked) {
+        if (compact != isCompact || stacked != isStacked) {
+            isCompact = compact;
+            isStacked = stacked;
+            place();
+            revalidate();
+        }
+    }
+
+    boolean isStacked() {
+        return isStacked;
+    }
+
+    private void place() {
+        page.removeAll();
+        if (isStacked) {
+            JPanel facts = Arrange.row(10, number, call, Arrange.spring(), signal);
+            page.add(Arrange.column(6, facts, Arrange.growing(scope)));
+        } else {
+            JPanel facts = Arrange.column(
+                    6,
+                    Arrange.row(10, number, Arrange.spring(), signal),
+                    network,
+                    call,
+                    peer,
+                    codec,
+                    Arrange.row(0, sound, Arrange.spring()),
+                    Arrange.spring());
+            page.add(Arrange.row(16, facts, Arrange.growing(scope)));
+        }
+        card.setTitleVisible(!isCompact);
+        scope.setCompact(isCompact);
     }
 
     void show(TelephoneSnapshot line) {
@@ -110,25 +146,6 @@ final class ModemPanel extends JPanel {
             case NETWORK_FAILURE -> texts.of("modem.refused.failure");
             default -> texts.of("modem.refused.other", String.valueOf(cause.code()));
         };
-    }
-
-    /** Puts the facts beside the scope or, where that leaves too little room for it, the first of them above. */
-    @Override
-    public void doLayout() {
-        boolean narrow = !compact && getWidth() < Theme.px(NARROW_UNITS);
-        if (narrow == secondary.isVisible()) {
-            network.setVisible(!narrow);
-            secondary.setVisible(!narrow);
-            content.add(facts, narrow ? BorderLayout.NORTH : BorderLayout.WEST);
-        }
-        contentLayout.setHgap(Theme.px(16));
-        super.doLayout();
-    }
-
-    /** @param wanted without the tone scope's sliders, and lower */
-    void setCompact(boolean wanted) {
-        compact = wanted;
-        scope.setCompact(wanted);
     }
 
     private void tryOut(ToneExperiment chosen) {

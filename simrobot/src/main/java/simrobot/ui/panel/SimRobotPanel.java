@@ -2,16 +2,19 @@ package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
-import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+import simgsm.ui.window.Display;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SimRobotTexts;
@@ -29,9 +32,6 @@ public final class SimRobotPanel extends JPanel {
     private static final String EDITING = "editing";
     private static final String NEW_WORLD = "new.map";
 
-    /** In units; in a lower window the tone scope is compact, which leaves more height to the floor. */
-    private static final int COMPACT_BELOW = 640;
-
     private final TextBundle texts;
     private final OperatorActions operator;
     private final ToolRow tools;
@@ -48,7 +48,8 @@ public final class SimRobotPanel extends JPanel {
     private WindowSnapshot shown;
     private final BusyRobotNotice busyNotice;
     private final TimelinePanel timeline;
-    private final JPanel bottom;
+    private final PresentationView presentation;
+    private final RunningPage runningPage;
     private String selected;
     private String requested;
 
@@ -58,7 +59,7 @@ public final class SimRobotPanel extends JPanel {
         texts = SimRobotTexts.in(language);
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
-        tools = new ToolRow(texts, language, operator, world, this::edit);
+        tools = new ToolRow(texts, language, operator, world, this::edit, this::switchInspector);
         editor = new EditorPanel(texts, operator, this::stopEditing);
         inspector = new Inspector(texts, this::select, operator, world);
         modem = new ModemPanel(texts, language, operator);
@@ -70,18 +71,19 @@ public final class SimRobotPanel extends JPanel {
         floor.add(world);
         floor.setBorder(Theme.padding(1));
         Theme.styled(floor, frame -> frame.setBackground(Theme.color(Ink.LINE)));
-        bottom = Arrange.row(Theme.GRID, Arrange.growing(modem), orders);
         timeline = new TimelinePanel(texts, operator);
-        JPanel left = Arrange.column(Theme.GRID, Arrange.growing(floor), busyNotice, bottom, timeline);
-        JPanel middle = Arrange.row(Theme.GRID, Arrange.growing(left), inspector);
-        JPanel all = Arrange.column(Theme.GRID, tools, noticeRow, Arrange.growing(middle));
+        presentation = new PresentationView(language);
+        runningPage =
+                new RunningPage(tools, noticeRow, floor, busyNotice, modem, orders, timeline, inspector, presentation);
         page.setOpaque(false);
         page.setBorder(Theme.padding(Theme.GRID));
-        page.add(all, RUNNING);
+        page.add(runningPage, RUNNING);
         page.add(editor, EDITING);
         add(page, BorderLayout.CENTER);
         Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         setName("simrobot");
+        UserAction presenting = new UserAction("presentation", texts.of("presentation"), this::switchPresentation);
+        presenting.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
         show(first);
     }
 
@@ -111,13 +113,14 @@ public final class SimRobotPanel extends JPanel {
         world.show(newest.simulation());
         tools.show(newest, robot, line.map(l -> ModemPanel.linkState(l.modem())));
         inspector.show(rows(), robot, newest);
-        bottom.setVisible(line.isPresent());
+        runningPage.setLinePresent(line.isPresent());
         newest.timeline().ifPresent(recorded -> {
             timeline.setVisible(true);
             timeline.show(recorded, newest.simulation().timeNanos());
         });
         line.ifPresent(modem::show);
         line.ifPresent(orders::show);
+        line.ifPresent(presentation::show);
         String text = newest.notice().isEmpty() && newest.worldChanged()
                 ? texts.of("world.changed", newest.worldFile().getFileName())
                 : newest.notice();
@@ -137,6 +140,16 @@ public final class SimRobotPanel extends JPanel {
             operator.watch(robot);
             show(shown);
         }
+    }
+
+    private void switchInspector() {
+        runningPage.switchInspector();
+    }
+
+    /** Full screen with the floor and one large line, and back. */
+    private void switchPresentation() {
+        runningPage.setPresenting(!runningPage.isPresenting());
+        Display.maximize(this, runningPage.isPresenting());
     }
 
     // ---- editing ---------------------------------------------------------------------------------------------------
@@ -191,11 +204,5 @@ public final class SimRobotPanel extends JPanel {
                         line(robot.name()).map(TelephoneSnapshot::number).orElse(""),
                         line(robot.name()).filter(TelephoneSnapshot::isInCall).isPresent()))
                 .toList();
-    }
-
-    @Override
-    public void doLayout() {
-        modem.setCompact(getHeight() < Theme.px(COMPACT_BELOW));
-        super.doLayout();
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.WindowSnapshot;
@@ -14,7 +15,6 @@ import simrobot.ui.WindowSnapshot;
 /** The content of SimRobot's window: {@link SimRobotPanel} with a poller of snapshots. */
 public final class SimRobotWindow {
     private static final Dimension SIZE = new Dimension(1120, 800);
-    private static final Dimension LEAST = new Dimension(640, 480);
 
     private SimRobotWindow() {}
 
@@ -33,7 +33,7 @@ public final class SimRobotWindow {
                 WindowIcon.images(Symbol.ROBOT),
                 panel,
                 Optional.of(SIZE),
-                Optional.of(LEAST),
+                Optional.of(SuiteWindow.ROBOT.least()),
                 panel::focusFloor,
                 newest::stop);
     }

@@ -54,7 +54,13 @@ final class ToolRow extends JPanel {
     private String robot = "";
     private boolean paused;
 
-    ToolRow(TextBundle texts, Locale language, OperatorActions operator, WorldView view, Consumer<Boolean> editing) {
+    ToolRow(
+            TextBundle texts,
+            Locale language,
+            OperatorActions operator,
+            WorldView view,
+            Consumer<Boolean> editing,
+            Runnable inspectorSwitch) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
@@ -88,10 +94,10 @@ final class ToolRow extends JPanel {
                 speed.component(),
                 record.component());
         liveTools = List.of(worlds.component(), power, motors, brake, record.component());
-        add(new SplitRow(running, floorTools()), BorderLayout.CENTER);
+        add(new SplitRow(running, floorTools(inspectorSwitch)), BorderLayout.CENTER);
     }
 
-    private JPanel floorTools() {
+    private JPanel floorTools(Runnable inspectorSwitch) {
         return Arrange.row(
                 Theme.HALF,
                 button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
@@ -103,6 +109,7 @@ final class ToolRow extends JPanel {
                 layer("grid", Symbol.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
                 ruler,
                 exports.component(),
+                button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch),
                 button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
     }
 

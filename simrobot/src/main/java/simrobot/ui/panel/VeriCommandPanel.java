@@ -21,6 +21,9 @@ import vericommand.VeriCommandSnapshot;
 final class VeriCommandPanel extends JPanel {
     private static final int WIDTH_UNITS = 340;
 
+    private final Card card;
+    private boolean isCompact;
+
     private final TextBundle texts;
     private final TextLine from = new TextLine("order.from", Theme::base, Ink.QUIET);
     private final Keycaps keys;
@@ -39,16 +42,28 @@ final class VeriCommandPanel extends JPanel {
         verdict.setName("order.verdict");
         replies = new ReplyLabels(language);
         JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
-        add(new Card(texts.of("order.title"), content), BorderLayout.CENTER);
+        card = new Card(texts.of("order.title"), content);
+        add(card, BorderLayout.CENTER);
     }
 
-    /** Wide enough for an order's keys, but at most two fifths of the row; the tone scope gets the rest. */
+    /**
+     * Chooses the form.
+     *
+     * @param compact without title, origin and the reply's text, which the labels' tool tips have; the words of an
+     *     accepted order take the verdict's place
+     */
+    void setCompact(boolean compact) {
+        isCompact = compact;
+        words.setVisible(!compact);
+        card.setTitleVisible(!compact);
+        from.setVisible(!compact);
+        reply.setVisible(!compact);
+    }
+
+    /** As high as the row of the tone scope requires. */
     @Override
     public Dimension getPreferredSize() {
-        int row = getParent() == null || getParent().getWidth() == 0
-                ? Integer.MAX_VALUE
-                : getParent().getWidth();
-        return new Dimension(Math.min(Theme.px(WIDTH_UNITS), row / 5 * 2), super.getPreferredSize().height);
+        return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
     }
 
     void show(TelephoneSnapshot line) {
@@ -75,7 +90,8 @@ final class VeriCommandPanel extends JPanel {
             case "accepted" -> {
                 boolean going = order.underWay();
                 StatusMark mark = going ? StatusMark.ARROW : StatusMark.TICK;
-                verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, order.verdictText());
+                String said = isCompact && !order.words().isEmpty() ? order.words() : order.verdictText();
+                verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, said);
             }
             case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, order.verdictText());
             case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, order.verdictText());

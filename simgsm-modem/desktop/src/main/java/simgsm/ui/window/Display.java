@@ -1,6 +1,7 @@
 package simgsm.ui.window;
 
 import java.awt.AWTError;
+import java.awt.Component;
 import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -8,6 +9,8 @@ import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 
 /** The screen. */
 public final class Display {
@@ -42,6 +45,13 @@ public final class Display {
         area.width -= bars.left + bars.right;
         area.height -= bars.top + bars.bottom;
         window.setBounds(within(new Rectangle(window.getX(), window.getY(), width, height), area));
+    }
+
+    /** Lets the frame around a component fill its screen, or gives it its former size back. */
+    public static void maximize(Component inside, boolean wanted) {
+        if (SwingUtilities.getWindowAncestor(inside) instanceof JFrame frame) {
+            frame.setExtendedState(wanted ? JFrame.MAXIMIZED_BOTH : JFrame.NORMAL);
+        }
     }
 
     /** The wanted bounds cut to the area's size and moved left and up into it; they may begin outside it. */

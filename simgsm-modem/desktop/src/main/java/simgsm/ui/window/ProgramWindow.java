@@ -11,6 +11,7 @@ import java.io.OutputStream;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
@@ -70,7 +71,7 @@ public final class ProgramWindow {
             throws UsageException, UnavailableException {
         Optional<Appearance> chosen = arguments.value("theme", ProgramWindow::appearance);
         Optional<WindowPlace> place = arguments.value("window", WindowPlace::parse);
-        double zoom = percent(arguments) / (double) HUNDRED_PERCENT;
+        double zoom = zoomPercent(arguments).orElse(HUNDRED_PERCENT) / (double) HUNDRED_PERCENT;
         Locale language = arguments.language();
         if (!Display.isAvailable()) {
             throw new UnavailableException(DesktopTexts.in(language).of("window.noDisplay"));
@@ -97,16 +98,18 @@ public final class ProgramWindow {
         return lower.endsWith("dark") || lower.endsWith("-inverse") ? Appearance.DARK : Appearance.LIGHT;
     }
 
-    private static int percent(Arguments arguments) throws UsageException {
-        return (int) arguments.integer("zoom", HUNDRED_PERCENT, (int) (Theme.ZOOM_MIN * HUNDRED_PERCENT), (int)
-                (Theme.ZOOM_MAX * HUNDRED_PERCENT));
+    /** The value of {@code --zoom}; empty without it. */
+    public static OptionalInt zoomPercent(Arguments arguments) throws UsageException {
+        return arguments.has("zoom")
+                ? OptionalInt.of(
+                        (int) arguments.integer("zoom", HUNDRED_PERCENT, (int) (Theme.ZOOM_MIN * HUNDRED_PERCENT), (int)
+                                (Theme.ZOOM_MAX * HUNDRED_PERCENT)))
+                : OptionalInt.empty();
     }
 
-    /** The same window at another zoom, unless the command line has {@code --zoom}. */
-    public ProgramWindow zoomed(Arguments arguments, int percent) {
-        return arguments.has("zoom")
-                ? this
-                : new ProgramWindow(appearance, percent / (double) HUNDRED_PERCENT, place, language, endsWithInput);
+    /** The same window at another zoom. */
+    public ProgramWindow zoomed(int percent) {
+        return new ProgramWindow(appearance, percent / (double) HUNDRED_PERCENT, place, language, endsWithInput);
     }
 
     /** Opens the window and returns when its user or {@link #close} has closed it. */

@@ -1,0 +1,30 @@
+package simgsm.ui.window;
+
+import java.awt.Dimension;
+
+/** The least sizes of the suite's windows at 100 %, with their frames. A larger zoom needs proportionally more. */
+public enum SuiteWindow {
+    PHONE(336, 660),
+    ROBOT(764, 432),
+    CENTER(860, 288);
+
+    private final int widthUnits;
+    private final int heightUnits;
+
+    SuiteWindow(int widthUnits, int heightUnits) {
+        this.widthUnits = widthUnits;
+        this.heightUnits = heightUnits;
+    }
+
+    public int widthUnits() {
+        return widthUnits;
+    }
+
+    public int heightUnits() {
+        return heightUnits;
+    }
+
+    public Dimension least() {
+        return new Dimension(widthUnits, heightUnits);
+    }
+}

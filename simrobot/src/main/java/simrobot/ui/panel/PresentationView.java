@@ -1,0 +1,121 @@
+package simrobot.ui.panel;
+
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.accessibility.AccessibleRole;
+import simgsm.draw.Ink;
+import simgsm.dtmf.DtmfKey;
+import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
+import simgsm.ui.Theme;
+import simrobot.ui.TelephoneSnapshot;
+import vericommand.ReplyTone;
+import vericommand.VeriCommandSnapshot;
+
+/**
+ * What happens, in one line to be read from the last row of a class: the key that sounds with its two frequencies, the
+ * order in words, the newest reply.
+ */
+final class PresentationView extends PaintedComponent {
+    private static final double HEIGHT_UNITS = 96;
+    private static final double KEY_POINTS = 56;
+    private static final double TEXT_POINTS = 28;
+    private static final double MARGIN_UNITS = 24;
+    private static final double GAP_UNITS = 16;
+
+    private final Locale language;
+    private String key = "";
+    private String tones = "";
+    private String course = "";
+    private boolean isSounding;
+
+    PresentationView(Locale language) {
+        super(AccessibleRole.LABEL);
+        this.language = language;
+        setName("presentation");
+    }
+
+    void show(TelephoneSnapshot line) {
+        String newKey = line.heard()
+                .digit()
+                .map(digit -> String.valueOf(digit.key().symbol()))
+                .orElse("");
+        String newTones = line.heard().digit().map(digit -> hertz(digit.key())).orElse("");
+        String newCourse = course(line);
+        boolean nowSounding = line.heard().isSounding();
+        if (!newKey.equals(key) || !newCourse.equals(course) || nowSounding != isSounding) {
+            change(() -> {
+                key = newKey;
+                tones = newTones;
+                course = newCourse;
+            });
+            isSounding = nowSounding;
+            repaint();
+        }
+    }
+
+    private static String hertz(DtmfKey key) {
+        return Math.round(key.rowHertz()) + " + " + Math.round(key.columnHertz()) + " Hz";
+    }
+
+    /** The order and the newest two replies, as {@code forward 20 cm - 6 executing - 3 executed}. */
+    private String course(TelephoneSnapshot line) {
+        VeriCommandSnapshot order = line.orders();
+        List<String> replies = order.message()
+                ? order.replies()
+                : line.tones()
+                        .chars()
+                        .mapToObj(tone -> String.valueOf((char) tone))
+                        .toList();
+        Stream<String> newest =
+                replies.stream().skip(Math.max(0, replies.size() - 2)).map(this::reply);
+        String ordered = order.words().isEmpty() ? order.keys() : order.words();
+        return Stream.concat(Stream.of(ordered), newest)
+                .filter(text -> !text.isEmpty())
+                .collect(Collectors.joining("  \u2013  "));
+    }
+
+    private String reply(String text) {
+        char tone = text.isEmpty() ? ' ' : text.charAt(0);
+        boolean known = tone >= '1' && tone < '1' + ReplyTone.values().length;
+        return known ? tone + " " + ReplyTone.values()[tone - '1'].words(language) : text;
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(0, Theme.px(HEIGHT_UNITS));
+    }
+
+    @Override
+    protected void paint(Graphics2D g, double width, double height) {
+        double middle = height / 2;
+        double x = Theme.exact(MARGIN_UNITS);
+        Font large = Theme.mono(KEY_POINTS, true);
+        g.setColor(Theme.color(isSounding ? Ink.ACCENT : Ink.TEXT));
+        x = draw(g, large, key, x, middle, width);
+        g.setColor(Theme.color(Ink.TEXT));
+        x = draw(g, Theme.mono(TEXT_POINTS, false), tones, x, middle, width);
+        draw(g, Theme.sans(TEXT_POINTS, true), course, x, middle, width);
+    }
+
+    /** @return where the next text begins */
+    private static double draw(Graphics2D g, Font font, String text, double x, double middle, double width) {
+        if (text.isEmpty()) {
+            return x;
+        }
+        String fitted = Drawing.fitted(font, text, width - x - Theme.exact(MARGIN_UNITS));
+        g.setFont(font);
+        g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, font) / 2));
+        return x + Drawing.width(font, fitted) + Theme.exact(GAP_UNITS);
+    }
+
+    @Override
+    protected String spoken() {
+        return Stream.of(key, tones, course).filter(text -> !text.isEmpty()).collect(Collectors.joining(", "));
+    }
+}

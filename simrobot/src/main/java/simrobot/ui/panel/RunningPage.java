@@ -1,0 +1,228 @@
+package simrobot.ui.panel;
+
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import simgsm.ui.Arrange.FixedLayout;
+import simgsm.ui.Theme;
+
+/**
+ * The page of a running simulation. Its size decides which parts give way: in a large page the inspector stands at the
+ * right and modem and VeriCommand below the floor; in a smaller one the inspector is hidden, and modem and VeriCommand are
+ * compact and stand where they leave the floor the larger area, below it or at its right. The floor and the tone scope are
+ * always visible.
+ */
+final class RunningPage extends JPanel {
+    /** The smallest page that shows every part that does not give way, in units. */
+    static final Dimension LEAST_UNITS = new Dimension(744, 375);
+
+    private static final int FULL_WIDTH_UNITS = 900;
+    private static final int FULL_HEIGHT_UNITS = 640;
+    private static final int COLUMN_UNITS = 312;
+    /** The floor's width from which the inspector stands beside the column of modem and VeriCommand. */
+    private static final int WIDE_FLOOR_UNITS = 640;
+
+    /** A column of at least this height shows modem and VeriCommand with all they have. */
+    private static final int TALL_COLUMN_UNITS = 530;
+
+    private static final int ORDERS_UNITS = 340;
+    private static final double ORDERS_SHARE = 0.36;
+
+    private final JComponent tools;
+    private final JComponent notice;
+    private final JComponent floor;
+    private final JComponent busy;
+    private final ModemPanel modem;
+    private final VeriCommandPanel orders;
+    private final JComponent timeline;
+    private final JComponent inspector;
+    private final JComponent presentation;
+    private boolean hasLine;
+    private boolean isPresenting;
+    private boolean isInspectorWanted;
+    private boolean isInspectorSwitched;
+
+    RunningPage(
+            JComponent tools,
+            JComponent notice,
+            JComponent floor,
+            JComponent busy,
+            ModemPanel modem,
+            VeriCommandPanel orders,
+            JComponent timeline,
+            JComponent inspector,
+            JComponent presentation) {
+        this.tools = tools;
+        this.notice = notice;
+        this.floor = floor;
+        this.busy = busy;
+        this.modem = modem;
+        this.orders = orders;
+        this.timeline = timeline;
+        this.inspector = inspector;
+        this.presentation = presentation;
+        setOpaque(false);
+        for (JComponent part :
+                new JComponent[] {tools, notice, floor, busy, modem, orders, timeline, inspector, presentation}) {
+            add(part);
+        }
+        presentation.setVisible(false);
+        setLayout(new Parts());
+    }
+
+    /** @param present whether the selected robot has a modem; without one modem and VeriCommand are hidden */
+    void setLinePresent(boolean present) {
+        if (hasLine != present) {
+            hasLine = present;
+            revalidate();
+        }
+    }
+
+    /** In a presentation the floor fills the page above one large line of text. */
+    void setPresenting(boolean presenting) {
+        isPresenting = presenting;
+        tools.setVisible(!presenting);
+        presentation.setVisible(presenting);
+        revalidate();
+    }
+
+    boolean isPresenting() {
+        return isPresenting;
+    }
+
+    /** Shows the inspector where the size hides it, or hides it. */
+    void switchInspector() {
+        isInspectorWanted = !inspector.isVisible();
+        isInspectorSwitched = true;
+        revalidate();
+    }
+
+    private boolean isFull() {
+        return getWidth() >= Theme.px(FULL_WIDTH_UNITS) && getHeight() >= Theme.px(FULL_HEIGHT_UNITS);
+    }
+
+    @Override
+    public void doLayout() {
+        boolean full = isFull();
+        boolean atRight = !full && isColumnBetter(restOfPage());
+        boolean wide = atRight && isWide();
+        inspector.setVisible(!isPresenting && (isInspectorSwitched ? isInspectorWanted : full || wide));
+        boolean replaced = inspector.isVisible() && !full && !wide;
+        modem.setVisible(hasLine && !isPresenting && !replaced);
+        orders.setVisible(modem.isVisible());
+        boolean tall = atRight && restOfPage().height >= Theme.px(TALL_COLUMN_UNITS);
+        modem.arrange(!full && !tall, atRight);
+        orders.setCompact(!full && !tall);
+        super.doLayout();
+    }
+
+    private boolean isWide() {
+        int beside = columnWidth() + gap() + inspector.getPreferredSize().width;
+        return getWidth() - beside >= Theme.px(WIDE_FLOOR_UNITS);
+    }
+
+    /** Below tools and notice. */
+    private Rectangle restOfPage() {
+        int top = 0;
+        if (tools.isVisible()) {
+            tools.setSize(getWidth(), tools.getHeight());
+            top += tools.getPreferredSize().height + gap();
+        }
+        if (notice.isVisible()) {
+            top += notice.getPreferredSize().height + gap();
+        }
+        return new Rectangle(0, top, getWidth(), Math.max(0, getHeight() - top));
+    }
+
+    private boolean isColumnBetter(Rectangle rest) {
+        long atRight = (long) (rest.width - columnWidth()) * rest.height;
+        long below = (long) rest.width * (rest.height - Theme.px(ModemPanel.COMPACT_HEIGHT_UNITS) - gap());
+        return atRight > below;
+    }
+
+    private static int columnWidth() {
+        return Theme.px(COLUMN_UNITS) + gap();
+    }
+
+    private static int gap() {
+        return Theme.px(Theme.GRID);
+    }
+
+    private final class Parts implements FixedLayout {
+        @Override
+        public Dimension preferredLayoutSize(Container parent) {
+            return minimumLayoutSize(parent);
+        }
+
+        @Override
+        public Dimension minimumLayoutSize(Container parent) {
+            return new Dimension(Theme.px(LEAST_UNITS.width), Theme.px(LEAST_UNITS.height));
+        }
+
+        @Override
+        public void layoutContainer(Container parent) {
+            Rectangle rest = restOfPage();
+            int top = 0;
+            if (tools.isVisible()) {
+                tools.setBounds(0, 0, getWidth(), tools.getPreferredSize().height);
+                top = tools.getHeight() + gap();
+            }
+            if (notice.isVisible()) {
+                notice.setBounds(0, top, getWidth(), notice.getPreferredSize().height);
+            }
+            if (inspector.isVisible()) {
+                takeRight(rest, inspector, inspector.getPreferredSize().width);
+            }
+            if (modem.isVisible() && modem.isStacked()) {
+                stackAtRight(rest);
+            }
+            takeBottom(rest, presentation);
+            takeBottom(rest, timeline);
+            if (modem.isVisible() && !modem.isStacked()) {
+                rowAtBottom(rest);
+            }
+            takeBottom(rest, busy);
+            floor.setBounds(rest);
+        }
+
+        /** The tone scope gets the height that VeriCommand does not need. */
+        private void stackAtRight(Rectangle rest) {
+            Rectangle column = cutRight(rest, Theme.px(COLUMN_UNITS));
+            int ordersHeight = Math.min(column.height / 2, orders.getPreferredSize().height);
+            int modemHeight = column.height - gap() - ordersHeight;
+            modem.setBounds(column.x, column.y, column.width, Math.max(0, modemHeight));
+            orders.setBounds(column.x, column.y + modemHeight + gap(), column.width, ordersHeight);
+        }
+
+        private void rowAtBottom(Rectangle rest) {
+            Rectangle row =
+                    cutBottom(rest, Math.max(modem.getPreferredSize().height, orders.getPreferredSize().height));
+            int ordersWidth = Math.min(Theme.px(ORDERS_UNITS), (int) (row.width * ORDERS_SHARE));
+            int modemWidth = row.width - gap() - ordersWidth;
+            modem.setBounds(row.x, row.y, modemWidth, row.height);
+            orders.setBounds(row.x + modemWidth + gap(), row.y, ordersWidth, row.height);
+        }
+
+        private void takeRight(Rectangle rest, JComponent part, int width) {
+            part.setBounds(cutRight(rest, width));
+        }
+
+        private void takeBottom(Rectangle rest, JComponent part) {
+            if (part.isVisible()) {
+                part.setBounds(cutBottom(rest, part.getPreferredSize().height));
+            }
+        }
+
+        private Rectangle cutRight(Rectangle rest, int width) {
+            rest.width = Math.max(0, rest.width - width - gap());
+            return new Rectangle(rest.x + rest.width + gap(), rest.y, width, rest.height);
+        }
+
+        private Rectangle cutBottom(Rectangle rest, int height) {
+            rest.height = Math.max(0, rest.height - height - gap());
+            return new Rectangle(rest.x, rest.y + rest.height + gap(), rest.width, height);
+        }
+    }
+}

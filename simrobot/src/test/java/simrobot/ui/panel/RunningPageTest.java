@@ -1,0 +1,133 @@
+package simrobot.ui.panel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.event.ActionEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.AbstractButton;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.draw.Appearance;
+import simgsm.ui.Theme;
+import vericommand.VeriCommandSnapshot;
+
+/** SimRobot's page in the sizes that the demo gives its window; the frame takes 4 by 28 pixels of them. */
+class RunningPageTest {
+    @BeforeEach
+    void look() {
+        Theme.install(Appearance.LIGHT);
+    }
+
+    @AfterEach
+    void normalZoom() {
+        Theme.zoomTo(1);
+    }
+
+    private static WindowBench bench(Locale language, int width, int height) throws Exception {
+        WindowBench bench = new WindowBench("demo.map", language, "robot");
+        bench.lines = List.of(WindowBench.line("robot", true, true, WindowBench.noOrders(), "163"));
+        bench.show();
+        for (int i = 0; i < 3; i++) {
+            bench.resize(width, height);
+        }
+        return bench;
+    }
+
+    @ParameterizedTest(name = "{0} x {1} at {2} %: {3} x {4}")
+    @CsvSource({
+        "1024, 768, 85, 738, 492",
+        "1280, 720, 100, 944, 432",
+        "1366, 768, 100, 1030, 472",
+        "1600, 1000, 110, 1230, 640",
+        "1600, 1000, 130, 1163, 615",
+        "1920, 1080, 100, 1584, 692",
+        "1920, 1080, 120, 1516, 692",
+        "1920, 1080, 150, 1416, 636",
+        "2560, 1440, 160, 2022, 922",
+        "3840, 2160, 200, 3168, 1383",
+    })
+    void theWorldTakesAFifthOfTheScreenAndTheScopeIsWhole(
+            int screenWidth, int screenHeight, int percent, int width, int height) throws Exception {
+        Theme.zoomTo(percent / 100.0);
+        for (Locale language : List.of(Locale.ENGLISH, new Locale("es"))) {
+            WindowBench bench = bench(language, width - 4, height - 28);
+            Component world = bench.component("world");
+            double share = (double) world.getWidth() * world.getHeight() / (screenWidth * screenHeight);
+            assertTrue(share >= 0.2, "the world takes " + share);
+            assertWhole(bench, "scope.picture", 280, 132);
+            assertWhole(bench, "order.keys", 100, 34);
+            assertWhole(bench, "replies", 120, 26);
+        }
+    }
+
+    /** The component lies inside the panel and has at least this size in units. */
+    private static void assertWhole(WindowBench bench, String name, int widthUnits, int heightUnits) {
+        Component part = bench.component(name);
+        assertTrue(isShown(part, bench.panel), name + " is hidden");
+        assertTrue(part.getWidth() >= Theme.px(widthUnits) - 2, name + " is " + part.getWidth() + " wide");
+        assertTrue(part.getHeight() >= Theme.px(heightUnits) - 2, name + " is " + part.getHeight() + " high");
+        var corner = SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), bench.panel);
+        assertTrue(corner.getMaxX() <= bench.panel.getWidth() && corner.getMaxY() <= bench.panel.getHeight(), name);
+        for (Component outer = part.getParent(); outer != bench.panel; outer = outer.getParent()) {
+            assertTrue(outer.getWidth() >= part.getWidth() && outer.getHeight() >= part.getHeight(), name + " is cut");
+        }
+    }
+
+    private static boolean isShown(Component part, Component root) {
+        for (Component at = part; at != root; at = at.getParent()) {
+            if (!at.isVisible()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Test
+    void theInspectorGivesWayFirstAndAKeyBringsItBack() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 940, 400);
+        Component pose = bench.component("pose.x");
+        assertFalse(isShown(pose, bench.panel));
+        ((AbstractButton) bench.component("tool.inspector")).doClick();
+        bench.resize(940, 400).resize(940, 400);
+        assertTrue(isShown(pose, bench.panel));
+        assertFalse(isShown(bench.component("scope.picture"), bench.panel));
+        ((AbstractButton) bench.component("tool.inspector")).doClick();
+        bench.resize(940, 400).resize(940, 400);
+        assertFalse(isShown(pose, bench.panel));
+        assertTrue(isShown(bench.component("scope.picture"), bench.panel));
+    }
+
+    @Test
+    void aPresentationHasOnlyTheFloorAndOneLine() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
+        VeriCommandSnapshot order = new VeriCommandSnapshot(
+                "5550100", false, true, true, "**#**20**", "forward 20 cm", "accepted", "", 0, List.of());
+        bench.lines = List.of(WindowBench.line("robot", true, true, order, "163"));
+        bench.show();
+        press(bench);
+        bench.resize(1100, 800).resize(1100, 800);
+        Component world = bench.component("world");
+        assertTrue((double) world.getWidth() * world.getHeight() >= 0.8 * 1100 * 800);
+        assertFalse(isShown(bench.component("tool.power"), bench.panel));
+        assertFalse(isShown(bench.component("scope.picture"), bench.panel));
+        assertTrue(
+                bench.spoken("presentation").endsWith("forward 20 cm  \u2013  6 executing  \u2013  3 executed"),
+                bench.spoken("presentation"));
+        press(bench);
+        bench.resize(1100, 800).resize(1100, 800);
+        assertTrue(isShown(bench.component("tool.power"), bench.panel));
+        assertEquals(false, isShown(bench.component("presentation"), bench.panel));
+    }
+
+    private static void press(WindowBench bench) {
+        bench.panel.getActionMap().get("presentation").actionPerformed(new ActionEvent(bench.panel, 0, ""));
+    }
+}
