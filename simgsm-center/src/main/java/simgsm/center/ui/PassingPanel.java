@@ -21,7 +21,7 @@ import simgsm.ui.Theme;
  */
 final class PassingPanel extends JPanel {
     private static final int ONE_ROW_UNITS = 780;
-    private static final int AREA_AND_PORT_COLUMNS = 11;
+    private static final int AREA_AND_PORT_COLUMNS = 9;
 
     private final TextBundle texts;
     private final JTextField incoming = field();
@@ -42,7 +42,7 @@ final class PassingPanel extends JPanel {
                 12,
                 Arrange.growing(labelled(incoming, "window.tel.incoming")),
                 firstArrow,
-                Arrange.growing(labelled(intermediate, "window.tel.intermediate")),
+                labelled(intermediate, "window.tel.intermediate"),
                 secondArrow,
                 Arrange.growing(labelled(outgoing, "window.tel.outgoing")));
         text = labelled(message, "window.message");

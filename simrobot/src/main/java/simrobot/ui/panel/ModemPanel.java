@@ -83,14 +83,10 @@ final class ModemPanel extends JPanel {
         }
     }
 
-    boolean isStacked() {
-        return isStacked;
-    }
-
     private void place() {
         page.removeAll();
         if (isStacked) {
-            JPanel facts = Arrange.row(10, number, call, Arrange.spring(), signal);
+            JPanel facts = Arrange.row(10, number, call, Arrange.growing(peer), signal);
             page.add(Arrange.column(6, facts, Arrange.growing(scope)));
         } else {
             JPanel facts = Arrange.column(

@@ -42,12 +42,14 @@ final class PresentationView extends PaintedComponent {
 
     void show(TelephoneSnapshot line) {
         String newKey = line.heard()
+                .modem()
                 .digit()
                 .map(digit -> String.valueOf(digit.key().symbol()))
                 .orElse("");
-        String newTones = line.heard().digit().map(digit -> hertz(digit.key())).orElse("");
+        String newTones =
+                line.heard().modem().digit().map(digit -> hertz(digit.key())).orElse("");
         String newCourse = course(line);
-        boolean nowSounding = line.heard().isSounding();
+        boolean nowSounding = line.heard().modem().isSounding();
         if (!newKey.equals(key) || !newCourse.equals(course) || nowSounding != isSounding) {
             change(() -> {
                 key = newKey;

@@ -9,10 +9,10 @@ import simgsm.ui.Arrange.FixedLayout;
 import simgsm.ui.Theme;
 
 /**
- * The page of a running simulation. Its size decides which parts give way: in a large page the inspector stands at the
- * right and modem and VeriCommand below the floor; in a smaller one the inspector is hidden, and modem and VeriCommand are
- * compact and stand where they leave the floor the larger area, below it or at its right. The floor and the tone scope are
- * always visible.
+ * The page of a running simulation. Its size decides where the parts stand and which give way: in a wide page modem and
+ * VeriCommand stand in a column at the right of the floor and the inspector beside them; in a narrower one that is high
+ * enough, below the floor. In a small page the inspector is hidden, and modem and VeriCommand are compact and stand where
+ * they leave the floor the larger area. The floor and the tone scope are always visible.
  */
 final class RunningPage extends JPanel {
     /** The smallest page that shows every part that does not give way, in units. */
@@ -25,10 +25,12 @@ final class RunningPage extends JPanel {
     private static final int WIDE_FLOOR_UNITS = 640;
 
     /** A column of at least this height shows modem and VeriCommand with all they have. */
-    private static final int TALL_COLUMN_UNITS = 530;
+    private static final int TALL_COLUMN_UNITS = 610;
 
     private static final int ORDERS_UNITS = 340;
     private static final double ORDERS_SHARE = 0.36;
+    /** In a narrower panel the modem's facts stand above the tone scope. */
+    private static final int NARROW_MODEM_UNITS = 440;
 
     private final JComponent tools;
     private final JComponent notice;
@@ -43,6 +45,7 @@ final class RunningPage extends JPanel {
     private boolean isPresenting;
     private boolean isInspectorWanted;
     private boolean isInspectorSwitched;
+    private boolean atRight;
 
     RunningPage(
             JComponent tools,
@@ -99,23 +102,32 @@ final class RunningPage extends JPanel {
         revalidate();
     }
 
-    private boolean isFull() {
-        return getWidth() >= Theme.px(FULL_WIDTH_UNITS) && getHeight() >= Theme.px(FULL_HEIGHT_UNITS);
-    }
-
     @Override
     public void doLayout() {
-        boolean full = isFull();
-        boolean atRight = !full && isColumnBetter(restOfPage());
-        boolean wide = atRight && isWide();
+        boolean wide = isWide();
+        boolean full = !wide && isFull();
+        atRight = wide || !full && isColumnBetter(restOfPage());
         inspector.setVisible(!isPresenting && (isInspectorSwitched ? isInspectorWanted : full || wide));
         boolean replaced = inspector.isVisible() && !full && !wide;
         modem.setVisible(hasLine && !isPresenting && !replaced);
         orders.setVisible(modem.isVisible());
-        boolean tall = atRight && restOfPage().height >= Theme.px(TALL_COLUMN_UNITS);
-        modem.arrange(!full && !tall, atRight);
-        orders.setCompact(!full && !tall);
+        boolean whole = full || atRight && restOfPage().height >= Theme.px(TALL_COLUMN_UNITS);
+        modem.arrange(!whole, atRight || modemWidthInRow(getWidth() - inspectorWidth()) < Theme.px(NARROW_MODEM_UNITS));
+        orders.setCompact(!whole);
         super.doLayout();
+    }
+
+    private int inspectorWidth() {
+        return inspector.isVisible() ? inspector.getPreferredSize().width + gap() : 0;
+    }
+
+    /** The modem's part of a row that it shares with VeriCommand. */
+    private static int modemWidthInRow(int rowWidth) {
+        return rowWidth - gap() - Math.min(Theme.px(ORDERS_UNITS), (int) (rowWidth * ORDERS_SHARE));
+    }
+
+    private boolean isFull() {
+        return getWidth() >= Theme.px(FULL_WIDTH_UNITS) && getHeight() >= Theme.px(FULL_HEIGHT_UNITS);
     }
 
     private boolean isWide() {
@@ -175,12 +187,12 @@ final class RunningPage extends JPanel {
             if (inspector.isVisible()) {
                 takeRight(rest, inspector, inspector.getPreferredSize().width);
             }
-            if (modem.isVisible() && modem.isStacked()) {
+            if (modem.isVisible() && atRight) {
                 stackAtRight(rest);
             }
             takeBottom(rest, presentation);
             takeBottom(rest, timeline);
-            if (modem.isVisible() && !modem.isStacked()) {
+            if (modem.isVisible() && !atRight) {
                 rowAtBottom(rest);
             }
             takeBottom(rest, busy);
@@ -199,8 +211,8 @@ final class RunningPage extends JPanel {
         private void rowAtBottom(Rectangle rest) {
             Rectangle row =
                     cutBottom(rest, Math.max(modem.getPreferredSize().height, orders.getPreferredSize().height));
-            int ordersWidth = Math.min(Theme.px(ORDERS_UNITS), (int) (row.width * ORDERS_SHARE));
-            int modemWidth = row.width - gap() - ordersWidth;
+            int modemWidth = modemWidthInRow(row.width);
+            int ordersWidth = row.width - gap() - modemWidth;
             modem.setBounds(row.x, row.y, modemWidth, row.height);
             orders.setBounds(row.x + modemWidth + gap(), row.y, ordersWidth, row.height);
         }

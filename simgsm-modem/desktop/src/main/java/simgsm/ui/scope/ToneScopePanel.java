@@ -13,13 +13,13 @@ import simgsm.ui.Theme;
 public final class ToneScopePanel extends JPanel {
     /** In units: below it the two sliders lie one below the other. */
     private static final int NARROW = 440;
-    /** In units: below it a compact scope has no receivers' rows. */
-    private static final int TINY = 240;
+    /** In units: in a lower compact scope the row of the receiver is hidden. */
+    private static final int LOW = 174;
 
     private final ToneScope scope;
     private final ReceiverPanel receivers;
-    private boolean compact;
     private final ToneExperimentBar experiment;
+    private boolean isCompact;
 
     /**
      * A scope that shows nothing yet.
@@ -43,17 +43,17 @@ public final class ToneScopePanel extends JPanel {
     }
 
     /** A compact scope is lower, has one receiver's row and no sliders; their settings remain in effect. */
-    public void setCompact(boolean wanted) {
-        scope.setCompact(wanted);
-        receivers.setCompact(wanted);
-        compact = wanted;
-        experiment.setVisible(!wanted);
+    public void setCompact(boolean compact) {
+        scope.setCompact(compact);
+        receivers.setCompact(compact);
+        experiment.setVisible(!compact);
+        isCompact = compact;
     }
 
     @Override
     public void doLayout() {
-        receivers.setVisible(!compact || getWidth() >= Theme.px(TINY));
         experiment.arrange(getWidth() < Theme.px(NARROW));
+        receivers.setVisible(!isCompact || getHeight() >= Theme.px(LOW));
         super.doLayout();
     }
 
