@@ -280,7 +280,9 @@ class RobotsInTheWindowTest {
                 new RobotEvent.OrderVerified("16", "refused"),
                 new RobotEvent.OrderAnswered(16, "refused"),
                 new RobotEvent.ReplySent("16", "refused"),
+                new RobotEvent.UssdAnswered("16", "refused"),
                 new RobotEvent.MessageReceived("16", "refused"),
+                new RobotEvent.TypeUnknown("16"),
                 new RobotEvent.CallReleased(16),
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER));
