@@ -10,6 +10,11 @@ have tshark || packages+=(tshark)
 have toast || packages+=(libgsm-tools)
 have sox || packages+=(sox)
 have multimon-ng || packages+=(multimon-ng)
+have lame || packages+=(lame)
+have opusenc || packages+=(opus-tools)
+for sounds in core-sounds-en-wav core-sounds-es-wav core-sounds-fr-wav prompt-es-co moh-opsound-wav; do
+    [ -d "/usr/share/doc/asterisk-$sounds" ] || packages+=("asterisk-$sounds")
+done
 have bearerbox || packages+=(kannel)
 have cc || packages+=(gcc libc6-dev)
 have python3 || packages+=(python3)

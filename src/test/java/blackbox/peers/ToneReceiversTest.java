@@ -38,7 +38,7 @@ class ToneReceiversTest {
 
     @Test
     void spanDspReadsOurTones() throws Exception {
-        Path spandsp = spandsp();
+        Path spandsp = ToneReceiver.spandsp(folder);
         Path raw = Files.write(folder.resolve("tones.raw"), Audio.samples(Audio.tones(folder, KEYS)));
         ProcessBuilder receiver = new ProcessBuilder(spandsp.toString(), "rx", raw.toString());
         assertEquals(KEYS, Peer.run(receiver).expectSuccess().strip());
@@ -47,18 +47,9 @@ class ToneReceiversTest {
     @Test
     void ourReceiverReadsSpanDspsTones() throws Exception {
         Path raw = folder.resolve("spandsp.raw");
-        ProcessBuilder sender = new ProcessBuilder(spandsp().toString(), "tx", KEYS, raw.toString());
+        ProcessBuilder sender = new ProcessBuilder(ToneReceiver.spandsp(folder).toString(), "tx", KEYS, raw.toString());
         Peer.run(sender).expectSuccess();
         Path wav = Audio.wav(folder.resolve("spandsp.wav"), Files.readAllBytes(raw));
         assertEquals(KEYS, Audio.tool("decode", wav.toString()).split("\t")[1]);
-    }
-
-    /** The small program around SpanDSP's sender and receiver, compiled; without the library the test is skipped. */
-    private Path spandsp() throws Exception {
-        Path program = folder.resolve("spandsp_dtmf");
-        Peer.Output compiled =
-                Peer.C_COMPILER.run("-o", program.toString(), Peer.source("spandsp_dtmf.c"), "-lspandsp", "-lm");
-        Peer.require(compiled.status() == 0, "SpanDSP (libspandsp-dev): " + compiled.text());
-        return program;
     }
 }
