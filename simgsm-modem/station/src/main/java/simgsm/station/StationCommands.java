@@ -44,7 +44,8 @@ public interface StationCommands {
     int sendMessage(Msisdn to, String text);
 
     /**
-     * Sends a USSD text: the reply if the network waits for one, else a request such as *100#, which begins a dialogue.
+     * Sends a USSD text: the reply if the network waits for one, else a request such as *100#, which begins a dialogue;
+     * a code of a supplementary service such as *#21# is sent as that.
      *
      * @return false if a dialogue is under way and the network has not asked, or the station is off
      * @throws IllegalArgumentException for an empty text, and for more than 182 characters (80 outside the GSM alphabet)

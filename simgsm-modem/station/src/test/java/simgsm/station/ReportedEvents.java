@@ -54,6 +54,11 @@ final class ReportedEvents implements Consumer<StationEvent> {
             lines.add("stopping " + key.key().symbol());
         } else if (event instanceof StationEvent.KeyCompleted key) {
             lines.add("completed " + key.key().symbol());
+        } else if (event instanceof StationEvent.UssdReceived ussd) {
+            lines.add((ussd.replyExpected() ? "ussd? " : "ussd: ") + ussd.text());
+        } else if (event instanceof StationEvent.UssdEnded end) {
+            lines.add("ussd over: " + end.how().title()
+                    + end.error().map(error -> " " + error.code()).orElse(""));
         } else if (event instanceof StationEvent.KeysRefused refused) {
             lines.add("keys refused " + refused.cause().code());
         }

@@ -20,6 +20,7 @@ import simgsm.ss.Component.ReturnError;
 import simgsm.ss.Component.ReturnResult;
 import simgsm.ss.ComponentCodec;
 import simgsm.ss.ComponentFault;
+import simgsm.ss.ServiceCode;
 import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
 import simgsm.ss.SsProblem;
@@ -49,8 +50,8 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     private int nextTransaction;
     /** As in messages sent: the flag is set if the network began the dialogue. */
     private TransactionIdentifier transaction = new TransactionIdentifier(0, false);
-    /** The user's latest request or reply. */
-    private UssdText typed;
+    /** What the user has sent last: a request, or the result of the network's question. */
+    private Component typed;
     /** The network's latest text. */
     private String shown = "";
     /** The network's latest operation, which is answered. */
@@ -72,14 +73,19 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     }
 
     /**
-     * Sends what the user has typed: the reply to the network, or else a request.
+     * Sends what the user has typed: the reply to the network, or else a request, which may be a supplementary service.
      *
      * @return false if a dialogue is under way and the network has not asked
      * @throws IllegalArgumentException for a text that is empty or too long
      */
     public boolean send(String text) {
-        UssdText octets = UssdText.of(text);
         boolean isReply = awaitsReply();
+        Component octets = isReply
+                ? new ReturnResult(
+                        asked.id(),
+                        SsOperation.UNSTRUCTURED_SS_REQUEST,
+                        UssdText.of(text).encode())
+                : ServiceCode.invoke(REQUEST_ID, text);
         MobileUssdEvent event = isReply ? MobileUssdEvent.USER_REPLIES : MobileUssdEvent.USER_REQUESTS;
         if (!machine.accepts(event)) {
             return false;
@@ -250,8 +256,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
             case ADOPT_CONNECTION -> services.adopt(ServiceType.SUPPLEMENTARY_SERVICE);
             case RELEASE_CONNECTION -> services.release(ServiceType.SUPPLEMENTARY_SERVICE);
             case SEND_REQUEST -> sendRequest();
-            case SEND_REPLY ->
-                sendFacility(new ReturnResult(asked.id(), SsOperation.UNSTRUCTURED_SS_REQUEST, typed.encode()));
+            case SEND_REPLY -> sendFacility(typed);
             case SEND_CONFIRMATION -> sendFacility(new ReturnResult(asked.id()));
             case SEND_RELEASE_COMPLETE -> context.radio().send(new SsReleaseComplete(transaction));
             case START_WAIT ->
@@ -274,9 +279,8 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     }
 
     private void sendRequest() {
-        Component request = new Invoke(REQUEST_ID, SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST, typed.encode());
         context.radio()
-                .send(new SsRegister(transaction, ComponentCodec.encode(request), Optional.of(SsRegister.PHASE_2)));
+                .send(new SsRegister(transaction, ComponentCodec.encode(typed), Optional.of(SsRegister.PHASE_2)));
     }
 
     private void sendFacility(Component component) {

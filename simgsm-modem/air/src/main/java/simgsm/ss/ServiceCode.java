@@ -1,0 +1,87 @@
+package simgsm.ss;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import simgsm.air.Msisdn;
+import simgsm.air.SemiOctets;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+import simgsm.ss.Component.Invoke;
+
+/**
+ * What a typed code asks of the network (TS 22.030, 6.5.2 and annex B): a supplementary service such as {@code *#21#}, or USSD
+ * for every other code.
+ */
+public final class ServiceCode {
+    /** Procedure, service code, supplementary information. */
+    private static final Pattern FORM = Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)[0-9*]*)?#");
+
+    /** International number, ISDN numbering plan (TS 29.002, 17.7.8: AddressString); {@code 0x81} for one of unknown type. */
+    private static final int INTERNATIONAL = 0x91;
+
+    private static final int UNKNOWN_TYPE = 0x81;
+    /** [4] IMPLICIT in RegisterSS-Arg. */
+    private static final int FORWARDED_TO = 0x84;
+    /** Codes of call forwarding begin so (TS 24.080, 4.5: SS-Code). */
+    private static final int FORWARDING = 0x20;
+
+    private static final int GROUP = 0xf0;
+
+    /** SS-Code by the service code that a user types. */
+    private static final Map<String, Integer> SERVICES = new HashMap<>();
+
+    static {
+        SERVICES.putAll(Map.of("30", 0x11, "31", 0x12, "76", 0x13, "77", 0x14, "43", 0x41));
+        SERVICES.putAll(Map.of("002", 0x20, "21", 0x21, "004", 0x28, "67", 0x29, "61", 0x2a, "62", 0x2b));
+        SERVICES.putAll(Map.of(
+                "330", 0x90, "333", 0x91, "33", 0x92, "331", 0x93, "332", 0x94, "353", 0x99, "35", 0x9a, "351", 0x9b));
+    }
+
+    private ServiceCode() {}
+
+    /**
+     * The operation for a typed code.
+     *
+     * @param id invoke identifier
+     * @throws IllegalArgumentException for a text that USSD does not take; see {@link UssdText#of}
+     */
+    public static Invoke invoke(int id, String typed) {
+        Matcher form = FORM.matcher(typed);
+        if (form.matches() && SERVICES.containsKey(form.group(2))) {
+            String information = form.group(3) == null ? "" : form.group(3);
+            int service = SERVICES.get(form.group(2));
+            SsOperation operation = operation(form.group(1), service, information);
+            return new Invoke(id, operation, argument(operation, service, information));
+        }
+        return new Invoke(
+                id,
+                SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST,
+                UssdText.of(typed).encode());
+    }
+
+    /** {@code *} registers a forwarding if it has a number, and activates everything else. */
+    private static SsOperation operation(String procedure, int service, String information) {
+        boolean isForwarding = (service & GROUP) == FORWARDING;
+        return switch (procedure) {
+            case "**" -> SsOperation.REGISTER_SS;
+            case "*#" -> SsOperation.INTERROGATE_SS;
+            case "##" -> SsOperation.ERASE_SS;
+            case "#" -> SsOperation.DEACTIVATE_SS;
+            default -> isForwarding && !information.isEmpty() ? SsOperation.REGISTER_SS : SsOperation.ACTIVATE_SS;
+        };
+    }
+
+    private static OctetString argument(SsOperation operation, int service, String information) {
+        OctetWriter body = BerElement.write(new OctetWriter(), BerElement.OCTET_STRING, service);
+        if (operation == SsOperation.REGISTER_SS && information.matches("\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "}")) {
+            boolean isInternational = information.startsWith("+");
+            OctetWriter number = new OctetWriter().octet(isInternational ? INTERNATIONAL : UNKNOWN_TYPE);
+            SemiOctets.write(number, information, isInternational ? 1 : 0);
+            BerElement.write(body, FORWARDED_TO, number.toOctetString());
+        }
+        return BerElement.write(new OctetWriter(), BerElement.SEQUENCE, body.toOctetString())
+                .toOctetString();
+    }
+}
