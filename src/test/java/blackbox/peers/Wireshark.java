@@ -24,6 +24,11 @@ final class Wireshark {
         assertEquals(List.of(), tshark(file, "-Y", "_ws.malformed || _ws.expert.severity >= 0x600000"));
     }
 
+    /** The values of one field in all frames that pass the filter. */
+    static List<String> fields(Path file, String filter, String field) throws IOException {
+        return tshark(file, "-Y", filter, "-T", "fields", "-e", field);
+    }
+
     private static List<String> tshark(Path file, String... arguments) throws IOException {
         List<String> all = new ArrayList<>(List.of("-n", "-r", file.toString()));
         all.addAll(List.of(arguments));

@@ -1,13 +1,16 @@
 package blackbox.peers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import blackbox.CaptureTest;
 import blackbox.FinishedProgram;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
+import blackbox.UssdTest;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -82,6 +85,28 @@ class WiresharkTest {
                     "Identity Response",
                     "Location Updating Accept",
                     "TMSI Reallocation Complete");
+        }
+    }
+
+    @Test
+    void everySupplementaryServiceIsNamedAndSound() throws Exception {
+        try (Scenario scenario = new Scenario("supplementary services, read by Wireshark")) {
+            Path capture = scenario.folder().resolve("services.pcap");
+            RunningProgram center = scenario.center("--capture", capture.toString());
+            scenario.robot("empty.map");
+            UssdTest.session(scenario.phone(Scenario.PHONE));
+            assertEquals(0, center.quit());
+            Wireshark.requireSound(
+                    capture,
+                    "(SS) Register (GSM MAP) invoke processUnstructuredSS-Request",
+                    "(SS) Register (GSM MAP) invoke unstructuredSS-Request",
+                    "(SS) Facility (GSM MAP) invoke unstructuredSS-Request",
+                    "(SS) Facility (GSM MAP) returnResultLast unstructuredSS-Request",
+                    "(SS) Release Complete (GSM MAP) returnResultLast processUnstructuredSS-Request",
+                    "(SS) Register (GSM MAP) invoke interrogateSS",
+                    "(SS) Release Complete (GSM MAP) returnError");
+            List<String> texts = Wireshark.fields(capture, "gsm_map.ussd_string", "gsm_map.ussd_string");
+            assertTrue(texts.contains("*100#"), texts.toString());
         }
     }
 

@@ -79,6 +79,15 @@ class LcdScreensTest {
         screens.put("failed", failed());
         screens.put(
                 "broadcast", with(bench -> bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"))));
+        screens.put("service asked for", with(bench -> bench.handset.ussd("*100#")));
+        screens.put(
+                "service's text",
+                with(bench -> bench.handset.accept(
+                        new StationEvent.UssdReceived("Stopped at 0.200 -1.450 m, heading 90.0.", false))));
+        screens.put(
+                "service's question",
+                with(bench -> bench.handset.accept(
+                        new StationEvent.UssdReceived("1 Own number\n2 Status of a robot\n0 End", true))));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
     }

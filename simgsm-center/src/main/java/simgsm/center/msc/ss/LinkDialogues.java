@@ -51,10 +51,16 @@ final class LinkDialogues {
         }
     }
 
-    /** Asks the mobile's user a question, after paging if necessary. @param told receives the outcome, once */
+    /**
+     * Asks the mobile a question, after paging if necessary; while the same question is open, its outcome serves all.
+     *
+     * @param told receives the outcome, once
+     */
     void ask(String question, Consumer<UssdOutcome> told) {
         if (ofNetwork != null) {
-            told.accept(UssdOutcome.of(UssdOutcome.Kind.BUSY));
+            if (!ofNetwork.join(question, told)) {
+                told.accept(UssdOutcome.of(UssdOutcome.Kind.BUSY));
+            }
             return;
         }
         TransactionIdentifier transaction = new TransactionIdentifier(nextTransaction, false);

@@ -86,10 +86,19 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
         begun.question = UssdText.of(question);
         begun.told = told;
         begun.reply = text -> {
-            told.accept(new UssdOutcome(UssdOutcome.Kind.REPLIED, text));
+            begun.told.accept(new UssdOutcome(UssdOutcome.Kind.REPLIED, text));
             begun.machine.fire(UssdEvent.SERVICE_ENDS);
         };
         return begun;
+    }
+
+    /** Tells the outcome of the question to another one who has it too. @return false for another question */
+    boolean join(String sameQuestion, Consumer<UssdOutcome> alsoTold) {
+        boolean isSame = question.text().equals(sameQuestion);
+        if (isSame) {
+            told = told.andThen(alsoTold);
+        }
+        return isSame;
     }
 
     TransactionIdentifier transaction() {

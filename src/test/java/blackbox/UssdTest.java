@@ -1,0 +1,124 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+
+/** Service codes: own number, a robot's status, a menu, and what the network refuses. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+public class UssdTest {
+    private Scenario scenario;
+    private RunningProgram robot;
+    private RunningProgram alice;
+    private RunningProgram bob;
+
+    @BeforeAll
+    void twoPhonesAndARobot() {
+        scenario = new Scenario("service codes");
+        scenario.center();
+        robot = scenario.robot("empty.map");
+        alice = scenario.phone(Scenario.PHONE);
+        bob = scenario.phone("5550101");
+    }
+
+    @AfterAll
+    void end() throws Exception {
+        scenario.close();
+    }
+
+    /** Asks for everything that there is, and for something that there is not. */
+    public static void session(RunningProgram phone) {
+        phone.say("ussd *100#").expect("ussd", "text", Scenario.PHONE);
+        phone.say("ussd *200*" + Scenario.ROBOT + "#").expect("ussd");
+        phone.say("ussd *111#").expect("ussd", "reply", "expected");
+        phone.say("ussd 1").expect("ussd", "text", "Your number is " + Scenario.PHONE + ".");
+        phone.say("ussd *#21#").expect("ussd-failed", "cause", "21");
+        phone.say("ussd *999#").expect("ussd-failed", "cause", "36");
+    }
+
+    @Test
+    void aSubscriberIsToldItsOwnNumber() {
+        alice.say("ussd *100#").expect("ussd", "text", Scenario.PHONE);
+        bob.say("ussd *100#").expect("ussd", "text", "5550101");
+    }
+
+    @Test
+    void aRobotTellsItsStatusAndPose() {
+        robot.say("place 1.5 2 90").expect("pose");
+        String stopped =
+                alice.say("ussd *200*" + Scenario.ROBOT + "#").expect("ussd").field("text");
+        assertEquals("Stopped at 1.500 2.000 m, heading 90.0.", stopped);
+
+        robot.say("power off").expect("status", "value", "Disconnected");
+        String off =
+                alice.say("ussd *200*" + Scenario.ROBOT + "#").expect("ussd").field("text");
+        assertTrue(off.startsWith("Disconnected"), off);
+        robot.say("power on").say("motors on").expect("status", "value", "Stopped");
+    }
+
+    @Test
+    void theQuestionMovesNothingAndDisturbsNoCall() {
+        scenario.call(alice);
+        bob.say("ussd *200*" + Scenario.ROBOT + "#").expect("ussd");
+        alice.say("press ** #**20 **").expect("tone", "key", "3");
+        alice.say("hangup").expect("released");
+    }
+
+    @Test
+    void aMenuIsASession() {
+        alice.say("ussd *111#").expect("ussd", "reply", "expected");
+        alice.say("ussd 2").expect("ussd", "reply", "expected");
+        String status = alice.say("ussd " + Scenario.ROBOT).expect("ussd").field("text");
+        assertTrue(status.contains(" m, heading "), status);
+    }
+
+    @Test
+    void aPhonesUserIsAskedAndAnswersInPerson() {
+        alice.say("ussd *200*5550101#");
+        bob.expect("ussd", "reply", "expected");
+        bob.say("ussd at the desk");
+        alice.expect("ussd", "text", "at the desk");
+    }
+
+    @Test
+    void aNumberThatNobodyHasIsAbsent() {
+        String text = alice.say("ussd *200*5559999#").expect("ussd").field("text");
+        assertTrue(text.startsWith("5559999 is not registered"), text);
+    }
+
+    @Test
+    void aCodeThatIsUnknownAndAServiceThatIsNotOfferedAreRefusedByTheStandardsErrors() {
+        alice.say("ussd *999#").expect("ussd-failed", "cause", "36", "text", "unexpected data value");
+        alice.say("ussd *#21#").expect("ussd-failed", "cause", "21", "text", "facility not supported");
+        alice.say("ussd *43#").expect("ussd-failed", "cause", "21");
+    }
+
+    @Test
+    void hangupEndsADialogueAndAnotherOneBegins() {
+        alice.say("ussd *111#").expect("ussd", "reply", "expected");
+        alice.say("hangup").expect("ussd-failed", "text", "cancelled");
+        alice.say("ussd *100#").expect("ussd", "text", Scenario.PHONE);
+    }
+
+    @Test
+    void aPhoneThatIsOffOrHasNothingToSendSaysSo() {
+        bob.say("power off").expect("unregistered");
+        bob.say("ussd *100#").expect("error");
+        bob.say("power on").expect("registered");
+        bob.say("ussd").expect("error");
+    }
+
+    @Test
+    void theTextIsInTheCentresLanguage() throws Exception {
+        try (Scenario spanish = new Scenario("service codes in Spanish")) {
+            spanish.center("--lang", "es");
+            RunningProgram phone = spanish.phone(Scenario.PHONE);
+            String text = phone.say("ussd *200*5559999#").expect("ussd").field("text");
+            assertEquals("5559999 no esta registrado o no responde.", text);
+        }
+    }
+}
