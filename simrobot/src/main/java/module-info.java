@@ -1,8 +1,19 @@
-/** SimRobot: worlds, the Pioneer, the simulation, and on top of them the GSM modem (M2) and VeriCommand. */
+/**
+ * SimRobot: worlds, the Pioneer, the simulation, and on top of them the GSM modem (M2) and VeriCommand. Processes of robots
+ * are written against {@link simrobot.behaviour}.
+ */
 module simrobot {
     requires simgsm.station;
     requires simgsm.console;
     requires simgsm.desktop;
     requires vericommand;
+    requires java.compiler;
+    requires java.management;
     requires jdk.httpserver;
+    // absent from a Java without a compiler: only sources of students need it
+    requires static jdk.compiler;
+
+    exports simrobot.behaviour;
+
+    uses simrobot.behaviour.Behaviour;
 }

@@ -82,22 +82,24 @@ class LayeringTest {
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.editor          : simrobot.world
-            simrobot.robot           : vericommand simrobot.behaviour simrobot.world
-            simrobot.simulation      : vericommand simrobot.behaviour simrobot.world simrobot.robot
+            simrobot.process         : simrobot.behaviour simrobot.world
+            simrobot.source          : simrobot.behaviour simrobot.process
+            simrobot.robot           : vericommand simrobot.behaviour simrobot.world simrobot.process
+            simrobot.simulation      : vericommand simrobot.process simrobot.world simrobot.robot
             simrobot.camera          : vericommand simrobot.world simrobot.robot simrobot.simulation
             simrobot.p2os            : simgsm.octets simgsm.net simgsm.state vericommand simrobot.robot simrobot.simulation
-            simrobot.pioneer         : simgsm.net vericommand simrobot.behaviour simrobot.robot simrobot.simulation simrobot.p2os
-            simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
+            simrobot.pioneer         : simgsm.net vericommand simrobot.process simrobot.robot simrobot.simulation simrobot.p2os
+            simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
-            simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
-            simrobot.control         : simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
-            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
+            simrobot.http            : vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
+            simrobot.control         : simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
-            simrobot.app             : simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
-            simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
+            simrobot.app             : simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
+            simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
 
     /** Arrows that break their row's rule and are to go, as {@code "from -> to"}. */

@@ -35,11 +35,11 @@ import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
 import simrobot.app.ListeningPorts;
 import simrobot.app.ReplayModel;
+import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
 import simrobot.app.SessionRecording;
 import simrobot.app.WindowModel;
 import simrobot.app.WorldFile;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotConsole;
@@ -47,6 +47,7 @@ import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.control.WorldPrinter;
+import simrobot.process.BehaviourKind;
 import simrobot.replay.DamagedException;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
@@ -101,7 +102,16 @@ public final class SimRobotMain {
                 .value("on-hangup", "stop|finish", "what happens to a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
-                .value("behaviour", "KIND", "wander, wall-follow or none: an autonomous process in every robot (none)")
+                .value(
+                        "behaviour",
+                        "NAME",
+                        "wander, wall-follow, one of --behaviours, or none: an autonomous process in every robot"
+                                + "\n(none)")
+                .value(
+                        "behaviours",
+                        "DIR",
+                        "processes of your own: each .java file there, compiled whenever it is saved, and each jar;"
+                                + "\nsee docs/BEHAVIOUR.md")
                 .value(
                         "run",
                         "SECONDS",
@@ -199,7 +209,7 @@ public final class SimRobotMain {
         return ExitStatus.OK;
     }
 
-    private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet) {}
+    private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet, RequestedBehaviours behaviours) {}
 
     private static int windowed(
             Arguments arguments, ProgramWindow window, Built built, ListeningPorts opened, Path worldFile)
@@ -214,6 +224,7 @@ public final class SimRobotMain {
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
             simRobot.start();
             ports.start();
+            built.behaviours().start(simRobot, record::event);
             window.show(
                     () -> SimRobotWindow.content("SimRobot " + model.firstNumber(), language, model::snapshot, model));
         }
@@ -226,8 +237,10 @@ public final class SimRobotMain {
         double speed = arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
         SimSlot slot = SimSlot.of(arguments.path("sim"));
         List<RobotName> names = RequestedRobots.of(arguments, slot, world);
-        Fleet.Kit kit = kit(arguments, slot, names.size() == 1);
-        Simulation simulation = new Simulation(world, kit.seed());
+        long seed = seed(arguments);
+        Simulation simulation = new Simulation(world, seed);
+        RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, simulation.behaviours());
+        Fleet.Kit kit = kit(arguments, slot, names.size() == 1, seed, behaviours.chosen(arguments));
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
         SimRobot simRobot = new SimRobot(
                 simulation, new InetSocketAddress(center.host(), center.port()), settings, sound(arguments));
@@ -242,19 +255,20 @@ public final class SimRobotMain {
                 fleet.addFirst(name, simulation);
             }
         }
-        return new Built(simulation, simRobot, fleet);
+        return new Built(simulation, simRobot, fleet, behaviours);
     }
 
     /** @param single whether there is one robot, whose calls are recorded in the named file itself */
-    private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean single) throws UsageException {
+    private static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean single, long seed, BehaviourKind behaviour)
+            throws UsageException {
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         CallRecordings recordings = new CallRecordings(arguments.path("record-audio"), single);
         return new Fleet.Kit(
-                seed(arguments),
+                seed,
                 power,
                 motors,
-                behaviour(arguments),
+                behaviour,
                 codec(arguments),
                 (int) arguments.integer(
                         "answer-after",
@@ -279,10 +293,6 @@ public final class SimRobotMain {
                 : SpeechCodec.Kind.A_LAW;
     }
 
-    public static BehaviourKind behaviour(Arguments arguments) throws UsageException {
-        return arguments.value("behaviour", BehaviourKind::ofText).orElse(BehaviourKind.NONE);
-    }
-
     public static long seed(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE)
@@ -302,6 +312,7 @@ public final class SimRobotMain {
             console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
+            built.behaviours().start(simRobot, out);
             Program.runConsole(
                     console,
                     arguments,

@@ -13,7 +13,7 @@ import simgsm.state.StateTable;
  *
  * <pre>
  *   order       = "**" { "*" } instruction { instruction } "**"
- *   instruction = "#**" number | "#*#" number | "###" | "#*0"
+ *   instruction = "#**" number | "#*#" number | "###" | "#*0" | "#*1" .. "#*9" (the last one only)
  *   number      = 1 to 4 digits
  * </pre>
  *
@@ -27,13 +27,15 @@ public final class CommandGrammar {
         FIRST_STAR(ExpectedKeys.STAR),
         OPENED(ExpectedKeys.HASH),
         HASH_READ(ExpectedKeys.STAR_OR_HASH),
-        HASH_STAR(ExpectedKeys.STAR_HASH_OR_ZERO),
+        HASH_STAR(ExpectedKeys.STAR_HASH_OR_DIGIT),
         HASH_HASH(ExpectedKeys.HASH),
         FORWARD(ExpectedKeys.NUMBER, OrderFault.Limit.CENTIMETERS),
         TURN(ExpectedKeys.NUMBER, OrderFault.Limit.DEGREES),
         CENTIMETERS(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.CENTIMETERS),
         DEGREES(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.DEGREES),
         INSTRUCTION_READ(ExpectedKeys.HASH_OR_STAR),
+        /** A process is the last instruction. */
+        PROCESS_READ(ExpectedKeys.CLOSING),
         FIRST_CLOSING_STAR(ExpectedKeys.STAR),
         /** After a fault: looks for the next opening. */
         SKIPPING(ExpectedKeys.OPENING),
@@ -99,6 +101,7 @@ public final class CommandGrammar {
         ADD_TURN,
         ADD_STOP,
         ADD_REPORT,
+        ADD_PROCESS,
         COMPLETE_ORDER
     }
 
@@ -126,6 +129,7 @@ public final class CommandGrammar {
             .on(HASH_STAR, STAR, FORWARD)
             .on(HASH_STAR, HASH, TURN)
             .on(HASH_STAR, ZERO, INSTRUCTION_READ, ADD_REPORT)
+            .on(HASH_STAR, DIGIT, PROCESS_READ, ADD_PROCESS)
             .on(HASH_HASH, HASH, INSTRUCTION_READ, ADD_STOP)
             .on(EnumSet.of(FORWARD, CENTIMETERS), DIGITS, CENTIMETERS, ADD_DIGIT)
             .on(EnumSet.of(TURN, DEGREES), DIGITS, DEGREES, ADD_DIGIT)
@@ -135,6 +139,7 @@ public final class CommandGrammar {
             .on(DEGREES, STAR, FIRST_CLOSING_STAR, ADD_TURN)
             .on(INSTRUCTION_READ, HASH, HASH_READ)
             .on(INSTRUCTION_READ, STAR, FIRST_CLOSING_STAR)
+            .on(PROCESS_READ, STAR, FIRST_CLOSING_STAR)
             .on(FIRST_CLOSING_STAR, STAR, IDLE, COMPLETE_ORDER)
             .on(EnumSet.of(HASH_HASH, TURN), FAULT, SKIPPING_HASH)
             .on(
@@ -146,6 +151,7 @@ public final class CommandGrammar {
                             CENTIMETERS,
                             DEGREES,
                             INSTRUCTION_READ,
+                            PROCESS_READ,
                             FIRST_CLOSING_STAR),
                     FAULT,
                     SKIPPING)

@@ -6,7 +6,7 @@ public enum ExpectedKeys {
     STAR("*"),
     HASH("#"),
     STAR_OR_HASH("* / #"),
-    STAR_HASH_OR_ZERO("* / # / 0"),
+    STAR_HASH_OR_DIGIT(null),
     /** A number, or a number within its range. */
     NUMBER(null),
     DIGIT_HASH_OR_STAR(null),

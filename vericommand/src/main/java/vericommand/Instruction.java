@@ -65,6 +65,20 @@ public sealed interface Instruction {
         }
     }
 
+    /** Start the robot's process with this number, 1..9; the last instruction of its order. */
+    record StartProcess(int number) implements Instruction {
+        public static final int MAX_NUMBER = 9;
+
+        public StartProcess {
+            requireRange("the number of a process", number, MAX_NUMBER);
+        }
+
+        @Override
+        public String keys() {
+            return "#*" + number;
+        }
+    }
+
     private static void requireRange(String what, int value, int max) {
         if (value < 1 || value > max) {
             throw new IllegalArgumentException(what + " must be 1.." + max + ", not " + value);

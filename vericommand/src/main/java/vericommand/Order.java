@@ -2,6 +2,7 @@ package vericommand;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
@@ -22,7 +23,18 @@ public record Order(String keys, List<Instruction> instructions) {
 
     /** Whether an instruction moves the robot. */
     public boolean moves() {
-        return instructions.stream().anyMatch(Instruction.Motion.class::isInstance);
+        return instructions.stream().anyMatch(Order::moves);
+    }
+
+    static boolean moves(Instruction instruction) {
+        return instruction instanceof Instruction.Motion || instruction instanceof Instruction.StartProcess;
+    }
+
+    /** The process that it starts at its end. */
+    public Optional<Instruction.StartProcess> process() {
+        return instructions.get(instructions.size() - 1) instanceof Instruction.StartProcess last
+                ? Optional.of(last)
+                : Optional.empty();
     }
 
     /** Whether an instruction stops the robot. */
@@ -53,6 +65,9 @@ public record Order(String keys, List<Instruction> instructions) {
         }
         if (instruction instanceof Instruction.Turn turn) {
             return VeriCommandTexts.text(locale, "order.turn", "" + turn.clockwiseDegrees());
+        }
+        if (instruction instanceof Instruction.StartProcess process) {
+            return VeriCommandTexts.text(locale, "order.process", "" + process.number());
         }
         return VeriCommandTexts.text(
                 locale, instruction instanceof Instruction.StopNow ? "order.stop" : "order.report");

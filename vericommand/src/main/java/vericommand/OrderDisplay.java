@@ -66,6 +66,10 @@ final class OrderDisplay {
         if (verdict instanceof Verdict.Invalid invalid) {
             failingPosition = invalid.fault().position();
             verdictText = texts.invalid(invalid.fault()).text();
+        } else if (verdict instanceof Verdict.NoProcess none) {
+            failingPosition = none.position();
+            words = none.order().words(locale);
+            verdictText = texts.noProcess(none).text();
         } else if (verdict instanceof Verdict.Refused refused) {
             words = refused.order().words(locale);
             verdictText = texts.refused(refused.tone(), refused.status()).text();

@@ -64,7 +64,7 @@ final class OrderExecution {
     /** The progress of an order whose first motion has not started. */
     OrderProgress initialProgress() {
         int index = 0;
-        while (!(order.instructions().get(index) instanceof Instruction.Motion)) {
+        while (!Order.moves(order.instructions().get(index))) {
             index++;
         }
         return progress(index, 0);
@@ -72,7 +72,6 @@ final class OrderExecution {
 
     private OrderProgress progress(int index, double amountDone) {
         var instructions = order.instructions();
-        return new OrderProgress(
-                (Instruction.Motion) instructions.get(index), amountDone, index + 1, instructions.size());
+        return new OrderProgress(instructions.get(index), amountDone, index + 1, instructions.size());
     }
 }

@@ -7,9 +7,12 @@ package vericommand;
  * @param number of the current instruction, from 1
  * @param of the number of instructions
  */
-record OrderProgress(Instruction.Motion motion, double amountDone, int number, int of) {
+record OrderProgress(Instruction instruction, double amountDone, int number, int of) {
     /** {@code 12 of 20 cm}, rounded to whole units. */
     String amounts(ReplyTexts texts) {
+        if (!(instruction instanceof Instruction.Motion motion)) {
+            return instruction.keys();
+        }
         String unit = motion instanceof Instruction.Forward ? "amounts.centimeters" : "amounts.degrees";
         long whole = Math.min(Math.round(amountDone), motion.amount());
         return texts.text(unit, "" + whole, "" + motion.amount());

@@ -3,6 +3,7 @@ package vericommand;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /** The replies as texts. The Spanish ones use only letters of the GSM alphabet: é and ñ, but not á, í, ó, ú. */
 final class ReplyTexts {
@@ -92,6 +93,41 @@ final class ReplyTexts {
             text.append(' ').append(text("reply.timeout"));
         }
         return new Reply(ReplyTone.NOT_VALID, text.toString());
+    }
+
+    /** An order for a process that is not there; with the names of the others where they fit. */
+    Reply noProcess(Verdict.NoProcess verdict) {
+        String number = "" + verdict.order().process().orElseThrow().number();
+        String all = verdict.processes().entrySet().stream()
+                .map(process -> process.getKey() + " " + process.getValue())
+                .collect(Collectors.joining(", "));
+        String text = text("reply.process.none", number, all.isEmpty() ? "-" : all);
+        if (text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2) {
+            String numbers =
+                    verdict.processes().keySet().stream().map(String::valueOf).collect(Collectors.joining(", "));
+            text = text("reply.process.none", number, numbers);
+        }
+        return new Reply(ReplyTone.NOT_VALID, text);
+    }
+
+    Reply processStarted(int number, String name) {
+        return new Reply(ReplyTone.EXECUTING, text("reply.process.started", "" + number, name));
+    }
+
+    /** A process has ended by itself. @param detail why it failed; empty if there is no more to say */
+    Reply processEnded(ProcessEnding ending, String name, String detail, RobotStatus status, Pose pose) {
+        return switch (ending) {
+            case DONE -> new Reply(ReplyTone.EXECUTED, text("reply.done", name, where(status, pose)));
+            case COLLISION -> new Reply(ReplyTone.COLLISION, text("reply.process.collision", name));
+            case FAILED -> new Reply(ReplyTone.INFINITE_LOOP, processFailed(name, detail));
+            case REPLACED -> throw new IllegalArgumentException("a replaced process gets no reply");
+        };
+    }
+
+    private String processFailed(String name, String detail) {
+        String text = text("reply.process.failed", name, detail);
+        int most = Reply.MAX_MESSAGE_CHARACTERS - 2;
+        return text.length() > most ? text.substring(0, most) : text;
     }
 
     private Reply denied() {

@@ -1,6 +1,8 @@
 package vericommand;
 
 import java.util.Optional;
+import java.util.Collections;
+import java.util.SortedMap;
 import java.util.function.Consumer;
 
 /** A robot, simulated or real, as orders command it. All methods are called on the robot's owner thread. */
@@ -35,6 +37,21 @@ public interface Robot {
     /** The name of the robot's type if it is not known: then its status stays No motors. Empty for a known one. */
     default Optional<String> unknownType() {
         return Optional.empty();
+    }
+
+    /** The names of the processes that orders can start, by number, 1..9; none if empty. */
+    default SortedMap<Integer, String> processes() {
+        return Collections.emptySortedMap();
+    }
+
+    /**
+     * Starts a process in status Stopped. However it ends, the owner tells the verifier by
+     * {@link VeriCommand#processEnded}, after this has returned.
+     *
+     * @param number a key of {@link #processes}
+     */
+    default void startProcess(int number) {
+        throw new IllegalArgumentException("process " + number + ": this robot has none");
     }
 
     /** The true pose. */

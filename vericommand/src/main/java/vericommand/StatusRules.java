@@ -27,11 +27,15 @@ public final class StatusRules {
 
     public static Treatment treatment(RobotStatus status, Instruction instruction) {
         return switch (status) {
-            case COLLISION -> instruction instanceof Instruction.Forward ? Treatment.REFUSED : Treatment.EXECUTED;
-            case MOVING -> instruction instanceof Instruction.Motion ? Treatment.BUSY : Treatment.EXECUTED;
+            case COLLISION -> isPossibleInCollision(instruction) ? Treatment.EXECUTED : Treatment.REFUSED;
+            case MOVING -> Order.moves(instruction) ? Treatment.BUSY : Treatment.EXECUTED;
             case STOPPED -> Treatment.EXECUTED;
             case NO_MOTORS -> instruction instanceof Instruction.ReportStatus ? Treatment.EXECUTED : Treatment.REFUSED;
             case DISCONNECTED -> Treatment.DENIED;
         };
+    }
+
+    private static boolean isPossibleInCollision(Instruction instruction) {
+        return !(instruction instanceof Instruction.Forward || instruction instanceof Instruction.StartProcess);
     }
 }

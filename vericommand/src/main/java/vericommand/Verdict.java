@@ -1,5 +1,7 @@
 package vericommand;
 
+import java.util.SortedMap;
+
 /** The result of verifying an order, before anything moves. */
 public sealed interface Verdict {
     /** {@code accepted}, {@code refused} or {@code invalid}, for consoles and logs. */
@@ -38,6 +40,28 @@ public sealed interface Verdict {
         }
     }
 
+    /**
+     * A valid order for a process that the robot does not have.
+     *
+     * @param processes the names of those that it has, by number
+     */
+    record NoProcess(Order order, SortedMap<Integer, String> processes) implements Verdict {
+        @Override
+        public String word() {
+            return "invalid";
+        }
+
+        @Override
+        public String keys() {
+            return order.keys();
+        }
+
+        /** Position of the process's number among the keys, from 1: it stands before the closing. */
+        int position() {
+            return keys().length() - 2;
+        }
+    }
+
     record Invalid(OrderFault fault) implements Verdict {
         @Override
         public String word() {
@@ -58,7 +82,7 @@ public sealed interface Verdict {
         Instruction decisive = order.instructions().get(0);
         if (status == RobotStatus.MOVING) {
             decisive = order.instructions().stream()
-                    .filter(Instruction.Motion.class::isInstance)
+                    .filter(Order::moves)
                     .findFirst()
                     .orElse(decisive);
         }

@@ -2,6 +2,7 @@ package vericommand;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
 
 /**
  * The command verifier of one robot: reads orders from a call's keys and from short messages, verifies each against the
@@ -26,6 +27,9 @@ public final class VeriCommand {
     private OrderExecution deferred;
     /** The order that moves the robot; null if none. */
     private OrderExecution running;
+
+    /** The order that started the process of the robot; null if none did. */
+    private OrderExecution process;
 
     private boolean reportedUnderWay;
 
@@ -52,13 +56,17 @@ public final class VeriCommand {
         }
         call.end();
         boolean brakes =
-                running != null && running.origin() == call && settings.onHangup() == VeriCommandSettings.OnHangup.STOP;
+                settings.onHangup() == VeriCommandSettings.OnHangup.STOP && (isOfCall(running) || isOfCall(process));
         call = null;
         recognizer.reset();
         listener.changed();
         if (brakes) {
             robot.brake();
         }
+    }
+
+    private boolean isOfCall(OrderExecution execution) {
+        return execution != null && execution.origin() == call;
     }
 
     /** A key of the caller; ignored without a call. */
@@ -115,9 +123,9 @@ public final class VeriCommand {
         listener.changed();
     }
 
-    /** Whether an order is being executed. */
+    /** Whether an order is being executed, or a process that this call has started. */
     public boolean isUnderWay() {
-        return running != null || deferred != null || !stops.isEmpty();
+        return running != null || deferred != null || !stops.isEmpty() || isOfCall(process);
     }
 
     /** What a window shows, immutable. */
@@ -133,9 +141,25 @@ public final class VeriCommand {
         if (recognition instanceof Recognition.Complete complete && endsAutonomy(complete.order())) {
             defer(new OrderExecution(complete.order(), origin));
         } else {
-            settle(Verdict.of(recognition, robot.status()), origin);
+            settle(verdict(recognition), origin);
         }
         return true;
+    }
+
+    private Verdict verdict(Recognition recognition) {
+        return recognition instanceof Recognition.Complete complete
+                ? verdict(complete.order())
+                : Verdict.of(recognition, robot.status());
+    }
+
+    /** What is wrong with the order itself comes before what the robot's status forbids. */
+    private Verdict verdict(Order order) {
+        SortedMap<Integer, String> processes = robot.processes();
+        boolean isThere = order.process()
+                .map(Instruction.StartProcess::number)
+                .map(processes::containsKey)
+                .orElse(true);
+        return isThere ? Verdict.of(order, robot.status()) : new Verdict.NoProcess(order, processes);
     }
 
     private void report(Verdict verdict) {
@@ -145,7 +169,9 @@ public final class VeriCommand {
 
     /** An order that only asks for the status leaves the autonomous behaviour running. */
     private boolean endsAutonomy(Order order) {
-        return robot.isAutonomous() && (order.moves() || order.stops());
+        return robot.isAutonomous()
+                && (order.moves() || order.stops())
+                && !(verdict(order) instanceof Verdict.NoProcess);
     }
 
     private void defer(OrderExecution execution) {
@@ -157,7 +183,7 @@ public final class VeriCommand {
     private void resumeDeferred() {
         OrderExecution execution = deferred;
         deferred = null;
-        Verdict verdict = Verdict.of(execution.order(), robot.status());
+        Verdict verdict = verdict(execution.order());
         if (execution.isStopOrdered() && execution.order().moves()) {
             report(verdict);
             answer(execution.origin(), texts.stopped(execution.initialProgress()), false);
@@ -172,6 +198,8 @@ public final class VeriCommand {
         report(verdict);
         if (verdict instanceof Verdict.Invalid invalid) {
             answer(origin, texts.invalid(invalid.fault()));
+        } else if (verdict instanceof Verdict.NoProcess none) {
+            answer(origin, texts.noProcess(none));
         } else if (verdict instanceof Verdict.Refused refused) {
             answer(origin, texts.refused(refused.tone(), refused.status()));
         } else {
@@ -223,6 +251,10 @@ public final class VeriCommand {
                 return;
             }
             running.advance();
+            if (current instanceof Instruction.StartProcess starting) {
+                start(starting);
+                return;
+            }
             listener.instructionEnded(current);
         }
         end(texts.done(running.order(), robot.status(), robot.pose()));
@@ -233,6 +265,41 @@ public final class VeriCommand {
             listener.tone(ReplyTone.EXECUTING);
         }
         robot.start(motion, this::motionEnded);
+    }
+
+    /** The order is answered by 6 as its process starts; the process is answered when it ends by itself. */
+    private void start(Instruction.StartProcess starting) {
+        String name = robot.processes().getOrDefault(starting.number(), "");
+        if (name.isEmpty()) {
+            end(texts.noProcess(new Verdict.NoProcess(running.order(), robot.processes())));
+            return;
+        }
+        OrderExecution started = running;
+        robot.startProcess(starting.number());
+        process = started;
+        end(texts.processStarted(starting.number(), name));
+    }
+
+    /**
+     * A process of the robot has ended, whatever started it; by itself when the robot stands.
+     *
+     * @param name of the process
+     * @param detail why it failed; empty if there is no more to say
+     */
+    public void processEnded(ProcessEnding ending, String name, String detail) {
+        OrderExecution ended = process;
+        process = null;
+        if (ending != ProcessEnding.REPLACED) {
+            Reply reply = texts.processEnded(ending, name, detail, robot.status(), robot.pose());
+            if (ended != null) {
+                answer(ended.origin(), reply);
+            } else if (ending != ProcessEnding.DONE) {
+                display.reply(reply);
+                listener.outcome(reply);
+            }
+        }
+        reportUnderWay();
+        listener.changed();
     }
 
     private void motionEnded(MotionOutcome outcome) {

@@ -3,12 +3,16 @@ package vericommand;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /** A robot that moves when the test says so. */
 final class HandDrivenRobot implements Robot {
     final StatusMachine machine;
     final List<Instruction.Motion> started = new ArrayList<>();
+    final List<Integer> processes = new ArrayList<>();
     Pose pose = new Pose(1.2, 0.5, 90);
     int brakes;
     boolean autonomous;
@@ -56,6 +60,18 @@ final class HandDrivenRobot implements Robot {
         autonomous = false;
         autonomyEnds++;
         standing = whenStanding;
+    }
+
+    @Override
+    public SortedMap<Integer, String> processes() {
+        return new TreeMap<>(Map.of(1, "wander", 2, "wall-follow"));
+    }
+
+    @Override
+    public void startProcess(int number) {
+        machine.apply(StatusEvent.MOTION_STARTED);
+        autonomous = true;
+        processes.add(number);
     }
 
     /** The autonomous behaviour has ended and the robot has come to rest by this event. */

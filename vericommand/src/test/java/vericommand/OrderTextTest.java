@@ -48,7 +48,7 @@ class OrderTextTest {
                 "** **|# expected at key 5.",
                 "** 20 **|# expected at key 3.",
                 "** #a*20 **|* or # expected at key 4.",
-                "** #*5 **|* or # or 0 expected at key 5.",
+                "** #*5 #**1 **|** expected at key 6.",
                 "** ##* **|# expected at key 5.",
                 "** #** **|number expected at key 6. Range 1..9999 cm.",
                 "** #*# **|number expected at key 6. Range 1..360 degrees.",

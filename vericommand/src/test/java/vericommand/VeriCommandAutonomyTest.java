@@ -64,7 +64,7 @@ class VeriCommandAutonomyTest {
 
     @Test
     void aBrokenOrderLeavesTheBehaviourRunning() {
-        bench.press("** #*9");
+        bench.press("** #*A");
         assertEquals(List.of("tone 7"), bench.events("tone", "under-way"));
         assertEquals(0, bench.robot.autonomyEnds);
     }

@@ -13,9 +13,9 @@ import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
 import simrobot.SimRobotMain;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
+import simrobot.process.BehaviourKind;
 import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
@@ -45,13 +45,14 @@ public final class BatchRun {
                 .toList();
         long seed = SimRobotMain.seed(arguments);
         double noise = arguments.number("noise", 0, 0, Noise.MAX_SCALE);
-        BehaviourKind behaviour = SimRobotMain.behaviour(arguments);
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         boolean power = arguments.choice("power", "on", "off").equals("on");
         double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
         Optional<Path> file = arguments.path("record");
         long began = System.nanoTime();
         Simulation simulation = new Simulation(world, seed);
+        BehaviourKind behaviour =
+                RequestedBehaviours.of(arguments, simulation.behaviours()).chosen(arguments);
         simulation.setNoise(noise);
         simulation.addRobots(names);
         // without a thread that performs acts, records are written when they are full

@@ -82,7 +82,7 @@ public final class RequestedRobots {
             if (robots.size() > 1) {
                 throw new UsageException("--pioneer: expected one robot, found " + robots.size());
             }
-            for (String option : List.of("p2os", "behaviour", "noise")) {
+            for (String option : List.of("p2os", "behaviour", "behaviours", "noise")) {
                 if (arguments.has(option)) {
                     throw new UsageException("--" + option + ": a real robot (--pioneer) has none of that");
                 }

@@ -1,7 +1,7 @@
 /**
- * Autonomous processes of robots: rules that compute the robot's speeds from the sonar ranges ten times a second. Read
- * {@link simrobot.behaviour.Behaviour} first; {@link simrobot.behaviour.BehaviourKind} lists the processes.
+ * For processes of your own: a class that implements {@link simrobot.behaviour.Behaviour} maps what a robot
+ * {@linkplain simrobot.behaviour.Senses measures} to the {@linkplain simrobot.behaviour.Steering speeds} of its wheels.
  *
- * <p>A rule has no access to robot, world and time; its caller sets the period. Metres, radians anticlockwise, seconds.
+ * <p>{@code docs/BEHAVIOUR.md} leads from an empty file to a driving robot.
  */
 package simrobot.behaviour;

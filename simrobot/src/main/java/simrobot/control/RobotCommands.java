@@ -12,9 +12,9 @@ import java.util.stream.Collectors;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.camera.Camera;
 import simrobot.camera.PictureFile;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
@@ -125,22 +125,22 @@ final class RobotCommands {
                     answer(new RobotEvent.BehaviourChanged(simulated.autonomy().kind())));
             return;
         }
-        BehaviourKind kind = kind(command.words(1, "a behaviour's name").get(0));
+        BehaviourKind kind = kind(command.text());
         onSimulation(() -> {
             BehaviourKind before = simulated.autonomy().kind();
             if (!simulated.autonomy().begin(kind)) {
                 throw new CommandException("behaviour " + kind.text() + ": not possible in "
                         + robot.status().text());
             }
-            if (before == kind) {
+            if (before.equals(kind)) {
                 answer(new RobotEvent.BehaviourChanged(kind));
             }
         });
     }
 
-    private static BehaviourKind kind(String word) throws CommandException {
+    private BehaviourKind kind(String word) throws CommandException {
         try {
-            return BehaviourKind.ofText(word);
+            return console.simRobot().behaviours().of(word);
         } catch (IllegalArgumentException e) {
             throw new CommandException("behaviour: " + e.getMessage());
         }

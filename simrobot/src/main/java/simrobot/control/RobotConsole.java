@@ -13,6 +13,8 @@ import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.console.Program;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
 import simrobot.world.World;
 import vericommand.Pose;
 
@@ -60,6 +62,11 @@ public final class RobotConsole implements Console.Commands {
                     "[NAME]",
                     "prints the autonomous process, or begins one; none ends it",
                     (to, command) -> to.robot().behaviour(command))
+            .add(
+                    "behaviours",
+                    "",
+                    "lists the processes by the numbers that orders start them with",
+                    (to, command) -> to.console.behaviours())
             .add(
                     "export",
                     "FILE",
@@ -189,6 +196,18 @@ public final class RobotConsole implements Console.Commands {
                 .with("robot", robot.name())
                 .with("number", robot.number().digits())));
         answer(Event.of("end").with("of", "robots").with("count", robots.size()));
+    }
+
+    private void behaviours() {
+        List<BehaviourKind> kinds = simRobot.behaviours().kinds();
+        for (int i = 0; i < kinds.size(); i++) {
+            Event line = Event.of("behaviour");
+            if (i < BehaviourList.MAX_NUMBER) {
+                line = line.with("number", i + 1);
+            }
+            answer(line.with("name", kinds.get(i).text()));
+        }
+        answer(Event.of("end").with("of", "behaviours").with("count", kinds.size()));
     }
 
     private void add(ConsoleCommand command) throws CommandException {

@@ -6,9 +6,12 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import simrobot.process.BehaviourKind;
+import simrobot.process.Decision;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import vericommand.Instruction;
+import vericommand.ProcessEnding;
 import vericommand.Reply;
 import vericommand.ReplyTone;
 import vericommand.RobotStatus;
@@ -47,6 +50,7 @@ final class RobotControl {
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
         if (robot instanceof SimulatedRobot simulated) {
             simulated.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
+            simulated.autonomy().addEndListener(this::processEnded);
         }
     }
 
@@ -117,6 +121,24 @@ final class RobotControl {
             robot.unknownType().ifPresent(type -> tell(new RobotEvent.TypeUnknown(type)));
         }
         veriCommand.statusChanged();
+    }
+
+    private void processEnded(BehaviourKind kind, Decision.End how) {
+        ProcessEnding ending = ProcessEnding.REPLACED;
+        String why = "";
+        if (how instanceof Decision.Done) {
+            ending = ProcessEnding.DONE;
+        } else if (how instanceof Decision.Collided) {
+            ending = ProcessEnding.COLLISION;
+        } else if (how instanceof Decision.GivenUp givenUp) {
+            ending = ProcessEnding.FAILED;
+            why = givenUp.text();
+        } else if (how instanceof Decision.Failed failed) {
+            ending = ProcessEnding.FAILED;
+            why = failed.where() + failed.text();
+            tell(new RobotEvent.BehaviourFailed(kind.text(), failed.line(), failed.text()));
+        }
+        veriCommand.processEnded(ending, kind.text(), why);
     }
 
     private final class Answers implements VeriCommandListener {

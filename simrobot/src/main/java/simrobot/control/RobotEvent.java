@@ -3,7 +3,7 @@ package simrobot.control;
 import java.util.Map;
 import java.util.Optional;
 import simgsm.console.Event;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
@@ -141,6 +141,21 @@ public sealed interface RobotEvent {
         }
     }
 
+    /**
+     * The autonomous process has thrown something, has not decided in time, or cannot be compiled.
+     *
+     * @param line of its source; 0 if unknown
+     */
+    record BehaviourFailed(String name, int line, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "behaviour-failed")
+                    .with("name", name)
+                    .with("line", line)
+                    .with("text", text);
+        }
+    }
+
     /** The pose after an instruction, or when queried. */
     record PoseReported(Pose pose) implements RobotEvent {
         @Override
@@ -187,7 +202,12 @@ public sealed interface RobotEvent {
                         case "ussd" -> new UssdAnswered(field(fields, "text"), field(fields, "reply"));
                         case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
                         case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
-                        case "behaviour" -> new BehaviourChanged(BehaviourKind.ofText(field(fields, "value")));
+                        case "behaviour" -> new BehaviourChanged(BehaviourKind.shown(field(fields, "value")));
+                        case "behaviour-failed" ->
+                            new BehaviourFailed(
+                                    field(fields, "name"),
+                                    Integer.parseInt(field(fields, "line")),
+                                    field(fields, "text"));
                         default -> null;
                     });
         } catch (IllegalArgumentException unknownValue) {

@@ -25,6 +25,7 @@ import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
+import simrobot.process.BehaviourList;
 import simrobot.robot.Pioneer;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
@@ -131,6 +132,11 @@ public final class SimRobot implements AutoCloseable {
     private void join(TelephoneRobot added, ModemConnection connection) {
         connections.put(added, connection);
         tracks.follow(added.robot());
+        added.listen(event -> {
+            if (event instanceof RobotEvent.BehaviourFailed failed) {
+                behaviours().setFault(new BehaviourList.Fault(failed.name(), failed.line(), failed.text()));
+            }
+        });
         told.forEach(each -> each.accept(added));
         robots.add(added);
         if (started) {
@@ -183,6 +189,11 @@ public final class SimRobot implements AutoCloseable {
     /** Returns the robot of this name. */
     public Optional<TelephoneRobot> robot(String name) {
         return robots.stream().filter(robot -> robot.name().equals(name)).findFirst();
+    }
+
+    /** Returns the processes that robots can run. */
+    public BehaviourList behaviours() {
+        return simulation.behaviours();
     }
 
     /** Returns the robots' tracks. */

@@ -8,11 +8,11 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacketReader;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Condition;
@@ -446,6 +446,7 @@ public final class RealPioneer implements Pioneer {
                         new Pose(0, 0, 0)),
                 trail.points(),
                 BehaviourKind.NONE,
+                List.of(),
                 false);
     }
 }

@@ -6,6 +6,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.CRC32C;
 import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
@@ -13,7 +14,7 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.Inflater;
 import simgsm.octets.OctetReader;
 import simgsm.octets.OctetWriter;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.RobotState;
 import simrobot.simulation.Simulation;
 import vericommand.RobotStatus;
@@ -32,7 +33,7 @@ import vericommand.RobotStatus;
  *             EVENTS   count(compact) { time(8) robot(text) name(text) line(text) }
  *   entry   = steps since the entry before it(compact) { robots skipped + 1(compact) state } 0(1)
  *   state   = x y heading speed turnSpeed odometryX odometryY odometryHeading (8 each, IEEE 754)
- *             status(1) behaviour(1)
+ *             status(1) behaviour(1): its index in {@link BehaviourKind#BUILT_IN}, or 255 name(text)
  * </pre>
  *
  * Records are only ever appended, so a file whose writer was killed is whole up to its last record but one.
@@ -49,7 +50,10 @@ final class RecordingFormat {
     private static final int MAX_CONTENT_OCTETS = 256 << 20;
 
     private static final RobotStatus[] STATUSES = RobotStatus.values();
-    private static final BehaviourKind[] BEHAVIOURS = BehaviourKind.values();
+    private static final List<BehaviourKind> BEHAVIOURS = BehaviourKind.BUILT_IN;
+
+    /** In place of a built-in behaviour's number: the name follows. */
+    private static final int NAMED_BEHAVIOUR = 0xff;
 
     enum Kind {
         WORLD,
@@ -185,7 +189,13 @@ final class RecordingFormat {
         out.real(state.xMeters()).real(state.yMeters()).real(state.headingRadians());
         out.real(state.speedMetersPerSecond()).real(state.turnRadiansPerSecond());
         out.real(state.odometryXMeters()).real(state.odometryYMeters()).real(state.odometryHeadingRadians());
-        out.octet(state.status().ordinal()).octet(state.behaviour().ordinal());
+        out.octet(state.status().ordinal());
+        int builtIn = BEHAVIOURS.indexOf(state.behaviour());
+        if (builtIn >= 0) {
+            out.octet(builtIn);
+        } else {
+            out.octet(NAMED_BEHAVIOUR).text(state.behaviour().text());
+        }
     }
 
     static RobotState readState(OctetReader<DamagedException> in) {
@@ -195,7 +205,7 @@ final class RecordingFormat {
         }
         int status = in.octet("a status");
         int behaviour = in.octet("a behaviour");
-        if (status >= STATUSES.length || behaviour >= BEHAVIOURS.length) {
+        if (status >= STATUSES.length || behaviour >= BEHAVIOURS.size() && behaviour != NAMED_BEHAVIOUR) {
             throw new DamagedException("a robot with status " + status + " and behaviour " + behaviour);
         }
         return new RobotState(
@@ -208,6 +218,6 @@ final class RecordingFormat {
                 values[6],
                 values[7],
                 STATUSES[status],
-                BEHAVIOURS[behaviour]);
+                behaviour == NAMED_BEHAVIOUR ? BehaviourKind.shown(in.text()) : BEHAVIOURS.get(behaviour));
     }
 }

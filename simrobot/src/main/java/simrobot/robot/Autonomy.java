@@ -1,29 +1,72 @@
 package simrobot.robot;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.behaviour.Steering;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+import simrobot.process.Decision;
+import simrobot.process.RobotProcess;
+import simrobot.process.Surroundings;
+import simrobot.world.Position;
+import simrobot.world.World;
 import vericommand.RobotStatus;
+import vericommand.StatusEvent;
 
 /**
- * The autonomous process in a robot: it sets the drive's speeds ten times a second until it is ended by an order, a P2OS
- * client's motion command, a brake or a switch. Ending it brakes the robot with its deceleration.
+ * The autonomous process in a robot: it sets the drive's speeds at the process's period until it ends by itself or is ended
+ * by an order, a P2OS client's motion command, a brake or a switch. Ending it brakes the robot with its deceleration. While
+ * a process runs, a robot that stands without touching anything is Moving.
  */
 public final class Autonomy {
+    /** A process that leaves its robot in Collision for so long does not handle it. */
+    static final long COLLISION_NANOS = 3_000_000_000L;
+
+    /** Learns how a process ended. */
+    public interface EndListener {
+        /** Called on the owner thread: of a process that ended by itself when the robot stands. */
+        void ended(BehaviourKind kind, Decision.End how);
+    }
+
     private final SimulatedRobot robot;
+    private final Surroundings surroundings;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
+    private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
-    private Optional<Behaviour> behaviour = Optional.empty();
+    /** Null if none runs. */
+    private RobotProcess process;
+
+    private RobotSenses senses;
+    /** Of a process that has ended by itself, until the robot stands; else null. */
+    private Decision.End ending;
+
+    private BehaviourList choice = new BehaviourList();
     private long sinceDecisionNanos;
+    private long inCollisionNanos;
     /** Called once the robot stands; null if no order waits for that. */
     private Runnable standListener;
 
-    Autonomy(SimulatedRobot robot) {
+    Autonomy(SimulatedRobot robot, Floor floor) {
         this.robot = robot;
+        surroundings = new Surroundings() {
+            @Override
+            public int robotNumber() {
+                return robot.number();
+            }
+
+            @Override
+            public World world() {
+                return floor.world();
+            }
+
+            @Override
+            public List<Position> otherRobots() {
+                return floor.others(robot);
+            }
+        };
     }
 
     public BehaviourKind kind() {
@@ -31,12 +74,50 @@ public final class Autonomy {
     }
 
     public boolean isActive() {
-        return behaviour.isPresent();
+        return process != null;
+    }
+
+    /** Whether the robot counts as Moving although it may stand. */
+    boolean isUnfinished() {
+        return process != null && ending == null;
+    }
+
+    /** The processes that orders can start are those of this list. */
+    public void setChoice(BehaviourList behaviours) {
+        choice = behaviours;
+    }
+
+    /** The names of the processes that orders can start, by number. */
+    SortedMap<Integer, String> processes() {
+        SortedMap<Integer, String> names = new TreeMap<>();
+        List<BehaviourKind> kinds = choice.kinds();
+        for (int i = 0; i < Math.min(kinds.size(), BehaviourList.MAX_NUMBER); i++) {
+            names.put(i + 1, kinds.get(i).text());
+        }
+        return names;
+    }
+
+    /** Begins the process with this number, in status Stopped. */
+    void begin(int number) {
+        if (!begin(choice.kinds().get(number - 1))) {
+            throw new IllegalStateException("process " + number + " is not possible in "
+                    + robot.status().text());
+        }
+    }
+
+    /** The way that the process is about to take; empty if it plans none. */
+    public List<Position> path() {
+        return isUnfinished() ? process.path() : List.of();
     }
 
     /** Adds a listener for the new kind at every change, on the owner thread. */
     public void addListener(Consumer<BehaviourKind> listener) {
         listeners.add(listener);
+    }
+
+    /** Adds a listener for the end of every process. */
+    public void addEndListener(EndListener listener) {
+        endListeners.add(listener);
     }
 
     /**
@@ -45,15 +126,20 @@ public final class Autonomy {
      * @return false, with nothing changed, if the robot has no motors or executes an order
      */
     public boolean begin(BehaviourKind next) {
-        if (next == BehaviourKind.NONE) {
+        if (next.equals(BehaviourKind.NONE)) {
             end();
             return true;
         }
         if (!robot.hasMotors() || robot.isUnderOrder()) {
             return false;
         }
-        change(next, next.begin(robot.number()));
-        sinceDecisionNanos = Behaviour.TICK_NANOS;
+        change(next, next.begin(surroundings).orElse(null), new Decision.Replaced());
+        senses = new RobotSenses(robot);
+        inCollisionNanos = 0;
+        if (isActive()) {
+            sinceDecisionNanos = process.periodNanos();
+            countAsMoving();
+        }
         return true;
     }
 
@@ -66,7 +152,7 @@ public final class Autonomy {
     public void end() {
         if (isActive()) {
             robot.drive().stop();
-            change(BehaviourKind.NONE, Optional.empty());
+            change(BehaviourKind.NONE, null, new Decision.Replaced());
         }
     }
 
@@ -89,27 +175,66 @@ public final class Autonomy {
         }
     }
 
-    private void change(BehaviourKind next, Optional<Behaviour> process) {
-        boolean changes = next != kind;
+    /** @param how the running process ends, if one runs */
+    private void change(BehaviourKind next, RobotProcess started, Decision.End how) {
+        BehaviourKind before = kind;
+        RobotProcess ended = process;
         kind = next;
-        behaviour = process;
-        if (changes) {
+        process = started;
+        ending = null;
+        if (ended != null) {
+            ended.close();
+        }
+        if (!next.equals(before)) {
             listeners.forEach(listener -> listener.accept(next));
+        }
+        if (ended != null) {
+            endListeners.forEach(listener -> listener.ended(before, how));
+        }
+    }
+
+    private void countAsMoving() {
+        if (robot.status() == RobotStatus.STOPPED) {
+            robot.change(StatusEvent.MOTION_STARTED);
         }
     }
 
     /** A step of time, before the robot moves through it. */
     void step(long nanos) {
         notifyIfStanding();
-        if (behaviour.isPresent()) {
-            sinceDecisionNanos += nanos;
-            if (sinceDecisionNanos >= Behaviour.TICK_NANOS) {
-                sinceDecisionNanos -= Behaviour.TICK_NANOS;
-                Steering steering =
-                        behaviour.get().decide(robot::sonarRangeMeters, robot.status() == RobotStatus.COLLISION);
-                robot.drive().setSpeed(steering.metersPerSecond());
-                robot.drive().setTurnSpeed(steering.radiansPerSecond());
-            }
+        if (ending != null) {
+            concludeIfStanding();
+        }
+        if (!isUnfinished()) {
+            return;
+        }
+        countAsMoving();
+        senses.elapse(nanos);
+        inCollisionNanos = robot.status() == RobotStatus.COLLISION ? inCollisionNanos + nanos : 0;
+        sinceDecisionNanos += nanos;
+        if (inCollisionNanos > COLLISION_NANOS) {
+            perform(new Decision.Collided());
+        } else if (sinceDecisionNanos >= process.periodNanos()) {
+            sinceDecisionNanos -= process.periodNanos();
+            perform(process.decide(senses));
+        }
+    }
+
+    private void perform(Decision decision) {
+        if (decision instanceof Decision.Go go) {
+            Steering steering = go.steering();
+            robot.drive().setSpeed(steering.metersPerSecond());
+            robot.drive().setTurnSpeed(steering.radiansPerSecond());
+        } else {
+            ending = (Decision.End) decision;
+            robot.drive().stop();
+            concludeIfStanding();
+        }
+    }
+
+    private void concludeIfStanding() {
+        if (robot.status() != RobotStatus.MOVING) {
+            change(BehaviourKind.NONE, null, ending);
         }
     }
 }

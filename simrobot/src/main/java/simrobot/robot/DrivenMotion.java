@@ -39,7 +39,7 @@ final class DrivenMotion {
         }
         if (!drive.isActive()) {
             robot.carry(beltX, beltY);
-            if (robot.status() == RobotStatus.MOVING) {
+            if (robot.status() == RobotStatus.MOVING && mayRest()) {
                 rest();
             }
             return;
@@ -51,9 +51,14 @@ final class DrivenMotion {
         double meters = drive.nextAhead(seconds).distance();
         double radians = drive.nextTurn(seconds).distance();
         robot.setSpeeds(drive.speed(), drive.turnSpeed());
-        if (roll(meters, radians, beltX, beltY) && !drive.isActive()) {
+        if (roll(meters, radians, beltX, beltY) && !drive.isActive() && mayRest()) {
             rest();
         }
+    }
+
+    /** A process keeps its standing robot Moving, unless it began in Collision: whether it is free now has to be found. */
+    private boolean mayRest() {
+        return begunInCollision || !robot.autonomy().isUnfinished();
     }
 
     /** Clears all targets without motors, and in Collision a distance target against the obstacle. */

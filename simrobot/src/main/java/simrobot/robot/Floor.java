@@ -1,7 +1,10 @@
 package simrobot.robot;
 
+import java.util.List;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
+import simrobot.world.Position;
+import simrobot.world.World;
 
 /** The surroundings of a robot: walls, belts and the other robots. Implemented by the simulation. */
 public interface Floor {
@@ -40,6 +43,12 @@ public interface Floor {
 
     /** The distance at which the cone first holds something other than this robot, or the range. */
     double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters);
+
+    /** The world of this floor. */
+    World world();
+
+    /** The places of the robots other than this one. */
+    List<Position> others(SimulatedRobot robot);
 
     /** To be called when the robot's place has changed. */
     void moved(SimulatedRobot robot);

@@ -1,7 +1,7 @@
 package simrobot.robot;
 
 import java.util.Objects;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import vericommand.RobotStatus;
 
 /**

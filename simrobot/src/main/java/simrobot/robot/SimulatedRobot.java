@@ -3,8 +3,10 @@ package simrobot.robot;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.SortedMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import simrobot.behaviour.Senses;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
@@ -22,6 +24,8 @@ import vericommand.StatusRules;
 public final class SimulatedRobot implements Pioneer {
     /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
     private static final double FREE_PATH_METERS = 0.01;
+
+    private static final double LASER_RANGE_METERS = 32;
 
     private final String name;
     private final int number;
@@ -65,7 +69,7 @@ public final class SimulatedRobot implements Pioneer {
         odometryZero = pose();
         ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
-        autonomy = new Autonomy(this);
+        autonomy = new Autonomy(this, floor);
     }
 
     @Override
@@ -157,6 +161,16 @@ public final class SimulatedRobot implements Pioneer {
     /** Its autonomous process. */
     public Autonomy autonomy() {
         return autonomy;
+    }
+
+    @Override
+    public SortedMap<Integer, String> processes() {
+        return autonomy.processes();
+    }
+
+    @Override
+    public void startProcess(int number) {
+        autonomy.begin(number);
     }
 
     @Override
@@ -399,6 +413,15 @@ public final class SimulatedRobot implements Pioneer {
     /** What one sonar measures now, noise included. */
     double sonarRangeMeters(int sonar) {
         return noise.sonar(Sonars.rangeMeters(this, direction.to(heading), floor, sonar), sonar, steps);
+    }
+
+    /** What the laser measures now, without noise: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    double laserRangeMeters(int reading) {
+        if (reading < 0 || reading >= Senses.LASER_READINGS) {
+            throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
+        }
+        double bearing = heading + Math.toRadians(reading - 90);
+        return floor.rayRange(this, x, y, StrictMath.cos(bearing), StrictMath.sin(bearing), LASER_RANGE_METERS);
     }
 
     /** The same in whole millimetres. */

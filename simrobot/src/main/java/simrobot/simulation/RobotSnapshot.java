@@ -1,8 +1,10 @@
 package simrobot.simulation;
 
-import simrobot.behaviour.BehaviourKind;
+import java.util.List;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Condition;
 import simrobot.robot.Trail;
+import simrobot.world.Position;
 import vericommand.RobotStatus;
 
 /**
@@ -11,6 +13,7 @@ import vericommand.RobotStatus;
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param turnRadiansPerSecond anticlockwise
  * @param sonarRangesMeters sixteen, sonar 0 first; empty with over 16 robots unless this one is watched
+ * @param path the way that its process is about to take; empty if it plans none
  * @param simulated false for a real robot, which has no simulated camera
  */
 public record RobotSnapshot(
@@ -27,4 +30,5 @@ public record RobotSnapshot(
         Condition condition,
         Trail.Points trail,
         BehaviourKind behaviour,
+        List<Position> path,
         boolean simulated) {}

@@ -12,6 +12,7 @@ import simrobot.world.DiscGrid;
 import simrobot.world.Distances;
 import simrobot.world.MovingDisc;
 import simrobot.world.ObstacleGrid;
+import simrobot.world.Position;
 import simrobot.world.Treadmill;
 import simrobot.world.World;
 
@@ -33,6 +34,7 @@ final class SimulatedFloor implements Floor {
     private SimulatedRobot[] robots = {};
 
     private List<Treadmill> treadmills = List.of();
+    private World world;
     private ObstacleGrid obstacles;
     private Area ground;
 
@@ -48,12 +50,27 @@ final class SimulatedFloor implements Floor {
 
     /** @param grid of the same world */
     void load(World world, ObstacleGrid grid) {
+        this.world = world;
         obstacles = grid;
         treadmills = world.treadmills();
         ground = world.ground();
     }
 
+    @Override
+    public World world() {
+        return world;
+    }
+
+    @Override
+    public List<Position> others(SimulatedRobot robot) {
+        return Arrays.stream(robots)
+                .filter(other -> other != null && other != robot)
+                .map(other -> new Position(other.xMeters(), other.yMeters()))
+                .toList();
+    }
+
     void remove(SimulatedRobot robot) {
+        robots[robot.number()] = null;
         places.remove(robot.number());
         seer = null;
     }

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import simrobot.process.BehaviourList;
 import simrobot.robot.Noise;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.RobotState;
@@ -36,6 +37,7 @@ public final class Simulation {
     private final List<LongConsumer> stepListeners = new ArrayList<>();
     private final List<Supplier<RobotSnapshot>> guests = new ArrayList<>();
     private final Random random;
+    private final BehaviourList behaviours = new BehaviourList();
     private final SimulatedFloor floor;
     /** In the order in which they were added; a new list at every change, so robots may be added while it is iterated. */
     private List<SimulatedRobot> robots = List.of();
@@ -57,6 +59,11 @@ public final class Simulation {
 
     public World world() {
         return world;
+    }
+
+    /** The processes that its robots can run; any thread may change them. */
+    public BehaviourList behaviours() {
+        return behaviours;
     }
 
     /** Simulated time since the start. */
@@ -132,6 +139,7 @@ public final class Simulation {
         SimulatedRobot robot =
                 new SimulatedRobot(name, nextNumber++, floor, position.xMeters(), position.yMeters(), headingRadians);
         robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
+        robot.autonomy().setChoice(behaviours);
         byName.put(name, robot);
         floor.moved(robot);
         return robot;
@@ -264,7 +272,8 @@ public final class Simulation {
                 Stream.concat(
                                 robots.stream().map(this::snapshot),
                                 guests.stream().map(Supplier::get))
-                        .toList());
+                        .toList(),
+                behaviours.withNone());
     }
 
     private RobotSnapshot snapshot(SimulatedRobot robot) {
@@ -283,6 +292,7 @@ public final class Simulation {
                 robot.condition(),
                 robot.trail().points(),
                 robot.autonomy().kind(),
+                robot.autonomy().path(),
                 true);
     }
 }

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.dtmf.ToneExperiment;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Placement;
 import simrobot.world.World;
 import vericommand.Pose;

@@ -19,7 +19,7 @@ import simgsm.net.LineAddress;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 import vericommand.VeriCommandSettings;

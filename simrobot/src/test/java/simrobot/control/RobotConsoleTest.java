@@ -33,7 +33,7 @@ import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;

@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 

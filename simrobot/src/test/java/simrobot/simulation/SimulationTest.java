@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Home;

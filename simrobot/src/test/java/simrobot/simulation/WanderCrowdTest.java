@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
 import simrobot.robot.SonarRing;

@@ -43,6 +43,8 @@ final class EventTexts {
             return texts.of("log.behaviour", RobotsCard.word(texts, behaviour.kind()));
         } else if (event instanceof RobotEvent.TypeUnknown unknown) {
             return texts.of("log.type.unknown", unknown.type());
+        } else if (event instanceof RobotEvent.BehaviourFailed failed) {
+            return texts.of("log.behaviour.failed", failed.name(), String.valueOf(failed.line()), failed.text());
         } else if (event instanceof RobotEvent.StatusChanged status) {
             return StatusLamps.word(texts, status.status());
         }

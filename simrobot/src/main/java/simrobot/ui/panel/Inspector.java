@@ -129,7 +129,7 @@ final class Inspector extends JPanel {
     void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected, WindowSnapshot newest) {
         names = rows.stream().map(RobotList.Row::name).toList();
         numbers = rows.stream().map(RobotList.Row::number).toList();
-        robots.show(rows, selected, newest.ports());
+        robots.show(rows, selected, newest.ports(), newest.simulation().behaviours());
         robots.setLive(newest.timeline().isEmpty());
         wheels.setVisible(newest.timeline().isEmpty());
         selected.ifPresent(wheels::show);

@@ -3,6 +3,7 @@ package simrobot.ui.panel;
 import java.awt.BorderLayout;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -20,7 +21,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simrobot.behaviour.BehaviourKind;
+import simrobot.process.BehaviourKind;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.OperatorActions;
@@ -41,6 +42,7 @@ final class RobotsCard extends JPanel {
     private final JComboBox<String> behaviour = new JComboBox<>();
     private String selected = "";
     private BehaviourKind current = BehaviourKind.NONE;
+    private List<BehaviourKind> choice = List.of();
     private boolean showing;
 
     /** @param newRobot opens and closes the form for a new robot */
@@ -61,9 +63,7 @@ final class RobotsCard extends JPanel {
                 ToolButtons.named(new JButton(), add),
                 ToolButtons.named(new JButton(), remove),
                 Arrange.spring());
-        for (BehaviourKind kind : BehaviourKind.values()) {
-            behaviour.addItem(word(texts, kind));
-        }
+        offer(BehaviourKind.BUILT_IN);
         ComponentNames.name(behaviour, "robot.behaviour", texts.of("robot.behaviour"));
         behaviour.setToolTipText(texts.of("robot.behaviour.hint"));
         behaviour.addActionListener(event -> chosen(operator));
@@ -90,35 +90,53 @@ final class RobotsCard extends JPanel {
     }
 
     static String word(TextBundle texts, BehaviourKind kind) {
-        return switch (kind) {
-            case NONE -> texts.of("behaviour.none");
-            case WANDER -> texts.of("behaviour.wander");
-            case WALL_FOLLOW -> texts.of("behaviour.wallFollow");
+        return switch (kind.text()) {
+            case "none" -> texts.of("behaviour.none");
+            case "wander" -> texts.of("behaviour.wander");
+            case "wall-follow" -> texts.of("behaviour.wallFollow");
+            default -> kind.text();
         };
     }
 
-    /** The box shows the robot's process, not the last choice: a choice is a request. */
-    private void chosen(OperatorActions operator) {
-        BehaviourKind kind = BehaviourKind.values()[behaviour.getSelectedIndex()];
-        if (!showing && kind != current) {
-            operator.setBehaviour(selected, kind);
-        }
-    }
-
-    private void show(Optional<RobotSnapshot> robot) {
-        current = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
-        behaviour.setEnabled(robot.isPresent());
-        if (behaviour.getSelectedIndex() != current.ordinal() && !behaviour.isPopupVisible()) {
+    /** Shows this choice; a process that has been removed stays in it while it runs. */
+    private void offer(List<BehaviourKind> kinds) {
+        if (!kinds.equals(choice) && !behaviour.isPopupVisible()) {
+            choice = kinds;
             showing = true;
-            behaviour.setSelectedIndex(current.ordinal());
+            behaviour.removeAllItems();
+            kinds.forEach(kind -> behaviour.addItem(word(texts, kind)));
+            behaviour.setSelectedIndex(kinds.indexOf(current));
             showing = false;
         }
     }
 
-    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> shown, List<OpenPort> open) {
+    /** The box shows the robot's process, not the last choice: a choice is a request. */
+    private void chosen(OperatorActions operator) {
+        int index = behaviour.getSelectedIndex();
+        if (!showing && index >= 0 && !choice.get(index).equals(current)) {
+            operator.setBehaviour(selected, choice.get(index));
+        }
+    }
+
+    private void show(Optional<RobotSnapshot> robot, List<BehaviourKind> kinds) {
+        current = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
+        behaviour.setEnabled(robot.isPresent());
+        List<BehaviourKind> all = new ArrayList<>(kinds);
+        if (!all.contains(current)) {
+            all.add(current);
+        }
+        offer(all);
+        if (behaviour.getSelectedIndex() != choice.indexOf(current) && !behaviour.isPopupVisible()) {
+            showing = true;
+            behaviour.setSelectedIndex(choice.indexOf(current));
+            showing = false;
+        }
+    }
+
+    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> shown, List<OpenPort> open, List<BehaviourKind> kinds) {
         selected = shown.map(RobotSnapshot::name).orElse("");
         robots.show(rows, selected);
-        show(shown);
+        show(shown, kinds);
         statuses.show(shown.map(RobotSnapshot::status).orElse(null));
         remove.setEnabled(shown.isPresent() && add.isEnabled());
         String text = portsText(open);

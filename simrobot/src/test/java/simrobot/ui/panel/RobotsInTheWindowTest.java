@@ -17,11 +17,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
-import simrobot.behaviour.BehaviourKind;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEvent;
 import simrobot.drawing.RobotPreview;
 import simrobot.drawing.Viewport;
+import simrobot.process.BehaviourKind;
 import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
 import vericommand.RobotStatus;
@@ -199,7 +199,7 @@ class RobotsInTheWindowTest {
     void aProcessIsChosenAndShownAsLongAsItRuns() {
         JComboBox<?> process = (JComboBox<?>) bench.component("robot.behaviour");
         process.setSelectedIndex(1);
-        assertTrue(bench.acts.contains("behaviour anna WANDER"));
+        assertTrue(bench.acts.contains("behaviour anna wander"));
         bench.show();
         assertEquals("wander", process.getSelectedItem());
         bench.simulation.robots().get(0).brakeAtOnce();
@@ -285,7 +285,8 @@ class RobotsInTheWindowTest {
                 new RobotEvent.TypeUnknown("16"),
                 new RobotEvent.CallReleased(16),
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
-                new RobotEvent.BehaviourChanged(BehaviourKind.WANDER));
+                new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),
+                new RobotEvent.BehaviourFailed("Dance", 12, "ArithmeticException: / by zero"));
         for (RobotEvent event : events) {
             String text = words.of(event);
             assertFalse(text.isBlank() || text.startsWith("log."), event + ": " + text);

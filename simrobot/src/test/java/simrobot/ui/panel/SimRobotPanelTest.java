@@ -349,11 +349,11 @@ class SimRobotPanelTest {
 
     @Test
     void aFaultIsMarkedAtItsPositionWithWhatWasExpected() throws Exception {
-        VeriCommandSnapshot order =
-                WindowBench.orders("**#*5", "", "invalid", "Not a valid command: * or # or 0 expected at key 5.", 5);
+        VeriCommandSnapshot order = WindowBench.orders(
+                "**#*A", "", "invalid", "Not a valid command: * or # or digit expected at key 5.", 5);
         WindowBench bench = bench(WindowBench.line("robot", true, true, order, "17"));
         assertEquals(5, ((Keycaps) bench.component("order.keys")).faultPosition());
-        assertEquals("Verdict: Not a valid command: * or # or 0 expected at key 5.", bench.spoken("order.verdict"));
+        assertEquals("Verdict: Not a valid command: * or # or digit expected at key 5.", bench.spoken("order.verdict"));
     }
 
     @Test

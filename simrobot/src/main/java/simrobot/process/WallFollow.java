@@ -1,4 +1,8 @@
-package simrobot.behaviour;
+package simrobot.process;
+
+import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.Senses;
+import simrobot.behaviour.Steering;
 
 /**
  * Follows a wall on the right. If the way ahead is blocked, the robot turns left on the spot. Otherwise it controls its
@@ -30,12 +34,12 @@ public final class WallFollow implements Behaviour {
     public WallFollow() {}
 
     @Override
-    public Steering decide(SonarRanges sonars, boolean blocked) {
-        double ahead = least(sonars, 2, 5);
-        double right = least(sonars, 6, 8);
+    public Steering decide(Senses senses) {
+        double ahead = senses.nearestMeters(2, 5);
+        double right = senses.nearestMeters(6, 8);
         double change = Double.isNaN(last) ? 0 : right - last;
         last = right;
-        spins = blocked || ahead < (spins ? CLEAR_METERS : BLOCKED_METERS);
+        spins = senses.isBlocked() || ahead < (spins ? CLEAR_METERS : BLOCKED_METERS);
         if (spins) {
             hasFound = true;
             last = Double.NaN;
@@ -48,13 +52,5 @@ public final class WallFollow implements Behaviour {
         double bend = (KEPT_METERS - right) * BEND_PER_METER - change * BEND_PER_METER_PER_TICK;
         double within = Math.max(-BEND_RADIANS_PER_SECOND, Math.min(BEND_RADIANS_PER_SECOND, bend));
         return new Steering(METERS_PER_SECOND, within);
-    }
-
-    private static double least(SonarRanges sonars, int first, int last) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = first; i <= last; i++) {
-            least = Math.min(least, sonars.meters(i));
-        }
-        return least;
     }
 }

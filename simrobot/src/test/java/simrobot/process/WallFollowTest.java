@@ -1,4 +1,4 @@
-package simrobot.behaviour;
+package simrobot.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

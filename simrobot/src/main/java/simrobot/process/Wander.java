@@ -1,4 +1,8 @@
-package simrobot.behaviour;
+package simrobot.process;
+
+import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.Senses;
+import simrobot.behaviour.Steering;
 
 /**
  * Drives ahead until an obstacle is near, then turns for a second: robots of even number left, of odd number right. The
@@ -28,8 +32,8 @@ public final class Wander implements Behaviour {
     }
 
     @Override
-    public Steering decide(SonarRanges sonars, boolean blocked) {
-        if (ticksToAvoid == 0 && (blocked || isNear(sonars))) {
+    public Steering decide(Senses senses) {
+        if (ticksToAvoid == 0 && (senses.isBlocked() || isNear(senses))) {
             ticksToAvoid = AVOIDING_TICKS;
         }
         if (ticksToAvoid == 0) {
@@ -39,9 +43,9 @@ public final class Wander implements Behaviour {
         return avoiding;
     }
 
-    private static boolean isNear(SonarRanges sonars) {
+    private static boolean isNear(Senses senses) {
         for (int i = FIRST_SONAR; i <= LAST_SONAR; i++) {
-            if (sonars.meters(i) < NEAR_METERS) {
+            if (senses.sonarMeters(i) < NEAR_METERS) {
                 return true;
             }
         }

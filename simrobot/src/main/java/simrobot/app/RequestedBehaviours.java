@@ -1,0 +1,118 @@
+package simrobot.app;
+
+import java.io.IOException;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.UsageException;
+import simrobot.control.RobotEvent;
+import simrobot.control.SimRobot;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+import simrobot.robot.SimulatedRobot;
+import simrobot.source.BehaviourFolder;
+
+/** The processes that a command line asks for: {@code --behaviours DIR} and {@code --behaviour NAME}. */
+public final class RequestedBehaviours implements AutoCloseable {
+    private final BehaviourList list;
+    private final Optional<BehaviourFolder> folder;
+
+    private RequestedBehaviours(BehaviourList list, Optional<BehaviourFolder> folder) {
+        this.list = list;
+        this.folder = folder;
+    }
+
+    /**
+     * Loads the folder's processes into the list.
+     *
+     * @throws UsageException if the folder is none
+     */
+    public static RequestedBehaviours of(Arguments arguments, BehaviourList list) throws UsageException, IOException {
+        Optional<Path> place = arguments.path("behaviours");
+        if (place.isEmpty()) {
+            return new RequestedBehaviours(list, Optional.empty());
+        }
+        // what a process prints must not come between the console's events
+        System.setOut(System.err);
+        try {
+            return new RequestedBehaviours(list, Optional.of(new BehaviourFolder(place.get(), list, new Ignored())));
+        } catch (NotDirectoryException e) {
+            throw new UsageException("--behaviours: expected a folder, found " + place.get());
+        }
+    }
+
+    /** The process that every robot starts with. */
+    public BehaviourKind chosen(Arguments arguments) throws UsageException {
+        Optional<String> name = arguments.value("behaviour", text -> text);
+        if (name.isEmpty()) {
+            return BehaviourKind.NONE;
+        }
+        for (BehaviourList.Fault fault : list.faults()) {
+            if (fault.name().equals(name.get())) {
+                throw new UsageException(
+                        "--behaviour " + fault.name() + ": line " + fault.line() + ": " + fault.text());
+            }
+        }
+        return arguments.value("behaviour", list::of).orElseThrow();
+    }
+
+    /** Reports what was loaded, and from now on what changes; robots go on with the new version of a changed process. */
+    public void start(SimRobot simRobot, Consumer<Event> out) {
+        if (folder.isEmpty()) {
+            return;
+        }
+        Reports reports = new Reports(simRobot, out);
+        for (BehaviourKind kind : list.kinds()) {
+            if (!BehaviourKind.BUILT_IN.contains(kind)) {
+                reports.loaded(kind);
+            }
+        }
+        for (BehaviourList.Fault fault : list.faults()) {
+            reports.failed(fault.name(), fault.line(), fault.text());
+        }
+        folder.get().start(reports);
+    }
+
+    @Override
+    public void close() {
+        folder.ifPresent(BehaviourFolder::close);
+    }
+
+    /** The first look is reported by {@link #start}. */
+    private static final class Ignored implements BehaviourFolder.Listener {
+        @Override
+        public void loaded(BehaviourKind kind) {}
+
+        @Override
+        public void failed(String name, int line, String text) {}
+
+        @Override
+        public void removed(String name) {}
+    }
+
+    private record Reports(SimRobot simRobot, Consumer<Event> out) implements BehaviourFolder.Listener {
+        @Override
+        public void loaded(BehaviourKind kind) {
+            out.accept(Event.of("behaviour-loaded").with("name", kind.text()));
+            simRobot.simulation()
+                    .withSimulation(owned -> owned.robots().stream()
+                            .map(SimulatedRobot::autonomy)
+                            .filter(autonomy ->
+                                    autonomy.isActive() && autonomy.kind().equals(kind))
+                            .forEach(autonomy -> autonomy.begin(kind)));
+        }
+
+        @Override
+        public void failed(String name, int line, String text) {
+            out.accept(new RobotEvent.BehaviourFailed(name, line, text).line(""));
+        }
+
+        @Override
+        public void removed(String name) {
+            out.accept(Event.of("behaviour-removed").with("name", name));
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package simrobot.behaviour;
+
+/** What a robot measures at one moment. Metres, radians anticlockwise, seconds. */
+public interface Senses {
+    /** The number of sonars. */
+    int SONARS = 16;
+
+    /** The number of readings of the laser. */
+    int LASER_READINGS = 181;
+
+    /**
+     * The range of one sonar, 0.1 to 5 m; 5 m also where there is no echo.
+     *
+     * @param sonar 0 to 15, clockwise: 0 looks to the left, 3 and 4 ahead, 7 to the right, 11 and 12 back
+     */
+    double sonarMeters(int sonar);
+
+    /**
+     * The range of one reading of the laser, 0 to 32 m; 32 m also where there is nothing.
+     *
+     * @param reading 0 to 180, anticlockwise by the degree: 0 looks to the right, 90 ahead, 180 to the left
+     */
+    double laserMeters(int reading);
+
+    /** The true place in the world. */
+    double xMeters();
+
+    /** The true place in the world. */
+    double yMeters();
+
+    /** The true heading, anticlockwise from +X, in (-pi, pi]. */
+    double headingRadians();
+
+    /** Speed of the wheels, negative back. */
+    double metersPerSecond();
+
+    /** True while a collision keeps the robot from moving; it may turn and back away. */
+    boolean isBlocked();
+
+    /** Whether a front bumper is pressed. @param bumper 0 to 4, from the left to the right */
+    boolean isFrontBumperPressed(int bumper);
+
+    /** Whether a rear bumper is pressed. @param bumper 0 to 4, from the right to the left */
+    boolean isRearBumperPressed(int bumper);
+
+    /** Simulated time since the process began. */
+    double seconds();
+
+    /** The least range of several neighbouring sonars. @param first with the next one the numbers of the outer two */
+    default double nearestMeters(int first, int last) {
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int sonar = first; sonar <= last; sonar++) {
+            nearest = Math.min(nearest, sonarMeters(sonar));
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,41 @@
+package simrobot.process;
+
+import java.util.Objects;
+import simrobot.behaviour.Steering;
+
+/** What a process has decided. */
+public sealed interface Decision {
+    /** The speeds until the next decision. */
+    record Go(Steering steering) implements Decision {
+        public Go {
+            Objects.requireNonNull(steering);
+        }
+    }
+
+    /** A decision that ends the process: the robot brakes. */
+    sealed interface End extends Decision {}
+
+    /** The process has reached what it was for. */
+    record Done() implements End {}
+
+    /** The process cannot reach what it was for. @param text why, in English */
+    record GivenUp(String text) implements End {}
+
+    /** The process has not freed the robot from a collision. */
+    record Collided() implements End {}
+
+    /**
+     * The process has thrown something, or has not decided in time.
+     *
+     * @param line of its source; 0 if unknown
+     */
+    record Failed(int line, String text) implements End {
+        /** {@code line 12: }, or nothing. */
+        public String where() {
+            return line == 0 ? "" : "line " + line + ": ";
+        }
+    }
+
+    /** Another process, an order, a brake or a switch has ended it. */
+    record Replaced() implements End {}
+}

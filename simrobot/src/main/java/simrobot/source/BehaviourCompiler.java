@@ -1,0 +1,145 @@
+package simrobot.source;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.charset.MalformedInputException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import javax.tools.Diagnostic;
+import javax.tools.DiagnosticCollector;
+import javax.tools.FileObject;
+import javax.tools.ForwardingJavaFileManager;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileManager;
+import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import simrobot.behaviour.Behaviour;
+
+/** Compiles a source file, and what it uses of its folder, to classes in memory. */
+final class BehaviourCompiler {
+    private final JavaCompiler compiler;
+
+    /** @param compiler the JDK's; null on a Java without one */
+    BehaviourCompiler(JavaCompiler compiler) {
+        this.compiler = compiler;
+    }
+
+    /**
+     * Compiles one file.
+     *
+     * @return the classes by their names
+     * @throws SourceException with the first error that the compiler finds
+     */
+    Map<String, byte[]> compile(Path file) throws SourceException {
+        if (compiler == null) {
+            throw new SourceException(
+                    0, "this Java has no compiler, expected a JDK: start SimRobot with the java of a JDK, 17 or newer");
+        }
+        DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
+        Map<String, byte[]> classes = new TreeMap<>();
+        try (StandardJavaFileManager files = compiler.getStandardFileManager(found, Locale.ENGLISH, null)) {
+            String source = Files.readString(file);
+            Memory memory = new Memory(files, classes);
+            Source checked = new Source(file, LoopChecks.in(compiler, new Source(file, source)));
+            List<String> options = List.of(
+                    "-proc:none",
+                    "-g",
+                    "-nowarn",
+                    "-classpath",
+                    ownClasses(),
+                    "-sourcepath",
+                    file.toAbsolutePath().getParent().toString());
+            boolean done = compiler.getTask(null, memory, found, options, null, List.of(checked))
+                    .call();
+            if (!done) {
+                throw fault(found, file);
+            }
+        } catch (MalformedInputException e) {
+            throw new SourceException(0, "not a text in UTF-8");
+        } catch (IOException e) {
+            throw new SourceException(0, "cannot be read: " + e.getMessage());
+        }
+        return classes;
+    }
+
+    private static SourceException fault(DiagnosticCollector<JavaFileObject> found, Path file) {
+        Diagnostic<? extends JavaFileObject> first = found.getDiagnostics().stream()
+                .filter(each -> each.getKind() == Diagnostic.Kind.ERROR)
+                .findFirst()
+                .orElse(null);
+        if (first == null) {
+            return new SourceException(0, "cannot be compiled");
+        }
+        String text =
+                first.getMessage(Locale.ENGLISH).lines().map(String::strip).collect(Collectors.joining("; "));
+        JavaFileObject source = first.getSource();
+        Path where = source == null ? file : Path.of(source.toUri());
+        String other = where.getFileName().equals(file.getFileName()) ? "" : where.getFileName() + ": ";
+        return new SourceException((int) Math.max(0, first.getLineNumber()), other + text);
+    }
+
+    /** Where the interface lies that the source implements. */
+    private static String ownClasses() {
+        try {
+            return Path.of(Behaviour.class
+                            .getProtectionDomain()
+                            .getCodeSource()
+                            .getLocation()
+                            .toURI())
+                    .toString();
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException("no place of SimRobot's own classes", e);
+        }
+    }
+
+    /** A source file whose text is here. */
+    static final class Source extends SimpleJavaFileObject {
+        private final String text;
+
+        Source(Path file, String text) {
+            super(file.toAbsolutePath().toUri(), Kind.SOURCE);
+            this.text = text;
+        }
+
+        @Override
+        public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+            return text;
+        }
+    }
+
+    /** Keeps compiled classes in memory. */
+    private static final class Memory extends ForwardingJavaFileManager<JavaFileManager> {
+        private final Map<String, byte[]> classes;
+
+        Memory(JavaFileManager files, Map<String, byte[]> classes) {
+            super(files);
+            this.classes = classes;
+        }
+
+        @Override
+        public JavaFileObject getJavaFileForOutput(
+                Location location, String className, JavaFileObject.Kind kind, FileObject sibling) {
+            URI name = URI.create("memory:///" + className.replace('.', '/') + kind.extension);
+            return new SimpleJavaFileObject(name, kind) {
+                @Override
+                public OutputStream openOutputStream() {
+                    return new ByteArrayOutputStream() {
+                        @Override
+                        public void close() {
+                            classes.put(className, toByteArray());
+                        }
+                    };
+                }
+            };
+        }
+    }
+}

@@ -1,0 +1,253 @@
+package simrobot.source;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+import simrobot.behaviour.Behaviour;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+
+/**
+ * Keeps a list of processes up to date with a folder: each {@code .java} file is one process, named after its class, and
+ * each jar those that it names as services. A thread looks every 500 ms; after a change all sources are compiled, for one
+ * may use another. A file with an error leaves the process that was made from it before.
+ */
+public final class BehaviourFolder implements AutoCloseable {
+    /** Learns what has changed; called on the thread that looks. */
+    public interface Listener {
+        /** A process is new or changed. */
+        void loaded(BehaviourKind kind);
+
+        /** A file makes no process. @param line 0 if the fault belongs to none */
+        void failed(String name, int line, String text);
+
+        void removed(String name);
+    }
+
+    private static final Logger LOG = System.getLogger(BehaviourFolder.class.getName());
+    private static final long PERIOD_MILLIS = 500;
+    private static final String SOURCE = ".java";
+    private static final String JAR = ".jar";
+
+    /** When a file was written, and its size. */
+    private record Stamp(long millis, long size) {}
+
+    private final Path folder;
+    private final BehaviourList list;
+    private final BehaviourCompiler compiler;
+    private final AtomicInteger threads = new AtomicInteger();
+    private final Thread thread = new Thread(this::look, "behaviour folder");
+    private Map<Path, Stamp> seen = Map.of();
+    /** By file: the classes of the last version without an error. */
+    private final Map<Path, SortedMap<String, byte[]>> compiled = new HashMap<>();
+
+    private final Map<Path, Set<String>> names = new HashMap<>();
+    private volatile Listener listener;
+
+    /**
+     * Looks at the folder once.
+     *
+     * @throws NotDirectoryException if it is none
+     */
+    public BehaviourFolder(Path folder, BehaviourList list, Listener listener) throws IOException {
+        this(folder, list, listener, ToolProvider.getSystemJavaCompiler());
+    }
+
+    BehaviourFolder(Path folder, BehaviourList list, Listener listener, JavaCompiler compiler) throws IOException {
+        this.folder = folder;
+        this.list = list;
+        this.listener = listener;
+        this.compiler = new BehaviourCompiler(compiler);
+        if (!Files.isDirectory(folder)) {
+            throw new NotDirectoryException(folder.toString());
+        }
+        scan();
+        thread.setDaemon(true);
+    }
+
+    /** Looks every 500 ms from now on. @param told from now on */
+    public void start(Listener told) {
+        listener = told;
+        thread.start();
+    }
+
+    private void look() {
+        try {
+            while (!Thread.interrupted()) {
+                Thread.sleep(PERIOD_MILLIS);
+                try {
+                    scan();
+                } catch (IOException e) {
+                    LOG.log(Level.DEBUG, "{0} cannot be read now: {1}", folder, e.getMessage());
+                }
+            }
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Looks once: compiles and loads what has changed. */
+    void scan() throws IOException {
+        Map<Path, Stamp> now = stamps();
+        Map<Path, Stamp> before = seen;
+        seen = now;
+        if (now.equals(before)) {
+            return;
+        }
+        for (Path gone : before.keySet()) {
+            if (!now.containsKey(gone)) {
+                forget(gone);
+            }
+        }
+        boolean sourcesChanged = !ofSources(now).equals(ofSources(before));
+        for (Path file : now.keySet()) {
+            if (isSource(file) ? sourcesChanged : !now.get(file).equals(before.get(file))) {
+                load(file);
+            }
+        }
+    }
+
+    private static Map<Path, Stamp> ofSources(Map<Path, Stamp> stamps) {
+        Map<Path, Stamp> sources = new TreeMap<>(stamps);
+        sources.keySet().removeIf(file -> !isSource(file));
+        return sources;
+    }
+
+    private Map<Path, Stamp> stamps() throws IOException {
+        Map<Path, Stamp> stamps = new TreeMap<>();
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+                if (attributes.isRegularFile()
+                        && (isSource(file) || file.toString().endsWith(JAR))) {
+                    stamps.put(file, new Stamp(attributes.lastModifiedTime().toMillis(), attributes.size()));
+                }
+            }
+        }
+        return stamps;
+    }
+
+    private static boolean isSource(Path file) {
+        return file.toString().endsWith(SOURCE);
+    }
+
+    private static String base(Path file) {
+        String name = file.getFileName().toString();
+        return name.substring(0, name.lastIndexOf('.'));
+    }
+
+    private void forget(Path file) {
+        compiled.remove(file);
+        Set<String> old = names.remove(file);
+        list.clearFault(base(file));
+        if (old != null) {
+            old.forEach(this::remove);
+        }
+    }
+
+    private void remove(String name) {
+        list.remove(name);
+        listener.removed(name);
+    }
+
+    private void load(Path file) {
+        try {
+            List<BehaviourKind> kinds = isSource(file) ? ofSource(file) : ofJar(file);
+            list.clearFault(base(file));
+            kinds.forEach(this::put);
+            if (!kinds.isEmpty()) {
+                Set<String> now = new HashSet<>();
+                kinds.forEach(kind -> now.add(kind.text()));
+                Set<String> old = names.put(file, now);
+                if (old != null) {
+                    old.stream().filter(name -> !now.contains(name)).forEach(this::remove);
+                }
+            }
+        } catch (SourceException fault) {
+            list.setFault(new BehaviourList.Fault(base(file), fault.line(), fault.getMessage()));
+            listener.failed(base(file), fault.line(), fault.getMessage());
+        }
+    }
+
+    private void put(BehaviourKind kind) {
+        list.put(kind);
+        listener.loaded(kind);
+    }
+
+    /** Empty if the classes are those of before, or the file only helps others. */
+    private List<BehaviourKind> ofSource(Path file) throws SourceException {
+        SortedMap<String, byte[]> classes = new TreeMap<>(compiler.compile(file));
+        if (isSame(classes, compiled.get(file))) {
+            return List.of();
+        }
+        Class<? extends Behaviour> type = new LoadedClasses(classes).behaviour(base(file));
+        compiled.put(file, classes);
+        return List.of(kind(type, new FaultPlace(file.getFileName().toString())));
+    }
+
+    private static boolean isSame(SortedMap<String, byte[]> classes, SortedMap<String, byte[]> before) {
+        return before != null
+                && classes.keySet().equals(before.keySet())
+                && classes.keySet().stream().allMatch(name -> Arrays.equals(classes.get(name), before.get(name)));
+    }
+
+    /** A copy is loaded, so that the jar itself can be replaced. */
+    private List<BehaviourKind> ofJar(Path jar) throws SourceException {
+        List<BehaviourKind> kinds = new ArrayList<>();
+        try {
+            Path copy = Files.createTempFile("behaviours", JAR);
+            copy.toFile().deleteOnExit();
+            Files.copy(jar, copy, StandardCopyOption.REPLACE_EXISTING);
+            ClassLoader loader = new URLClassLoader(new URL[] {copy.toUri().toURL()}, Behaviour.class.getClassLoader());
+            ServiceLoader.load(Behaviour.class, loader).stream()
+                    .map(ServiceLoader.Provider::type)
+                    .filter(type -> type.getClassLoader() == loader)
+                    .forEach(type -> kinds.add(kind(type, new FaultPlace(null))));
+        } catch (IOException e) {
+            throw new SourceException(0, "cannot be read: " + e.getMessage());
+        } catch (ServiceConfigurationError | LinkageError e) {
+            throw new SourceException(0, FaultPlace.text(e));
+        }
+        if (kinds.isEmpty()) {
+            throw new SourceException(
+                    0, "names no process, expected META-INF/services/simrobot.behaviour.Behaviour with a class's name");
+        }
+        return kinds;
+    }
+
+    private BehaviourKind kind(Class<? extends Behaviour> type, FaultPlace place) {
+        String name = type.getSimpleName();
+        return new BehaviourKind(
+                name,
+                around -> new BehaviourThread(
+                        name + "-" + threads.incrementAndGet(), () -> LoadedClasses.create(type), place));
+    }
+
+    /** Stops looking; running processes go on. */
+    @Override
+    public void close() {
+        thread.interrupt();
+    }
+}

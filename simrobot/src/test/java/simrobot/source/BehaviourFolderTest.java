@@ -1,0 +1,301 @@
+package simrobot.source;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import simrobot.world.Position;
+import simrobot.world.World;
+import vericommand.RobotStatus;
+
+/** Processes from source files and jars, on a simulated robot. */
+class BehaviourFolderTest {
+    @TempDir
+    Path folder;
+
+    private final Simulation simulation = new Simulation(World.bare(), 1);
+    private final BehaviourList list = simulation.behaviours();
+    private final SimulatedRobot robot = simulation.addRobot("robot", new Position(0, 0), 0);
+    private final List<String> told = new ArrayList<>();
+    private final List<String> ends = new ArrayList<>();
+
+    private final BehaviourFolder.Listener listener = new BehaviourFolder.Listener() {
+        @Override
+        public void loaded(BehaviourKind kind) {
+            told.add("loaded " + kind);
+        }
+
+        @Override
+        public void failed(String name, int line, String text) {
+            told.add("failed " + name + " " + line + " " + text);
+        }
+
+        @Override
+        public void removed(String name) {
+            told.add("removed " + name);
+        }
+    };
+
+    private static String source(String name, String decide) {
+        return "import simrobot.behaviour.*;\n"
+                + "public class " + name + " implements Behaviour {\n"
+                + "    public Steering decide(Senses senses) {\n"
+                + decide + "\n"
+                + "    }\n"
+                + "}\n";
+    }
+
+    private void write(String name, String decide) throws IOException {
+        Path file = folder.resolve(name + ".java");
+        Files.writeString(file, source(name, decide));
+        // a clock of the file system may stand still between two versions
+        Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000 + 1000L * told.size() + decide.length()));
+    }
+
+    private BehaviourFolder open() throws IOException {
+        return new BehaviourFolder(folder, list, listener);
+    }
+
+    private void begin(String name) {
+        robot.autonomy().addEndListener((kind, how) -> ends.add(kind + " " + how));
+        assertTrue(robot.autonomy().begin(list.of(name)));
+    }
+
+    private void runUntilItEnds() {
+        while (ends.isEmpty()) {
+            simulation.run(10);
+        }
+    }
+
+    @Test
+    void aSourceFileDrivesARobot() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        open();
+        assertEquals(List.of("loaded Ahead"), told);
+        begin("Ahead");
+        simulation.run(400);
+        assertTrue(robot.xMeters() > 1, "x " + robot.xMeters());
+        assertEquals(RobotStatus.MOVING, robot.status());
+        robot.autonomy().end();
+        simulation.run(300);
+        assertEquals(RobotStatus.STOPPED, robot.status());
+    }
+
+    @Test
+    void theSameProcessMakesTheSameWayInEveryRun() throws IOException {
+        write("Arc", "        return Steering.ofDegrees(0.3, 20 * senses.sonarMeters(3));");
+        open();
+        begin("Arc");
+        simulation.run(500);
+        Simulation again = new Simulation(World.bare(), 1);
+        SimulatedRobot other = again.addRobot("robot", new Position(0, 0), 0);
+        other.autonomy().begin(list.of("Arc"));
+        again.run(500);
+        assertEquals(robot.xMeters(), other.xMeters());
+        assertEquals(robot.headingRadians(), other.headingRadians());
+    }
+
+    @Test
+    void aChangedFileReplacesTheProcessAndAnUnchangedOneStays() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        write("Back", "        return new Steering(-0.5, 0);");
+        BehaviourFolder opened = open();
+        told.clear();
+        opened.scan();
+        assertEquals(List.of(), told);
+        write("Ahead", "        return new Steering(0.25, 0);");
+        opened.scan();
+        assertEquals(List.of("loaded Ahead"), told);
+        Files.delete(folder.resolve("Back.java"));
+        opened.scan();
+        assertEquals(List.of("loaded Ahead", "removed Back"), told);
+        assertEquals(List.of("wander", "wall-follow", "Ahead"), names());
+    }
+
+    private List<String> names() {
+        return list.kinds().stream().map(BehaviourKind::text).toList();
+    }
+
+    @Test
+    void aFileMayUseAnotherAndIsCompiledAnewWithIt() throws IOException {
+        Files.writeString(folder.resolve("Speeds.java"), "class Speeds { static final double AHEAD = 0.5; }");
+        write("Ahead", "        return new Steering(Speeds.AHEAD, 0);");
+        BehaviourFolder opened = open();
+        assertTrue(told.contains("loaded Ahead"), told.toString());
+        told.clear();
+        Files.writeString(folder.resolve("Speeds.java"), "class Speeds { static final double AHEAD = 0.125; }");
+        opened.scan();
+        assertTrue(told.contains("loaded Ahead"), told.toString());
+    }
+
+    @Test
+    void anErrorIsReportedWithItsLineAndLeavesTheFormerVersion() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        BehaviourFolder opened = open();
+        write("Ahead", "        return new Steering(0.5, 0)");
+        opened.scan();
+        assertEquals("failed Ahead 4 ';' expected", told.get(1));
+        assertEquals(List.of(new BehaviourList.Fault("Ahead", 4, "';' expected")), list.faults());
+        assertTrue(names().contains("Ahead"));
+        write("Ahead", "        return new Steering(0.75, 0);");
+        opened.scan();
+        assertEquals(List.of(), list.faults());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Divide|int zero = 0; return new Steering(1 / zero, 0);|4|ArithmeticException: / by zero",
+                "Infinite|return new Steering(1 / 0.0, 0);|4|IllegalArgumentException: a steering of Infinity m/s",
+                "Nothing|return null;|0|decide returned null, expected a Steering",
+                "Deep|return decide(senses);|4|StackOverflowError",
+                "Endless|while (true) { }|4|computes for more than 50 ms",
+                "Catches|for (;;) try { Math.sqrt(2); } catch (Exception e) { }|4|computes for more than 50 ms",
+                "Sleeper|try { Thread.sleep(100000); } catch (Exception e) { } return null;|4|no decision within 1 s"
+            })
+    void whatItThrowsAndAnEndlessLoopEndItWithLineAndMessage(String name, String decide, int line, String text)
+            throws IOException {
+        write(name, decide);
+        open();
+        assertEquals("loaded " + name, told.get(0), told.toString());
+        begin(name);
+        runUntilItEnds();
+        assertTrue(ends.get(0).startsWith(name + " Failed[line=" + line + ", text=" + text), ends.get(0));
+        simulation.run(300);
+        assertEquals(RobotStatus.STOPPED, robot.status());
+        assertFalse(robot.autonomy().isActive());
+    }
+
+    @Test
+    void theThreadOfAnEndlessLoopEnds() throws IOException, InterruptedException {
+        write("Endless", "        do Math.sqrt(2); while (senses != null); return null;");
+        open();
+        begin("Endless");
+        runUntilItEnds();
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().startsWith("behaviour Endless")) {
+                thread.join();
+            }
+        }
+    }
+
+    @Test
+    void whileOneProcessLoopsTheOthersDrive() throws IOException {
+        write("Endless", "        while (true) { }");
+        open();
+        SimulatedRobot other = simulation.addRobot("other", new Position(0, 3), 0);
+        other.autonomy().begin(BehaviourKind.WANDER);
+        begin("Endless");
+        runUntilItEnds();
+        assertTrue(other.xMeters() > 0);
+        assertEquals(0, robot.xMeters());
+    }
+
+    @Test
+    void aProcessThatIsDoneEndsWhenTheRobotStands() throws IOException {
+        Files.writeString(
+                folder.resolve("Meter.java"),
+                "import simrobot.behaviour.*;\n"
+                        + "class Meter implements Behaviour {\n"
+                        + "    private boolean done;\n"
+                        + "    public Steering decide(Senses senses) {\n"
+                        + "        done = senses.xMeters() > 1;\n"
+                        + "        return new Steering(0.5, 0);\n"
+                        + "    }\n"
+                        + "    public boolean isDone() { return done; }\n"
+                        + "}\n");
+        open();
+        begin("Meter");
+        runUntilItEnds();
+        assertEquals(List.of("Meter Done[]"), ends);
+        assertEquals(RobotStatus.STOPPED, robot.status());
+        assertEquals(1, robot.xMeters(), 0.6);
+    }
+
+    @Test
+    void aProcessThatPushesOnAfterACollisionEndsBlocked() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        open();
+        simulation.addRobot("wall", new Position(1, 0), 0);
+        begin("Ahead");
+        runUntilItEnds();
+        assertEquals(List.of("Ahead Collided[]"), ends);
+        assertEquals(RobotStatus.COLLISION, robot.status());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "class Other { }|no class that is a process",
+                "import simrobot.behaviour.*; abstract class Empty implements Behaviour { }|no class that is a process",
+                "interface Empty extends simrobot.behaviour.Behaviour { }|no class that is a process",
+                "import simrobot.behaviour.*; class Empty implements Behaviour { Empty(int n) { }"
+                        + " public Steering decide(Senses s) { return null; } }|no class that is a process"
+            })
+    void aFileWithoutAProcessSaysWhatIsExpected(String text, String start) throws IOException {
+        Files.writeString(folder.resolve("Empty.java"), text);
+        open();
+        assertTrue(told.get(0).startsWith("failed Empty 0 " + start), told.toString());
+    }
+
+    @Test
+    void aJarNamesItsProcessesAsServices() throws IOException, SourceException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        Map<String, byte[]> classes =
+                new BehaviourCompiler(ToolProvider.getSystemJavaCompiler()).compile(folder.resolve("Ahead.java"));
+        Files.delete(folder.resolve("Ahead.java"));
+        try (JarOutputStream jar = new JarOutputStream(Files.newOutputStream(folder.resolve("ours.jar")))) {
+            jar.putNextEntry(new JarEntry("Ahead.class"));
+            jar.write(classes.get("Ahead"));
+            jar.putNextEntry(new JarEntry("META-INF/services/simrobot.behaviour.Behaviour"));
+            jar.write("Ahead\n".getBytes(java.nio.charset.StandardCharsets.US_ASCII));
+        }
+        open();
+        assertEquals(List.of("loaded Ahead"), told);
+        begin("ahead");
+        simulation.run(300);
+        assertTrue(robot.xMeters() > 0.5);
+    }
+
+    @Test
+    void aJarThatNamesNoneAndOneThatIsNoneSayWhatIsExpected() throws IOException {
+        Files.writeString(folder.resolve("text.jar"), "no jar");
+        open();
+        assertEquals(1, told.size());
+        assertTrue(told.get(0).startsWith("failed text 0 names no process, expected META-INF/services"), told.get(0));
+    }
+
+    @Test
+    void aJavaWithoutACompilerSaysSo() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        new BehaviourFolder(folder, list, listener, null);
+        assertTrue(told.get(0).startsWith("failed Ahead 0 this Java has no compiler, expected a JDK"), told.get(0));
+    }
+
+    @Test
+    void aFolderThatIsNoneIsRefused() {
+        assertThrows(NotDirectoryException.class, () -> new BehaviourFolder(folder.resolve("nowhere"), list, listener));
+    }
+}

@@ -1,0 +1,143 @@
+package vericommand;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Orders {@code #*1} to {@code #*9}, which start a process of the robot. */
+class VeriCommandProcessTest {
+    private static final String WHERE = "Stopped at 1.200 0.500 m, heading 90.0.";
+
+    private final Bench bench = Bench.in(RobotStatus.STOPPED).call();
+
+    private void ends(ProcessEnding ending) {
+        bench.robot.autonomous = false;
+        bench.robot.machine.apply(StatusEvent.MOTION_ENDED);
+        bench.veri.processEnded(ending, "wander", "");
+    }
+
+    @Test
+    void aProcessIsAnsweredBySixWhenItStartsAndByThreeWhenItHasReachedItsGoal() {
+        bench.press("** #*1 **");
+        assertEquals(List.of(1), bench.robot.processes);
+        assertEquals(
+                List.of("order **#*1** accepted", "outcome 6 Started process 1: wander.", "tone 6"),
+                bench.events("order", "outcome", "tone"));
+        ends(ProcessEnding.DONE);
+        assertEquals(
+                List.of("outcome 3 Done: wander. " + WHERE, "tone 3", "under-way false"),
+                bench.events("outcome", "tone", "under-way"));
+    }
+
+    @Test
+    void whileItRunsTheCallCountsAsBusySoTheModemDoesNotClearIt() {
+        bench.press("** #*1 **");
+        assertTrue(bench.veri.isUnderWay());
+        ends(ProcessEnding.FAILED);
+        assertFalse(bench.veri.isUnderWay());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"COLLISION,4 Collision in process wander.", "FAILED,5 Process wander ended: no way"})
+    void bySmsItsStartAndItsEndAreAnsweredOnceEach(ProcessEnding ending, String reply) {
+        bench.sms("** #*1 **");
+        assertEquals(List.of("sms 5550101 6 Started process 1: wander."), bench.events("sms", "tone"));
+        assertFalse(bench.veri.isUnderWay());
+        bench.veri.processEnded(ending, "wander", "no way");
+        bench.veri.processEnded(ProcessEnding.DONE, "wander", "");
+        assertEquals(List.of("sms 5550101 " + reply), bench.events("sms", "tone"));
+    }
+
+    @Test
+    void aTripMayEndWithAProcess() {
+        bench.press("** #**20 #*2 **");
+        bench.robot.reachGoal();
+        assertEquals(List.of(2), bench.robot.processes);
+        assertEquals(
+                List.of("tone 6", "outcome 6 Started process 2: wall-follow.", "tone 6"),
+                bench.events("tone", "outcome"));
+    }
+
+    @Test
+    void aNumberWithoutAProcessIsNotAValidCommandAndTheReplyListsThoseThereAre() {
+        bench.sms("** #**20 #*3 **");
+        String reply = "7 Not a valid command: no process 3. Processes: 1 wander, 2 wall-follow.";
+        assertEquals(List.of("order **#**20#*3** invalid", "outcome " + reply, "sms 5550101 " + reply), bench.events());
+        assertEquals(10, bench.shown.failingPosition());
+        assertEquals(List.of(), bench.robot.started);
+    }
+
+    @Test
+    void aNumberWithoutAProcessLeavesTheRunningOneAlone() {
+        bench.press("** #*1 **");
+        bench.press("** #*7 **");
+        assertEquals(0, bench.robot.autonomyEnds);
+        assertTrue(bench.robot.autonomous);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"COLLISION,8", "NO_MOTORS,8", "DISCONNECTED,2"})
+    void itIsJudgedLikeAForwardMotion(RobotStatus status, int tone) {
+        Bench other = Bench.in(status).call();
+        other.press("** #*1 **");
+        assertEquals(List.of("tone " + tone), other.events("tone"));
+        assertEquals(List.of(), other.robot.processes);
+    }
+
+    @Test
+    void whileAnOrderMovesTheRobotAProcessIsAnsweredBySix() {
+        bench.press("** #**20 **");
+        bench.events();
+        bench.press("** #*1 **");
+        assertEquals(List.of("outcome 6 Executing a command.", "tone 6"), bench.events("outcome", "tone"));
+        assertEquals(List.of(), bench.robot.processes);
+    }
+
+    @Test
+    void anotherOrderEndsItWithoutAToneForIt() {
+        bench.press("** #*1 **");
+        bench.events();
+        bench.press("** #*2 **");
+        bench.veri.processEnded(ProcessEnding.REPLACED, "wander", "");
+        bench.robot.standAfterAutonomy(StatusEvent.MOTION_ENDED);
+        assertEquals(List.of("outcome 6 Started process 2: wall-follow.", "tone 6"), bench.events("outcome", "tone"));
+        assertEquals(List.of(1, 2), bench.robot.processes);
+    }
+
+    @Test
+    void theEndOfTheCallBrakesTheProcessThatTheCallStarted() {
+        bench.press("** #*1 **");
+        bench.veri.callEnded();
+        assertEquals(1, bench.robot.brakes);
+        bench.events();
+        ends(ProcessEnding.DONE);
+        assertEquals(List.of(), bench.events("tone", "sms"));
+    }
+
+    @Test
+    void aProcessStartedBySmsOutlivesACall() {
+        bench.sms("** #*1 **");
+        bench.veri.callEnded();
+        assertEquals(0, bench.robot.brakes);
+    }
+
+    @Test
+    void withFinishTheProcessOutlivesItsCall() {
+        Bench other =
+                Bench.with(Bench.settings(VeriCommandSettings.OnHangup.FINISH)).call();
+        other.press("** #*1 **");
+        other.veri.callEnded();
+        assertEquals(0, other.robot.brakes);
+    }
+
+    @Test
+    void theFailureOfAProcessThatNoOrderStartedIsShownOnly() {
+        bench.veri.processEnded(ProcessEnding.FAILED, "goto Dock", "no way.");
+        assertEquals(List.of("outcome 5 Process goto Dock ended: no way."), bench.events("outcome", "tone", "sms"));
+    }
+}
