@@ -1,7 +1,7 @@
 package vericommand;
 
-import java.util.Optional;
 import java.util.Collections;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.function.Consumer;
 
