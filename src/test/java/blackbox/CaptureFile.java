@@ -10,13 +10,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A pcap file as an outsider reads it, by the format's own description and by RFC 791 and RFC 9293. Whatever does not hold
+ * A pcap file as an outsider reads it, by the format's own description and by RFC 768, 791 and 9293. Whatever does not hold
  * is an AssertionError that names the record.
  */
 public final class CaptureFile {
     private static final int MAGIC = 0xa1b2c3d4;
     private static final int RAW_IP = 101;
     private static final int TCP = 6;
+    private static final int UDP = 17;
     private static final int SYN_OR_FIN = 3;
     private static final int SYN = 2;
 
@@ -28,7 +29,11 @@ public final class CaptureFile {
         }
     }
 
+    /** One UDP datagram. */
+    public record Datagram(int fromPort, int toPort, byte[] data) {}
+
     private final List<Segment> segments = new ArrayList<>();
+    private final List<Datagram> datagrams = new ArrayList<>();
 
     public static CaptureFile read(Path file) throws IOException {
         CaptureFile capture = new CaptureFile();
@@ -39,31 +44,49 @@ public final class CaptureFile {
         in.getInt();
         require(in.getInt() == RAW_IP, "link type raw IP");
         while (in.hasRemaining()) {
-            capture.segments.add(capture.record(in));
+            capture.record(in);
         }
         return capture;
     }
 
-    private Segment record(ByteBuffer in) {
-        String where = "record " + (segments.size() + 1) + ": ";
+    private void record(ByteBuffer in) {
+        String where = "record " + (segments.size() + datagrams.size() + 1) + ": ";
         require(in.remaining() >= 16, where + "a whole record header");
         long micros = in.getInt() * 1_000_000L + in.getInt();
         int length = in.getInt();
         require(length == in.getInt() && length <= in.remaining(), where + "a whole packet");
         byte[] packet = new byte[length];
         in.get(packet);
-        return segment(micros, ByteBuffer.wrap(packet), where);
+        packet(micros, ByteBuffer.wrap(packet), where);
     }
 
-    private static Segment segment(long micros, ByteBuffer packet, String where) {
+    private void packet(long micros, ByteBuffer packet, String where) {
         int length = packet.capacity();
         require(packet.get(0) == 0x45, where + "IPv4 without options");
         require(packet.getShort(2) == length, where + "the packet's length in its header");
-        require(packet.get(9) == TCP, where + "TCP");
+        int protocol = packet.get(9);
+        require(protocol == TCP || protocol == UDP, where + "TCP or UDP");
         require(sum(packet, 0, 20, 0) == 0xffff, where + "the header's checksum");
-        long pseudoHeader = sum(packet, 12, 8, TCP + length - 20);
+        long pseudoHeader = sum(packet, 12, 8, protocol + length - 20);
         require(sum(packet, 20, length - 20, pseudoHeader) == 0xffff, where + "the segment's checksum");
         packet.position(20);
+        if (protocol == TCP) {
+            segments.add(segment(micros, packet, where));
+        } else {
+            datagrams.add(datagram(packet, where));
+        }
+    }
+
+    private static Datagram datagram(ByteBuffer packet, String where) {
+        int fromPort = packet.getShort() & 0xffff;
+        int toPort = packet.getShort() & 0xffff;
+        require(packet.getShort() == packet.capacity() - 20, where + "the datagram's length in its header");
+        byte[] data = new byte[packet.capacity() - 28];
+        packet.get(28, data);
+        return new Datagram(fromPort, toPort, data);
+    }
+
+    private static Segment segment(long micros, ByteBuffer packet, String where) {
         int fromPort = packet.getShort() & 0xffff;
         int toPort = packet.getShort() & 0xffff;
         int sequence = packet.getInt();
@@ -71,7 +94,7 @@ public final class CaptureFile {
         require(packet.get() == 0x50, where + "TCP without options");
         int flags = packet.get();
         packet.position(40);
-        byte[] data = new byte[length - 40];
+        byte[] data = new byte[packet.capacity() - 40];
         packet.get(data);
         return new Segment(micros, fromPort, toPort, sequence, acknowledged, flags, data);
     }
@@ -91,6 +114,11 @@ public final class CaptureFile {
         if (!holds) {
             throw new AssertionError("expected " + what);
         }
+    }
+
+    /** The speech. */
+    public List<Datagram> datagrams() {
+        return datagrams;
     }
 
     public List<Segment> segments() {

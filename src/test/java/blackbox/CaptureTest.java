@@ -14,6 +14,10 @@ import org.junit.jupiter.api.Test;
 public class CaptureTest {
     private static final int RSL = 0x00;
     private static final int SPEECH = 0xe1;
+    private static final int MGCP = 0xfc;
+    /** RTP header and 20 ms of A-law. */
+    private static final int A_LAW_PACKET = 172;
+
     private static final String OTHER = "5550101";
 
     @Test
@@ -25,7 +29,10 @@ public class CaptureTest {
             capture.requireOrder();
             capture.requireWholeFrames();
             assertTrue(capture.frames(RSL) > 100, capture.frames(RSL) + " messages");
-            assertTrue(capture.frames(SPEECH) > 0, "no speech");
+            assertEquals(0, capture.frames(SPEECH), "speech goes by UDP");
+            assertTrue(capture.frames(MGCP) >= 4, "speech is announced");
+            assertTrue(capture.datagrams().size() > 50, capture.datagrams().size() + " frames of speech");
+            capture.datagrams().forEach(datagram -> assertEquals(A_LAW_PACKET, datagram.data().length));
         }
     }
 

@@ -7,7 +7,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 
 /** Sound as WAV for our tools and as raw samples (8 kHz, 16 bit, little-endian, mono) for the peers. */
 final class Audio {
@@ -35,6 +38,21 @@ final class Audio {
     static byte[] samples(Path wav) throws Exception {
         byte[] octets = Files.readAllBytes(wav);
         return Arrays.copyOfRange(octets, HEADER, octets.length);
+    }
+
+    /** The keys that multimon-ng hears in a file, which sox reads with these arguments. */
+    static String keysHeardByMultimonNg(Path folder, String... file) throws Exception {
+        Path raw = folder.resolve("multimon.raw");
+        List<String> conversion = new ArrayList<>(List.of(file));
+        conversion.addAll(List.of("-t", "raw", "-e", "signed-integer", "-b", "16", "-r", "22050", raw.toString()));
+        Peer.SOX.run(conversion.toArray(String[]::new)).expectSuccess();
+        return Peer.MULTIMON_NG
+                .run("-q", "-a", "DTMF", "-t", "raw", raw.toString())
+                .text()
+                .lines()
+                .filter(line -> line.startsWith("DTMF: "))
+                .map(line -> line.substring("DTMF: ".length()).strip())
+                .collect(Collectors.joining());
     }
 
     /** The samples of keys as the tool {@code tones} makes them. */

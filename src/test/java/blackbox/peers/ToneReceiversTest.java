@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,21 +18,9 @@ class ToneReceiversTest {
 
     @Test
     void multimonNgReadsOurTones() throws Exception {
-        Path raw = folder.resolve("tones.raw");
-        Path wav = Audio.tones(folder, KEYS);
-        Peer.SOX
-                .run(wav.toString(), "-t", "raw", "-e", "signed-integer", "-b", "16", "-r", "22050", raw.toString())
-                .expectSuccess();
-        String heard = Peer.MULTIMON_NG
-                .run("-q", "-a", "DTMF", "-t", "raw", raw.toString())
-                .text();
         assertEquals(
                 KEYS,
-                heard.lines()
-                        .filter(line -> line.startsWith("DTMF: "))
-                        .map(line -> line.substring("DTMF: ".length()).strip())
-                        .collect(Collectors.joining()),
-                heard);
+                Audio.keysHeardByMultimonNg(folder, Audio.tones(folder, KEYS).toString()));
     }
 
     @Test

@@ -7,7 +7,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Reads captures with Wireshark's {@code tshark}. */
 final class Wireshark {
@@ -27,6 +31,41 @@ final class Wireshark {
     /** The values of one field in all frames that pass the filter. */
     static List<String> fields(Path file, String filter, String field) throws IOException {
         return tshark(file, "-Y", filter, "-T", "fields", "-e", field);
+    }
+
+    /**
+     * A stream that tshark's analysis of RTP has found.
+     *
+     * @param lost packets lost, as the analysis prints them
+     */
+    record RtpStream(int fromPort, int toPort, String payload, int packets, int lost) {
+        private static final Pattern LINE = Pattern.compile(
+                "\\s*[0-9.]+\\s+[0-9.]+\\s+\\S+\\s+([0-9]+)\\s+\\S+\\s+([0-9]+)\\s+0x[0-9A-F]+\\s+(.+?)\\s+([0-9]+)\\s+(-?[0-9]+) \\(.*");
+
+        private static Optional<RtpStream> of(String line) {
+            Matcher fields = LINE.matcher(line);
+            return fields.matches()
+                    ? Optional.of(new RtpStream(
+                            Integer.parseInt(fields.group(1)),
+                            Integer.parseInt(fields.group(2)),
+                            fields.group(3),
+                            Integer.parseInt(fields.group(4)),
+                            Integer.parseInt(fields.group(5))))
+                    : Optional.empty();
+        }
+
+        /** The payloads of all packets, one after the other. */
+        byte[] payloads(Path file) throws IOException {
+            String hex = String.join("", fields(file, "rtp && udp.srcport == " + fromPort, "rtp.payload"));
+            return HexFormat.of().parseHex(hex.replace(":", ""));
+        }
+    }
+
+    /** The analysis of all RTP in a capture. */
+    static List<RtpStream> rtpStreams(Path file) throws IOException {
+        return tshark(file, "-q", "-z", "rtp,streams").stream()
+                .flatMap(line -> RtpStream.of(line).stream())
+                .toList();
     }
 
     private static List<String> tshark(Path file, String... arguments) throws IOException {

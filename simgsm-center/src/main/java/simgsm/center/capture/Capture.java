@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.Instant;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * A running capture. Packets are added without waiting for the disk; a thread writes them. When the disk is full, capturing
@@ -25,6 +26,7 @@ public final class Capture implements AutoCloseable {
     private final long startNanos = System.nanoTime();
     private final Thread thread = new Thread(this::run, "capture");
     private final Object lock = new Object();
+    private final AtomicInteger sessions = new AtomicInteger();
     private PcapFile file;
     private PacketBuffer filling = new PacketBuffer(MOST_WAITING_OCTETS);
     private PacketBuffer writing = new PacketBuffer(MOST_WAITING_OCTETS);
@@ -61,7 +63,12 @@ public final class Capture implements AutoCloseable {
 
     /** The packets of a new connection. */
     public WireTap conversation(InetSocketAddress peer, InetSocketAddress center) {
-        return new TcpConversation(this, IpHeader.between(peer.getAddress(), center.getAddress()), peer.getPort());
+        return new TcpConversation(this, peer, center);
+    }
+
+    /** The number of the next session of speech, from 0. */
+    int nextSession() {
+        return sessions.getAndIncrement();
     }
 
     /** Takes one IP packet, header and all. */

@@ -7,7 +7,9 @@ import java.util.Arrays;
 
 /** Writes IP headers between two addresses: IPv4 (RFC 791), or IPv6 (RFC 8200) where either of them is. */
 final class IpHeader {
-    private static final int PROTOCOL_TCP = 6;
+    static final int TCP = 6;
+    static final int UDP = 17;
+
     private static final int VERSION_4_LENGTH_5 = 0x45;
     private static final short DO_NOT_FRAGMENT = 0x4000;
     private static final byte TIME_TO_LIVE = 64;
@@ -53,8 +55,8 @@ final class IpHeader {
         return isVersion4() ? VERSION_4_HEADER_LENGTH : VERSION_6_HEADER_LENGTH;
     }
 
-    /** Puts the header before a segment of this length. */
-    void put(ByteBuffer packet, boolean isFromPeer, int segmentLength) {
+    /** Puts the header before a segment or datagram of this length. */
+    void put(ByteBuffer packet, int protocol, boolean isFromPeer, int segmentLength) {
         byte[] source = isFromPeer ? peer : center;
         byte[] destination = isFromPeer ? center : peer;
         if (isVersion4()) {
@@ -62,19 +64,19 @@ final class IpHeader {
             packet.put((byte) VERSION_4_LENGTH_5).put((byte) 0);
             packet.putShort((short) (VERSION_4_HEADER_LENGTH + segmentLength));
             packet.putShort((short) identification++).putShort(DO_NOT_FRAGMENT);
-            packet.put(TIME_TO_LIVE).put((byte) PROTOCOL_TCP).putShort((short) 0);
+            packet.put(TIME_TO_LIVE).put((byte) protocol).putShort((short) 0);
             packet.put(source).put(destination);
             packet.putShort(start + 10, folded(sum(packet.array(), start, VERSION_4_HEADER_LENGTH)));
         } else {
             packet.putInt(VERSION_6).putShort((short) segmentLength);
-            packet.put((byte) PROTOCOL_TCP).put(TIME_TO_LIVE);
+            packet.put((byte) protocol).put(TIME_TO_LIVE);
             packet.put(source).put(destination);
         }
     }
 
-    /** The TCP checksum of a segment whose own checksum field is still 0 (RFC 9293, 3.1, with its pseudo header). */
-    short checksum(byte[] packet, int from, int segmentLength) {
-        long sum = sum(peer, 0, peer.length) + sum(center, 0, center.length) + PROTOCOL_TCP + segmentLength;
+    /** The checksum of a segment or datagram whose own is still 0 (RFC 9293, 3.1, and RFC 768: with its pseudo header). */
+    short checksum(byte[] packet, int protocol, int from, int segmentLength) {
+        long sum = sum(peer, 0, peer.length) + sum(center, 0, center.length) + protocol + segmentLength;
         return folded(sum + sum(packet, from, segmentLength));
     }
 

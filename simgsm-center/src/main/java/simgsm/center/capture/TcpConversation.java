@@ -1,16 +1,21 @@
 package simgsm.center.capture;
 
+import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 
 /**
- * One peer's connection as TCP segments: handshake, one segment per message, an acknowledgement when half of the window is
+ * One peer's signalling as TCP segments, and its speech as datagrams: handshake, one segment per message, an acknowledgement when half of the window is
  * unacknowledged, and the end. Sequence numbers begin at 0 on each side.
  */
 final class TcpConversation implements WireTap {
     /** The port at which Wireshark decodes IPA. */
     static final int CENTER_PORT = 3003;
+
+    /** The octet of a frame that names its stream. */
+    private static final int STREAM = 2;
 
     private static final int FIN = 0x01;
     private static final int SYN = 0x02;
@@ -27,6 +32,7 @@ final class TcpConversation implements WireTap {
     private final IpHeader ip;
     private final Side peer;
     private final Side center;
+    private final SpeechConversation speech;
     private boolean isOver;
 
     private static final class Side {
@@ -41,10 +47,11 @@ final class TcpConversation implements WireTap {
         }
     }
 
-    TcpConversation(Capture capture, IpHeader ip, int peerPort) {
+    TcpConversation(Capture capture, InetSocketAddress peerAddress, InetSocketAddress centerAddress) {
         this.capture = capture;
-        this.ip = ip;
-        this.peer = new Side(true, peerPort);
+        this.ip = IpHeader.between(peerAddress.getAddress(), centerAddress.getAddress());
+        this.peer = new Side(true, peerAddress.getPort());
+        this.speech = new SpeechConversation(capture, this, ip, peerAddress, centerAddress);
         this.center = new Side(false, CENTER_PORT);
         segment(peer, center, SYN, new byte[0]);
         segment(center, peer, SYN | ACK, new byte[0]);
@@ -53,15 +60,27 @@ final class TcpConversation implements WireTap {
 
     @Override
     public void received(IpaFrame frame) {
-        message(peer, center, IpaFramer.encode(frame));
+        if (frame.stream() == IpaFrame.SPEECH) {
+            speech.speech(true, frame.payload(), System.nanoTime());
+        } else {
+            message(true, IpaFramer.encode(frame));
+        }
     }
 
     @Override
     public void sent(byte[] wire) {
-        message(center, peer, wire);
+        boolean isSpeech = wire.length > IpaFrame.HEADER_LENGTH && (wire[STREAM] & 0xff) == IpaFrame.SPEECH;
+        if (isSpeech) {
+            speech.speech(false, Arrays.copyOfRange(wire, IpaFrame.HEADER_LENGTH, wire.length), System.nanoTime());
+        } else {
+            message(false, wire);
+        }
     }
 
-    private void message(Side from, Side to, byte[] wire) {
+    /** One message of signalling. @param wire a whole IPA frame */
+    void message(boolean isFromPeer, byte[] wire) {
+        Side from = isFromPeer ? peer : center;
+        Side to = isFromPeer ? center : peer;
         if (from.nextSequence - from.acknowledgedByOther + wire.length > MOST_UNACKNOWLEDGED) {
             segment(to, from, ACK, new byte[0]);
         }
@@ -73,6 +92,7 @@ final class TcpConversation implements WireTap {
         if (isOver) {
             return;
         }
+        speech.end();
         Side first = isByPeer ? peer : center;
         Side second = isByPeer ? center : peer;
         segment(first, second, FIN | ACK, new byte[0]);
@@ -89,13 +109,13 @@ final class TcpConversation implements WireTap {
         int length = TCP_HEADER_LENGTH + data.length;
         byte[] packet = new byte[ip.length() + length];
         ByteBuffer out = ByteBuffer.wrap(packet);
-        ip.put(out, from.isPeer, length);
+        ip.put(out, IpHeader.TCP, from.isPeer, length);
         int start = out.position();
         out.putShort((short) from.port).putShort((short) to.port);
         out.putInt(from.nextSequence).putInt(acknowledges ? to.nextSequence : 0);
         out.put((byte) (TCP_HEADER_WORDS << 4)).put((byte) flags);
         out.putShort(WINDOW).putShort((short) 0).putShort((short) 0).put(data);
-        out.putShort(start + 16, ip.checksum(packet, start, length));
+        out.putShort(start + 16, ip.checksum(packet, IpHeader.TCP, start, length));
         from.nextSequence += data.length + ((flags & (SYN | FIN)) != 0 ? 1 : 0);
         if (acknowledges) {
             to.acknowledgedByOther = to.nextSequence;

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,6 +18,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
 
 class CaptureTest {
     private static final int FILE_HEADER = 24;
@@ -98,6 +100,65 @@ class CaptureTest {
             assertTrue(said - acknowledged < 0x8000, said + " said, " + acknowledged + " acknowledged");
         }
         assertEquals(1 + frames * 175, said);
+    }
+
+    /** The packets of one protocol: 6 TCP, 17 UDP. */
+    private static List<ByteBuffer> packets(Path file, int protocol) throws IOException {
+        return packets(file).stream()
+                .filter(packet -> packet.get(9) == protocol)
+                .toList();
+    }
+
+    private static String text(ByteBuffer segment) {
+        return new String(data(segment, 20), StandardCharsets.US_ASCII);
+    }
+
+    @Test
+    void speechIsADatagramOnPortsThatMgcpHasAnnounced() throws IOException {
+        Path file = folder.resolve("a.pcap");
+        byte[] rtp = new byte[172];
+        rtp[0] = (byte) 0x80;
+        try (Capture capture = Capture.start(CapturePlan.of(file, 1))) {
+            WireTap tap = conversation(capture);
+            tap.received(new IpaFrame(IpaFrame.SPEECH, rtp));
+            tap.sent(IpaFramer.encode(new IpaFrame(IpaFrame.SPEECH, rtp)));
+            tap.closed(true);
+        }
+        List<ByteBuffer> speech = packets(file, 17);
+        assertEquals(2, speech.size());
+        int terminal = speech.get(0).getShort(20) & 0xffff;
+        int center = speech.get(0).getShort(22) & 0xffff;
+        assertEquals(center, speech.get(1).getShort(20) & 0xffff);
+        assertEquals(terminal, speech.get(1).getShort(22) & 0xffff);
+        assertEquals(20 + 8 + 172, speech.get(0).capacity());
+
+        List<ByteBuffer> signalling = packets(file, 6);
+        assertTrue(text(signalling.get(3)).contains("CRCX 1 "), text(signalling.get(3)));
+        assertTrue(text(signalling.get(3)).contains("m=audio " + center + " RTP/AVP 8 3"));
+        assertTrue(text(signalling.get(4)).contains("m=audio " + terminal + " RTP/AVP 8 3"));
+        assertTrue(text(signalling.get(5)).contains("DLCX 2 "), text(signalling.get(5)));
+        assertEquals(0xfc, data(signalling.get(3), 20)[2] & 0xff, "the stream of MGCP");
+    }
+
+    @Test
+    void afterASilenceTheNextSpeechHasPortsOfItsOwn() throws IOException {
+        Path file = folder.resolve("a.pcap");
+        InetSocketAddress peer = address("127.0.0.2", 40_000);
+        InetSocketAddress center = address("127.0.0.1", 5_000);
+        try (Capture capture = Capture.start(CapturePlan.of(file, 1))) {
+            TcpConversation tcp = new TcpConversation(capture, peer, center);
+            SpeechConversation speech = new SpeechConversation(
+                    capture, tcp, IpHeader.between(peer.getAddress(), center.getAddress()), peer, center);
+            long millis = 1_000_000;
+            speech.speech(true, new byte[45], 0);
+            speech.speech(true, new byte[45], 400 * millis);
+            speech.speech(true, new byte[45], 801 * millis);
+        }
+        List<Integer> ports = packets(file, 17).stream()
+                .map(packet -> packet.getShort(22) & 0xffff)
+                .toList();
+        assertEquals(ports.get(0), ports.get(1));
+        assertEquals(ports.get(0) + 4, ports.get(2));
     }
 
     @Test

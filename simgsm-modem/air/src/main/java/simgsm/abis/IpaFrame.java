@@ -5,7 +5,7 @@ import simgsm.octets.Bounds;
 /**
  * One frame of the IP access multiplex: two octets of payload length, one of stream, the payload.
  *
- * @param stream 0 to 255, see {@link #RSL}, {@link #CCM} and {@link #SPEECH}
+ * @param stream 0 to 255, see {@link #RSL}, {@link #CCM}, {@link #MGCP} and {@link #SPEECH}
  * @param payload at most {@link #MAX_PAYLOAD} octets; not copied, so it must not change
  */
 public record IpaFrame(int stream, byte[] payload) {
@@ -13,6 +13,8 @@ public record IpaFrame(int stream, byte[] payload) {
     public static final int RSL = 0x00;
     /** Connection control: identity and keep-alive, {@link CcmMessage}. */
     public static final int CCM = 0xfe;
+    /** Where the speech of a call goes as RTP over UDP: {@link MgcpMessage}. */
+    public static final int MGCP = 0xfc;
     /** Speech, the suite's own stream: one RTP packet a frame. */
     public static final int SPEECH = 0xe1;
 

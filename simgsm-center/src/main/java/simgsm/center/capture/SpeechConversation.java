@@ -1,0 +1,95 @@
+package simgsm.center.capture;
+
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.util.concurrent.TimeUnit;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.IpaFramer;
+import simgsm.abis.MgcpMessage;
+import simgsm.abis.MgcpMessage.MediaAddress;
+
+/**
+ * The speech of one connection as RTP over UDP, the form that Wireshark reads and plays without any setting. Each session of
+ * speech has ports of its own and is announced by MGCP within the TCP conversation; 400 ms of silence end it.
+ */
+final class SpeechConversation {
+    /** The first port of RTP sessions, as media gateways use them; there are so many pairs. */
+    static final int FIRST_PORT = 16_384;
+
+    private static final int SESSIONS = 4_096;
+    private static final int PORTS_PER_SESSION = 4;
+    private static final int UDP_HEADER_LENGTH = 8;
+    private static final long SILENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
+
+    private final Capture capture;
+    private final TcpConversation signalling;
+    private final IpHeader ip;
+    private final String peerHost;
+    private final String centerHost;
+    /** Of the session; 0 before the first. */
+    private int centerPort;
+
+    private int session;
+    private long latestNanos;
+
+    SpeechConversation(
+            Capture capture,
+            TcpConversation signalling,
+            IpHeader ip,
+            InetSocketAddress peer,
+            InetSocketAddress center) {
+        this.capture = capture;
+        this.signalling = signalling;
+        this.ip = ip;
+        peerHost = peer.getAddress().getHostAddress();
+        centerHost = center.getAddress().getHostAddress();
+    }
+
+    /** A speech frame. @param nowNanos of any clock that goes on */
+    void speech(boolean isFromPeer, byte[] rtp, long nowNanos) {
+        if (centerPort == 0 || nowNanos - latestNanos > SILENCE_NANOS) {
+            end();
+            begin();
+        }
+        latestNanos = nowNanos;
+        int from = isFromPeer ? peerPort() : centerPort;
+        int to = isFromPeer ? centerPort : peerPort();
+        int length = UDP_HEADER_LENGTH + rtp.length;
+        byte[] packet = new byte[ip.length() + length];
+        ByteBuffer out = ByteBuffer.wrap(packet);
+        ip.put(out, IpHeader.UDP, isFromPeer, length);
+        int start = out.position();
+        out.putShort((short) from).putShort((short) to);
+        out.putShort((short) length).putShort((short) 0).put(rtp);
+        out.putShort(start + 6, ip.checksum(packet, IpHeader.UDP, start, length));
+        capture.packet(packet);
+    }
+
+    private int peerPort() {
+        return centerPort + 2;
+    }
+
+    private void begin() {
+        session = capture.nextSession();
+        centerPort = FIRST_PORT + PORTS_PER_SESSION * (session % SESSIONS);
+        MgcpMessage create =
+                MgcpMessage.create(2 * session + 1, String.valueOf(session), new MediaAddress(centerHost, centerPort));
+        announce(false, create);
+        announce(true, create.created(String.valueOf(session), new MediaAddress(peerHost, peerPort())));
+    }
+
+    /** Ends the session, if there is one. */
+    void end() {
+        if (centerPort != 0) {
+            String id = String.valueOf(session);
+            MgcpMessage delete = MgcpMessage.delete(2 * session + 2, id, id);
+            announce(false, delete);
+            announce(true, delete.answered(MgcpMessage.Head.DELETED));
+            centerPort = 0;
+        }
+    }
+
+    private void announce(boolean isFromPeer, MgcpMessage message) {
+        signalling.message(isFromPeer, IpaFramer.encode(new IpaFrame(IpaFrame.MGCP, message.encode())));
+    }
+}
