@@ -25,6 +25,8 @@ final class EntryCodec {
     private static final int REPORTED = 3;
     private static final int KNOWN = 4;
     private static final int NUMBERED = 5;
+    /** An accepted message with its place in a submission and its time of delivery. */
+    private static final int ACCEPTED_WITH_PLACE = 6;
 
     private EntryCodec() {}
 
@@ -40,8 +42,15 @@ final class EntryCodec {
 
     private static void write(StoreEntry entry, DataOutputStream to) throws IOException {
         if (entry instanceof StoreEntry.Accepted accepted) {
-            to.writeByte(ACCEPTED);
+            Optional<EsmeOrigin> placed = accepted.message()
+                    .esme()
+                    .filter(origin -> !origin.group().equals(EsmeOrigin.Group.SINGLE)
+                            || origin.deliverAt().isPresent());
+            to.writeByte(placed.isPresent() ? ACCEPTED_WITH_PLACE : ACCEPTED);
             write(accepted.message(), to);
+            if (placed.isPresent()) {
+                writePlace(placed.get(), to);
+            }
         } else if (entry instanceof StoreEntry.Ended ended) {
             to.writeByte(ENDED);
             to.writeLong(ended.id());
@@ -84,6 +93,15 @@ final class EntryCodec {
         to.writeUTF(origin.receipts().name());
     }
 
+    private static void writePlace(EsmeOrigin origin, DataOutputStream to) throws IOException {
+        to.writeInt(origin.group().before());
+        to.writeInt(origin.group().after());
+        to.writeBoolean(origin.deliverAt().isPresent());
+        if (origin.deliverAt().isPresent()) {
+            write(origin.deliverAt().get(), to);
+        }
+    }
+
     private static void write(Instant instant, DataOutputStream to) throws IOException {
         to.writeLong(instant.getEpochSecond());
         to.writeInt(instant.getNano());
@@ -103,6 +121,7 @@ final class EntryCodec {
         int kind = from.readUnsignedByte();
         return switch (kind) {
             case ACCEPTED -> new StoreEntry.Accepted(readMessage(from));
+            case ACCEPTED_WITH_PLACE -> new StoreEntry.Accepted(readPlace(readMessage(from), from));
             case ENDED ->
                 new StoreEntry.Ended(
                         from.readLong(), MessageState.valueOf(from.readUTF()), readInstant(from), from.readBoolean());
@@ -122,6 +141,22 @@ final class EntryCodec {
                 readInstant(from),
                 readInstant(from),
                 from.readBoolean() ? Optional.of(readOrigin(from)) : Optional.empty());
+    }
+
+    private static ShortMessage readPlace(ShortMessage message, DataInputStream from) throws IOException {
+        EsmeOrigin origin =
+                message.esme().orElseThrow(() -> new IOException("a place in a submission, but no application"));
+        EsmeOrigin.Group place = new EsmeOrigin.Group(from.readInt(), from.readInt());
+        Optional<Instant> deliverAt = from.readBoolean() ? Optional.of(readInstant(from)) : Optional.empty();
+        return new ShortMessage(
+                message.id(),
+                message.from(),
+                message.to(),
+                message.submit(),
+                message.acceptedAt(),
+                message.expiresAt(),
+                Optional.of(new EsmeOrigin(
+                        origin.systemId(), origin.source(), origin.dataCoding(), origin.receipts(), place, deliverAt)));
     }
 
     private static EsmeOrigin readOrigin(DataInputStream from) throws IOException {

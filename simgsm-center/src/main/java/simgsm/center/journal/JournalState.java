@@ -55,8 +55,8 @@ final class JournalState {
 
     private void accept(ShortMessage message) {
         lastId = Math.max(lastId, message.id());
-        kept.put(message.id(), new Kept(message, null));
-        octets += octetsOf(message);
+        Kept replaced = kept.put(message.id(), new Kept(message, null));
+        octets += octetsOf(message) - (replaced == null ? 0 : octetsOf(replaced.message()));
         recent.addLast(message);
         while (recent.size() > maxRecent
                 || recent.peekFirst().acceptedAt().plus(RECENT).isBefore(message.acceptedAt())) {

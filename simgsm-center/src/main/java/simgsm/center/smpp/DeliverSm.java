@@ -1,7 +1,8 @@
 package simgsm.center.smpp;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
+import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
 import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
@@ -23,21 +24,24 @@ final class DeliverSm {
 
     private DeliverSm() {}
 
-    static SmppMessage of(Envelope envelope) {
-        return envelope instanceof Envelope.Report report ? receipt(report) : message(envelope.message());
+    /** @param own the application's alphabet, if it has one */
+    static SmppMessage of(Envelope envelope, Optional<EsmeAlphabet> own) {
+        return envelope instanceof Envelope.Report report ? receipt(report, own) : message(envelope.message(), own);
     }
 
-    private static SmppMessage message(ShortMessage message) {
+    private static SmppMessage message(ShortMessage message, Optional<EsmeAlphabet> own) {
         MessageContent.Translated content = MessageContent.translate(
-                message.userData(), message.esme().map(EsmeOrigin::dataCoding).orElse(NO_DATA_CODING));
+                message.userData(), message.esme().map(EsmeOrigin::dataCoding).orElse(NO_DATA_CODING), own);
+        boolean isShort = content.octets().length() <= SmppMessage.MAX_SHORT_MESSAGE;
+        Tlv reference = Tlv.ofTwoOctets(Tlv.USER_MESSAGE_REFERENCE, (int) (message.id() & 0xffff));
         return SmppMessage.of(
                 SmppAddress.of(message.sender()),
                 SmppAddress.of(SmsAddress.of(message.to())),
                 content.hasHeader() ? SmppMessage.HAS_HEADER : 0,
                 0,
                 content.dataCoding(),
-                content.octets(),
-                List.of(Tlv.ofTwoOctets(Tlv.USER_MESSAGE_REFERENCE, (int) (message.id() & 0xffff))));
+                isShort ? content.octets() : OctetString.of(new byte[0]),
+                isShort ? List.of(reference) : List.of(reference, new Tlv(Tlv.MESSAGE_PAYLOAD, content.octets())));
     }
 
     /** message_state (5.2.28). */
@@ -73,39 +77,44 @@ final class DeliverSm {
     }
 
     /** Its source is the destination of the message, and the other way round. */
-    private static SmppMessage receipt(Envelope.Report report) {
+    private static SmppMessage receipt(Envelope.Report report, Optional<EsmeAlphabet> own) {
         ShortMessage message = report.message();
-        String text =
-                "id:" + message.id() + " sub:001 dlvrd:" + (report.state() == MessageState.DELIVERED ? "001" : "000")
-                        + " submit date:" + SmppTime.minutes(message.acceptedAt())
-                        + " done date:" + SmppTime.minutes(report.at()) + " stat:" + word(report.state()) + " err:"
-                        + error(report.state()) + " text:" + excerpt(message.userData());
+        String text = "id:" + message.submissionId() + " sub:001 dlvrd:"
+                + (report.state() == MessageState.DELIVERED ? "001" : "000")
+                + " submit date:" + SmppTime.minutes(message.acceptedAt())
+                + " done date:" + SmppTime.minutes(report.at()) + " stat:" + word(report.state()) + " err:"
+                + error(report.state()) + " text:" + excerpt(message.userData(), own);
         return SmppMessage.of(
                 SmppAddress.of(SmsAddress.of(message.to())),
                 SmppAddress.of(message.sender()),
                 SmppMessage.RECEIPT,
                 0,
                 0,
-                OctetString.of(text.getBytes(StandardCharsets.US_ASCII)),
+                OctetString.of(MessageContent.encode(text, own.orElse(EsmeAlphabet.ASCII))
+                        .orElseThrow()),
                 List.of(
-                        Tlv.ofText(Tlv.RECEIPTED_MESSAGE_ID, Long.toString(message.id())),
+                        Tlv.ofText(Tlv.RECEIPTED_MESSAGE_ID, Long.toString(message.submissionId())),
                         Tlv.ofOctet(Tlv.MESSAGE_STATE, messageState(report.state()))));
     }
 
-    private static String excerpt(UserData data) {
+    /** The first characters, with a dot for each that the application might read as another one. */
+    private static String excerpt(UserData data, Optional<EsmeAlphabet> own) {
         if (data.coding().alphabet() == Alphabet.OCTETS) {
             return "";
         }
-        String text = data.text();
         StringBuilder excerpt = new StringBuilder(TEXT_LENGTH);
-        for (int i = 0; i < Math.min(TEXT_LENGTH, text.length()); i++) {
-            excerpt.append(isSameInAsciiAndGsm(text.charAt(i)) ? text.charAt(i) : '.');
-        }
+        data.text().codePoints().limit(TEXT_LENGTH).forEach(c -> {
+            String character = Character.toString(c);
+            boolean isQuoted = own.isPresent()
+                    ? c >= ' ' && MessageContent.encode(character, own.get()).isPresent()
+                    : isSameInAsciiAndGsm(c);
+            excerpt.append(isQuoted ? character : ".");
+        });
         return excerpt.toString();
     }
 
     /** Some applications read receipts as ASCII, others in the GSM alphabet. */
-    private static boolean isSameInAsciiAndGsm(char c) {
+    private static boolean isSameInAsciiAndGsm(int c) {
         return c >= ' ' && c <= '?' && c != '$' || c >= 'A' && c <= 'Z' || c >= 'a' && c <= 'z';
     }
 }

@@ -5,14 +5,11 @@ import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
-import simgsm.air.Msisdn;
-import simgsm.center.smpp.MessageStatusStore.MessageStatus;
 import simgsm.center.smpp.SmppSessionTable.SmppSessionAction;
 import simgsm.center.smpp.SmppSessionTable.SmppSessionEvent;
 import simgsm.center.smpp.SmppSessionTable.SmppSessionState;
 import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.Envelope;
-import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
@@ -26,7 +23,7 @@ public final class EsmeSession {
     static final long ENQUIRE_NANOS = Duration.ofSeconds(60).toNanos();
     /** response_timer (7.2) of enquire_link. */
     static final long ANSWER_NANOS = Duration.ofSeconds(30).toNanos();
-    /** The connection is closed after this number of refused binds, which slows the guessing of passwords. */
+    /** The connection is closed after this number of refused binds. */
     static final int MAX_REFUSED_BINDS = 5;
 
     private static final System.Logger LOG = System.getLogger(EsmeSession.class.getName());
@@ -38,13 +35,16 @@ public final class EsmeSession {
     private final Timers timers;
     private final SmppFramer framer = new SmppFramer();
     private final DeliveryWindow window;
-    private final SubmissionLimits limits;
+    private final RequestLimits limits;
     private final StateMachine<SmppSessionState, SmppSessionEvent, SmppSessionAction> machine =
             new StateMachine<>(SmppSessionTable.ROWS, this, this::perform);
     private boolean isClosed;
     private String systemId = "";
     private Optional<AddressRange> range = Optional.empty();
+    private EsmeSettings settings = EsmeSettings.STANDARD;
+    private MessageRequests.Requester requester;
     private int refusedBinds;
+    private Timer pendingBind;
     private int sequence;
     private long heardNanos;
     private Timer silence;
@@ -57,7 +57,7 @@ public final class EsmeSession {
         this.isLocal = isLocal;
         this.timers = server.timers().ownedBy(this::failed);
         this.window = new DeliveryWindow(this, timers, this::roomMade, this::unbind);
-        this.limits = new SubmissionLimits(timers, isLocal);
+        this.limits = new RequestLimits(timers, isLocal);
         heardNanos = timers.nowNanos();
         silence = timers.start(INIT_NANOS, this::checkSilence);
     }
@@ -76,10 +76,6 @@ public final class EsmeSession {
 
     boolean hasRoom() {
         return window.hasRoom();
-    }
-
-    void setWindow(int deliveries) {
-        window.setSize(deliveries);
     }
 
     int deliveryRank() {
@@ -110,21 +106,14 @@ public final class EsmeSession {
             receive(framer.next());
         } catch (SmppViolation violation) {
             LOG.log(Level.DEBUG, "{0}: {1}", this, violation.getMessage());
+            limits.admit();
             violation.answer().ifPresent(this::send);
         }
     }
 
     private void receive(SmppPdu pdu) {
-        if (pdu instanceof SmppPdu.Bind bind) {
-            request(bind.command(), bind.sequence(), () -> bind(bind));
-        } else if (pdu instanceof SmppPdu.Message message) {
-            request(message.command(), message.sequence(), () -> submit(message));
-        } else if (pdu instanceof SmppPdu.Plain plain) {
-            request(plain.command(), plain.sequence(), () -> acknowledge(plain.command(), plain.sequence()));
-        } else if (pdu instanceof SmppPdu.Query query) {
-            request(SmppCommand.QUERY_SM, query.sequence(), () -> query(query));
-        } else if (pdu instanceof SmppPdu.Cancel cancel) {
-            request(SmppCommand.CANCEL_SM, cancel.sequence(), () -> cancel(cancel));
+        if (!(pdu instanceof SmppPdu.Response)) {
+            request(pdu);
         } else if (pdu instanceof SmppPdu.MessageResponse response) {
             window.answered(response.sequence(), outcome(response.status()));
         } else if (pdu instanceof SmppPdu.GenericNack nack) {
@@ -132,28 +121,51 @@ public final class EsmeSession {
         }
     }
 
-    /** Fulfils a request; SmppViolation refuses it. */
-    private interface Fulfilment {
-        void run() throws SmppViolation;
+    private void request(SmppPdu request) {
+        SmppCommand command = request.command();
+        try {
+            SmppSessionEvent event = SmppSessionEvent.of(command);
+            if (!machine.accepts(event)) {
+                boolean isSecondBind = command.isBind() && state().isBound();
+                throw new SmppViolation(
+                        isSecondBind ? SmppStatus.ALREADY_BOUND : SmppStatus.INVALID_BIND_STATUS, "in " + state());
+            }
+            if (!limits.admit() && !(request instanceof SmppPdu.Plain)) {
+                throw new SmppViolation(SmppStatus.THROTTLED, "too many requests at a time");
+            }
+            if (request instanceof SmppPdu.Bind bind) {
+                bindInTurn(bind);
+            } else {
+                fulfil(request);
+                machine.fire(event);
+            }
+        } catch (SmppViolation refusal) {
+            refuse(request, refusal);
+        }
     }
 
-    private void request(SmppCommand command, int number, Fulfilment fulfilment) {
-        SmppSessionEvent event = SmppSessionEvent.of(command);
-        if (!machine.accepts(event)) {
-            boolean isSecondBind = command.isBind() && state().isBound();
-            int status = isSecondBind ? SmppStatus.ALREADY_BOUND : SmppStatus.INVALID_BIND_STATUS;
-            send(SmppCodec.refusal(command, status, number));
+    private void refuse(SmppPdu request, SmppViolation refusal) {
+        LOG.log(Level.DEBUG, "{0}: {1} refused, {2}", this, request.command(), refusal.getMessage());
+        send(SmppCodec.refusal(request.command(), refusal.status(), request.sequence()));
+        if (refusedBinds >= MAX_REFUSED_BINDS) {
+            endWhenSent();
+        }
+    }
+
+    private void fulfil(SmppPdu request) throws SmppViolation {
+        if (request instanceof SmppPdu.Plain) {
+            send(new SmppPdu.PlainResponse(request.command(), SmppStatus.OK, request.sequence()));
             return;
         }
+        limits.begun();
         try {
-            fulfilment.run();
-            machine.fire(event);
+            server.requests().fulfil(requester, request, response -> {
+                limits.answered();
+                send(response);
+            });
         } catch (SmppViolation refused) {
-            LOG.log(Level.DEBUG, "{0}: {1} refused, {2}", this, command, refused.getMessage());
-            send(SmppCodec.refusal(command, refused.status(), number));
-            if (refusedBinds == MAX_REFUSED_BINDS) {
-                endWhenSent();
-            }
+            limits.answered();
+            throw refused;
         }
     }
 
@@ -172,11 +184,31 @@ public final class EsmeSession {
         systemId = "";
     }
 
-    private void bind(SmppPdu.Bind bind) throws SmppViolation {
+    /** Binds now, or after the pause that refused binds from the same address have brought about. */
+    private void bindInTurn(SmppPdu.Bind bind) throws SmppViolation {
+        long waitNanos = server.bindLimiter().waitNanos(host(), timers.nowNanos());
+        if (waitNanos == BindLimiter.REFUSED || pendingBind != null) {
+            refusedBinds = MAX_REFUSED_BINDS;
+            throw new SmppViolation(SmppStatus.BIND_FAILED, "too many binds from " + host());
+        } else if (waitNanos == 0) {
+            bind(bind, false);
+        } else {
+            pendingBind = timers.start(waitNanos, () -> {
+                pendingBind = null;
+                try {
+                    bind(bind, true);
+                } catch (SmppViolation refusal) {
+                    refuse(bind, refusal);
+                }
+            });
+        }
+    }
+
+    private void bind(SmppPdu.Bind bind, boolean hasWaited) throws SmppViolation {
         int status = server.users().check(bind.systemId(), bind.password(), isLocal);
         if (status != SmppStatus.OK) {
             refusedBinds++;
-            LOG.log(Level.INFO, "{0}: {1} may not bind, status {2}", this, bind.systemId(), status);
+            server.bindLimiter().refused(host(), bind.systemId(), status, hasWaited, timers.nowNanos());
             throw new SmppViolation(status, "system id or password");
         }
         try {
@@ -187,64 +219,26 @@ public final class EsmeSession {
             throw new SmppViolation(SmppStatus.BIND_FAILED, e.getMessage());
         }
         systemId = bind.systemId();
+        settings = server.users().settings(systemId);
+        window.setSize(settings.window());
+        settings.requestsPerSecond().ifPresent(limits::setRate);
+        requester = new MessageRequests.Requester(
+                systemId, range.flatMap(AddressRange::exact).orElse(ShortMessageCenter.ADDRESS), settings.alphabet());
         send(new SmppPdu.BindResponse(bind.command(), SmppStatus.OK, bind.sequence(), SmppServer.SYSTEM_ID));
+        machine.fire(SmppSessionEvent.of(bind.command()));
     }
 
-    private void acknowledge(SmppCommand command, int number) {
-        send(new SmppPdu.PlainResponse(command, SmppStatus.OK, number));
-    }
-
-    private void submit(SmppPdu.Message pdu) throws SmppViolation {
-        if (!limits.admit()) {
-            throw new SmppViolation(SmppStatus.THROTTLED, "too many submissions at a time");
-        }
-        Msisdn ownNumber = range.flatMap(AddressRange::exact).orElse(ShortMessageCenter.ADDRESS);
-        limits.begun();
-        try {
-            server.submissions().submit(systemId, ownNumber, pdu.message(), (id, status) -> {
-                limits.answered();
-                send(new SmppPdu.MessageResponse(pdu.command(), status, pdu.sequence(), id));
-            });
-        } catch (SmppViolation refused) {
-            limits.answered();
-            throw refused;
-        }
-    }
-
-    private void query(SmppPdu.Query query) throws SmppViolation {
-        MessageStatus status = status(query.messageId(), query.source(), SmppStatus.QUERY_FAILED);
-        boolean hasEnded = status.state() != MessageState.ACCEPTED;
-        send(new SmppPdu.QueryResponse(
-                SmppStatus.OK,
-                query.sequence(),
-                query.messageId(),
-                hasEnded ? SmppTime.full(status.at()) : "",
-                DeliverSm.messageState(status.state()),
-                0));
-    }
-
-    private void cancel(SmppPdu.Cancel cancel) throws SmppViolation {
-        MessageStatus status = status(cancel.messageId(), cancel.source(), SmppStatus.CANCEL_FAILED);
-        if (!server.center().cancel(status.id())) {
-            throw new SmppViolation(
-                    SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " has ended or is being delivered");
-        }
-        acknowledge(SmppCommand.CANCEL_SM, cancel.sequence());
-    }
-
-    /** @throws SmppViolation with {@code refusal} if this application has no such message */
-    private MessageStatus status(String id, SmppAddress source, int refusal) throws SmppViolation {
-        return server.statuses()
-                .find(server.center(), id, systemId, source.value())
-                .orElseThrow(() -> new SmppViolation(
-                        refusal, systemId + " has no message \"" + id + "\" that waits or has lately ended"));
+    /** The peer's address without its port. */
+    private String host() {
+        int port = address.lastIndexOf(':');
+        return port < 0 ? address : address.substring(0, port);
     }
 
     /** Sends deliver_sm. @param ended is given the outcome once: of the answer, of the timer, or of the session's end */
     void deliver(Envelope envelope, Consumer<DeliveryOutcome> ended) {
         int number = nextSequence();
         window.sent(number, ended);
-        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope)));
+        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope, settings.alphabet())));
     }
 
     private int nextSequence() {
@@ -258,14 +252,14 @@ public final class EsmeSession {
         }
     }
 
-    private static DeliveryOutcome outcome(int status) {
+    private DeliveryOutcome outcome(int status) {
         if (status == SmppStatus.OK) {
             return DeliveryOutcome.DELIVERED;
         }
-        if (SmppStatus.isBusy(status)) {
-            return DeliveryOutcome.BUSY;
+        if (!settings.retries().getOrDefault(status, SmppStatus.mayPass(status))) {
+            return DeliveryOutcome.REFUSED;
         }
-        return SmppStatus.mayPass(status) ? DeliveryOutcome.POSTPONED : DeliveryOutcome.REFUSED;
+        return SmppStatus.isBusy(status) ? DeliveryOutcome.BUSY : DeliveryOutcome.POSTPONED;
     }
 
     private void checkSilence() {
@@ -322,6 +316,7 @@ public final class EsmeSession {
 
     private void end() {
         timers.cancel(silence);
+        timers.cancel(pendingBind);
         machine.fire(SmppSessionEvent.END);
     }
 

@@ -1,11 +1,13 @@
 package simgsm.center.smpp;
 
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Septets;
+import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.octets.Octets;
@@ -39,11 +41,11 @@ final class MessageContent {
     /**
      * The parts for a mobile; more than one only for a message without a header.
      *
+     * @param dataCoding of the text, see {@link #standardCoding}
      * @param reference of the concatenated parts, 0 to 255
      */
-    static List<UserData> parts(SmppMessage message, int reference) throws SmppViolation {
+    static List<UserData> parts(SmppMessage message, int dataCoding, int reference) throws SmppViolation {
         byte[] octets = message.content().toArray();
-        int dataCoding = message.dataCoding();
         if (dataCoding == ASCII || dataCoding == LATIN_1) {
             return partsOfText(message, octets, reference);
         }
@@ -51,6 +53,18 @@ final class MessageContent {
         byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
         byte[] text = message.hasHeader() ? Octets.range(octets, header.length, octets.length) : octets;
         return parts(header, text, scheme, reference);
+    }
+
+    /** The data_coding that says by the standard what an application means by this one. */
+    static int standardCoding(int dataCoding, Optional<EsmeAlphabet> own) {
+        if (own.isEmpty() || dataCoding != DEFAULT_ALPHABET && dataCoding != ASCII) {
+            return dataCoding;
+        }
+        return switch (own.get()) {
+            case GSM -> DEFAULT_ALPHABET;
+            case LATIN1 -> LATIN_1;
+            case ASCII -> ASCII;
+        };
     }
 
     private static List<UserData> partsOfText(SmppMessage message, byte[] octets, int reference) throws SmppViolation {
@@ -191,24 +205,44 @@ final class MessageContent {
     /**
      * The content for an application.
      *
-     * @param submittedAs the data_coding of the sending application; -1 for a mobile
+     * @param submittedAs the data_coding of the sending application, by the standard; -1 for a mobile
+     * @param own the receiving application's alphabet, if it has one
      */
-    static Translated translate(UserData part, int submittedAs) {
+    static Translated translate(UserData part, int submittedAs, Optional<EsmeAlphabet> own) {
         DataCodingScheme scheme = part.coding();
         byte[] octets = part.octets().toArray();
         int header = part.hasHeader() ? (octets[0] & 0xff) + 1 : 0;
-        if (submittedAs == LATIN_1 || submittedAs == ASCII) {
+        boolean isPlain = scheme.octet() < FIRST_OF_MOBILES;
+        boolean isGsm = scheme.alphabet() == Alphabet.GSM_7BIT;
+        boolean isText = isGsm || scheme.alphabet() == Alphabet.UCS2;
+        if (own.isPresent() && isText && isPlain && submittedAs != LATIN_1 && (isGsm || submittedAs == ASCII)) {
+            Optional<byte[]> text = encode(part.text(), own.get());
+            byte[] coded = text.orElseGet(() -> part.text().getBytes(StandardCharsets.UTF_16BE));
+            int dataCoding = text.isPresent() ? DEFAULT_ALPHABET : UCS2;
+            return new Translated(dataCoding, header > 0, joined(octets, header, coded, 0));
+        }
+        if (isText && (submittedAs == LATIN_1 || submittedAs == ASCII)) {
             byte[] text = part.text().getBytes(StandardCharsets.ISO_8859_1);
             return new Translated(submittedAs, header > 0, joined(octets, header, text, 0));
         }
-        boolean isPlain = scheme.octet() < FIRST_OF_MOBILES;
-        if (scheme.alphabet() == Alphabet.GSM_7BIT) {
+        if (isGsm) {
             byte[] septets = Septets.unpack(octets, part.length(), 0);
             int dataCoding = isPlain ? DEFAULT_ALPHABET : scheme.octet();
             return new Translated(dataCoding, header > 0, joined(octets, header, septets, headerSeptets(header)));
         }
         int dataCoding = !isPlain ? scheme.octet() : scheme.alphabet() == Alphabet.UCS2 ? UCS2 : MORE_OCTETS;
         return new Translated(submittedAs == OCTETS ? OCTETS : dataCoding, header > 0, part.octets());
+    }
+
+    /** A text in an application's alphabet, an octet a character or septet; empty if the alphabet lacks a character. */
+    static Optional<byte[]> encode(String text, EsmeAlphabet alphabet) {
+        Charset charset = alphabet == EsmeAlphabet.ASCII ? StandardCharsets.US_ASCII : StandardCharsets.ISO_8859_1;
+        boolean isPossible = alphabet == EsmeAlphabet.GSM
+                ? GsmAlphabet.encodes(text)
+                : charset.newEncoder().canEncode(text);
+        return !isPossible
+                ? Optional.empty()
+                : Optional.of(alphabet == EsmeAlphabet.GSM ? GsmAlphabet.encode(text) : text.getBytes(charset));
     }
 
     private static OctetString joined(byte[] header, int headerLength, byte[] text, int from) {

@@ -9,15 +9,36 @@ import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 
-/** States of the messages that applications sent, for query_sm and cancel_sm: all that wait, and the last that ended. */
+/** States of the messages that applications sent, for query_sm and the like: all that wait, and the last that ended. */
 final class MessageStatusStore {
     static final int MAX_ENDED = 100_000;
 
-    /** @param at when the message ended; while it waits, when it was accepted */
-    record MessageStatus(long id, String systemId, String source, MessageState state, Instant at) {
+    /**
+     * The status of one message, or of all messages of a submission.
+     *
+     * @param id of the last message of the submission
+     * @param firstId of the first one
+     * @param state ACCEPTED while one of them waits; then DELIVERED, or the state of the first that was not delivered
+     * @param at when the last one ended; while one waits, when it was accepted
+     */
+    record MessageStatus(long id, long firstId, String systemId, String source, MessageState state, Instant at) {
         private static MessageStatus of(ShortMessage message, EsmeOrigin origin, MessageState state, Instant at) {
             return new MessageStatus(
-                    message.id(), origin.systemId(), origin.source().value(), state, at);
+                    message.submissionId(),
+                    message.id() - origin.group().before(),
+                    origin.systemId(),
+                    origin.source().value(),
+                    state,
+                    at);
+        }
+
+        private MessageStatus and(MessageStatus further) {
+            boolean isFurtherWorse = further.state == MessageState.ACCEPTED
+                    || state == MessageState.DELIVERED && further.state != MessageState.DELIVERED;
+            Instant later = further.at.isAfter(at) ? further.at : at;
+            return state == MessageState.ACCEPTED
+                    ? this
+                    : new MessageStatus(id, firstId, systemId, source, isFurtherWorse ? further.state : state, later);
         }
     }
 
@@ -31,8 +52,9 @@ final class MessageStatusStore {
     }
 
     /**
-     * The status of a message.
+     * The status of a submission.
      *
+     * @param id as the application got it
      * @param systemId must have sent it
      * @param source must be its source address; empty fits every address
      */
@@ -44,13 +66,27 @@ final class MessageStatusStore {
             return Optional.empty();
         }
         String plainSource = source.startsWith("+") ? source.substring(1) : source;
-        return Optional.ofNullable(ended.get(number))
+        return find(center, number)
+                .filter(status -> status.id == number && status.systemId.equals(systemId))
+                .filter(status -> plainSource.isEmpty() || plainSource.equals(status.source))
+                .map(status -> ofSubmission(center, status));
+    }
+
+    private Optional<MessageStatus> find(ShortMessageCenter center, long id) {
+        return Optional.ofNullable(ended.get(id))
                 .or(() -> center.messages()
-                        .waitingMessage(number)
+                        .waitingMessage(id)
                         .flatMap(message -> message.esme()
                                 .map(origin -> MessageStatus.of(
-                                        message, origin, MessageState.ACCEPTED, message.acceptedAt()))))
-                .filter(status -> status.systemId.equals(systemId))
-                .filter(status -> plainSource.isEmpty() || plainSource.equals(status.source));
+                                        message, origin, MessageState.ACCEPTED, message.acceptedAt()))));
+    }
+
+    /** The messages of one submission are at most {@link MessageRequests#MAX_MESSAGES}. */
+    private MessageStatus ofSubmission(ShortMessageCenter center, MessageStatus last) {
+        MessageStatus all = last;
+        for (long id = last.firstId; id < last.id; id++) {
+            all = find(center, id).map(all::and).orElse(all);
+        }
+        return all;
     }
 }

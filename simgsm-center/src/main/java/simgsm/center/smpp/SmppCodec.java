@@ -1,9 +1,11 @@
 package simgsm.center.smpp;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import simgsm.octets.OctetString;
 
-/** Decodes PDUs; {@link SmppEncoder} encodes them. */
+/** Decodes and encodes PDUs. Each kind has one method that names its fields in order, for both directions. */
 public final class SmppCodec {
     /** Length, command id, status, sequence number, 4 octets each (3.2). */
     public static final int HEADER_LENGTH = 16;
@@ -17,6 +19,17 @@ public final class SmppCodec {
     private static final int MAX_DATA_ADDRESS = 65;
     private static final int MAX_TIME = 17;
     private static final int MAX_MESSAGE_ID = 65;
+
+    /** submit_multi, number_of_dests (4.5.1). */
+    private static final int MAX_DESTINATIONS = 254;
+    /** dest_flag (4.5.1.1). */
+    private static final int ADDRESS_FLAG = 1;
+
+    private static final int LIST_FLAG = 2;
+
+    private static final OctetString NOTHING = OctetString.of(new byte[0]);
+    private static final SmppMessage EMPTY =
+            SmppMessage.of(SmppAddress.NONE, SmppAddress.NONE, 0, 0, 0, NOTHING, List.of());
 
     private SmppCodec() {}
 
@@ -32,16 +45,13 @@ public final class SmppCodec {
     /** @param to behind the last octet of the PDU, at least {@link #HEADER_LENGTH} behind the first */
     static SmppPdu decode(byte[] octets, int from, int to) throws SmppViolation {
         SmppReader in = new SmppReader(octets, from, to);
-        in.word("command_length");
-        int id = in.word("command_id");
-        int status = in.word("command_status");
-        int sequence = in.word("sequence_number");
+        in.fourOctets("command_length", 0);
+        int id = in.fourOctets("command_id", 0);
+        int status = in.fourOctets("command_status", 0);
+        int sequence = in.fourOctets("sequence_number", 0);
         boolean isResponse = (id & SmppCommand.RESPONSE) != 0;
-        if (id == SmppCommand.RESPONSE) {
-            return new SmppPdu.GenericNack(status, sequence);
-        }
         Optional<SmppCommand> command = SmppCommand.ofCode(id);
-        if (command.isEmpty()) {
+        if (command.isEmpty() || command.get() == SmppCommand.GENERIC_NACK && !isResponse) {
             SmppViolation unknown = new SmppViolation(
                     SmppStatus.INVALID_COMMAND_ID, "command 0x" + Integer.toHexString(id) + " is not known");
             throw isResponse
@@ -49,146 +59,270 @@ public final class SmppCodec {
                     : unknown.answeredBy(new SmppPdu.GenericNack(SmppStatus.INVALID_COMMAND_ID, sequence));
         }
         if (isResponse) {
-            return response(command.get(), status, sequence, in);
+            SmppPdu.Response response = response(command.get(), status, sequence, in.hasBody());
+            return in.hasBody() ? body(in, response) : response;
         }
         try {
-            return request(command.get(), sequence, in);
+            return body(in, request(command.get(), sequence));
         } catch (SmppViolation violation) {
             throw violation.answeredBy(refusal(command.get(), violation.status(), sequence));
         }
     }
 
-    /** The response that refuses a request: without a body (4.4.2 and others). */
+    /** Encodes one PDU; a response with an error status has no body (4.4.2 and others). */
+    public static byte[] encode(SmppPdu pdu) {
+        SmppWriter out = new SmppWriter();
+        boolean isResponse = pdu instanceof SmppPdu.Response;
+        int status = pdu instanceof SmppPdu.Response response ? response.status() : SmppStatus.OK;
+        out.fourOctets("command_length", 0);
+        out.fourOctets("command_id", pdu.command().code() | (isResponse ? SmppCommand.RESPONSE : 0));
+        out.fourOctets("command_status", status);
+        out.fourOctets("sequence_number", pdu.sequence());
+        if (status == SmppStatus.OK) {
+            try {
+                body(out, pdu);
+            } catch (SmppViolation violation) {
+                throw new IllegalArgumentException(pdu + ": " + violation.getMessage(), violation);
+            }
+        }
+        return out.toArray();
+    }
+
+    /** The response that refuses a request. */
     static SmppPdu refusal(SmppCommand command, int status, int sequence) {
         return new SmppPdu.PlainResponse(command, status, sequence);
     }
 
-    private static SmppPdu request(SmppCommand command, int sequence, SmppReader in) throws SmppViolation {
-        return switch (command) {
-            case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER -> bind(command, sequence, in);
-            case SUBMIT_SM, DELIVER_SM -> new SmppPdu.Message(command, sequence, message(in));
-            case DATA_SM -> new SmppPdu.Message(command, sequence, data(in));
-            case QUERY_SM -> new SmppPdu.Query(sequence, messageId(in), address(in, MAX_ADDRESS, true));
-            case CANCEL_SM -> cancel(sequence, in);
-            case ENQUIRE_LINK, UNBIND -> new SmppPdu.Plain(command, sequence);
-        };
-    }
-
-    private static SmppPdu bind(SmppCommand command, int sequence, SmppReader in) throws SmppViolation {
-        String systemId = in.text(MAX_SYSTEM_ID, "system_id", SmppStatus.INVALID_SYSTEM_ID);
-        String password = in.text(MAX_PASSWORD, "password", SmppStatus.INVALID_PASSWORD);
-        String systemType = in.text(MAX_SYSTEM_TYPE, "system_type", SmppStatus.INVALID_SYSTEM_TYPE);
-        int version = in.octet("interface_version");
-        in.octet("addr_ton");
-        in.octet("addr_npi");
-        String range = in.text(MAX_ADDRESS_RANGE, "address_range", SmppStatus.BIND_FAILED);
-        return new SmppPdu.Bind(command, sequence, systemId, password, systemType, version, range);
-    }
-
-    private static SmppMessage message(SmppReader in) throws SmppViolation {
-        String serviceType = in.text(MAX_SERVICE_TYPE, "service_type", SmppStatus.INVALID_SERVICE_TYPE);
-        SmppAddress source = address(in, MAX_ADDRESS, true);
-        SmppAddress destination = address(in, MAX_ADDRESS, false);
-        int esmClass = in.octet("esm_class");
-        int protocolId = in.octet("protocol_id");
-        int priority = in.octet("priority_flag");
-        String schedule = in.text(MAX_TIME, "schedule_delivery_time", SmppStatus.INVALID_SCHEDULE);
-        String validity = in.text(MAX_TIME, "validity_period", SmppStatus.INVALID_VALIDITY);
-        int registeredDelivery = in.octet("registered_delivery");
-        int replace = in.octet("replace_if_present_flag");
-        int dataCoding = in.octet("data_coding");
-        int defaultMessage = in.octet("sm_default_msg_id");
-        int length = in.octet("sm_length");
-        if (length > SmppMessage.MAX_SHORT_MESSAGE) {
-            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "sm_length " + length + " is over 254");
-        }
-        OctetString text = in.string(length, "short_message", SmppStatus.INVALID_MESSAGE_LENGTH);
-        return new SmppMessage(
-                serviceType,
-                source,
-                destination,
-                esmClass,
-                protocolId,
-                priority,
-                schedule,
-                validity,
-                registeredDelivery,
-                replace,
-                dataCoding,
-                defaultMessage,
-                text,
-                in.parameters());
-    }
-
-    private static SmppMessage data(SmppReader in) throws SmppViolation {
-        String serviceType = in.text(MAX_SERVICE_TYPE, "service_type", SmppStatus.INVALID_SERVICE_TYPE);
-        SmppAddress source = address(in, MAX_DATA_ADDRESS, true);
-        SmppAddress destination = address(in, MAX_DATA_ADDRESS, false);
-        int esmClass = in.octet("esm_class");
-        int registeredDelivery = in.octet("registered_delivery");
-        int dataCoding = in.octet("data_coding");
-        return new SmppMessage(
-                serviceType,
-                source,
-                destination,
-                esmClass,
-                0,
-                0,
-                "",
-                "",
-                registeredDelivery,
-                0,
-                dataCoding,
-                0,
-                OctetString.of(new byte[0]),
-                in.parameters());
-    }
-
-    private static SmppPdu cancel(int sequence, SmppReader in) throws SmppViolation {
-        in.text(MAX_SERVICE_TYPE, "service_type", SmppStatus.INVALID_SERVICE_TYPE);
-        String messageId = messageId(in);
-        return new SmppPdu.Cancel(sequence, messageId, address(in, MAX_ADDRESS, true), address(in, MAX_ADDRESS, false));
-    }
-
-    private static String messageId(SmppReader in) throws SmppViolation {
-        return in.text(MAX_MESSAGE_ID, "message_id", SmppStatus.INVALID_MESSAGE_ID);
-    }
-
-    private static SmppAddress address(SmppReader in, int most, boolean isSource) throws SmppViolation {
-        String field = isSource ? "source_addr" : "destination_addr";
-        int ton = in.octet(field + " ton");
-        int npi = in.octet(field + " npi");
-        String value = in.text(most, field, isSource ? SmppStatus.INVALID_SOURCE : SmppStatus.INVALID_DESTINATION);
-        return new SmppAddress(ton, npi, value);
-    }
-
-    /** The body is optional: peers omit it in refusals, some in all responses. */
-    private static SmppPdu response(SmppCommand command, int status, int sequence, SmppReader in) throws SmppViolation {
+    /** A request without content. */
+    private static SmppPdu request(SmppCommand command, int sequence) {
         return switch (command) {
             case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER ->
-                new SmppPdu.BindResponse(command, status, sequence, optionalText(in));
-            case SUBMIT_SM, DELIVER_SM, DATA_SM ->
-                new SmppPdu.MessageResponse(command, status, sequence, optionalText(in));
-            case QUERY_SM ->
-                in.hasMore()
-                        ? new SmppPdu.QueryResponse(
-                                status,
-                                sequence,
-                                messageId(in),
-                                in.text(MAX_TIME, "final_date", SmppStatus.INVALID_COMMAND_LENGTH),
-                                in.octet("message_state"),
-                                in.octet("error_code"))
-                        : new SmppPdu.PlainResponse(command, status, sequence);
-            case CANCEL_SM, ENQUIRE_LINK, UNBIND -> new SmppPdu.PlainResponse(command, status, sequence);
+                new SmppPdu.Bind(command, sequence, "", "", "", 0, "");
+            case SUBMIT_SM, DELIVER_SM, DATA_SM -> new SmppPdu.Message(command, sequence, EMPTY);
+            case SUBMIT_MULTI -> new SmppPdu.SubmitMulti(sequence, EMPTY, List.of());
+            case QUERY_SM -> new SmppPdu.Query(sequence, "", SmppAddress.NONE);
+            case CANCEL_SM -> new SmppPdu.Cancel(sequence, "", SmppAddress.NONE, SmppAddress.NONE);
+            case REPLACE_SM -> new SmppPdu.Replace(sequence, "", SmppAddress.NONE, "", "", 0, 0, NOTHING);
+            case ENQUIRE_LINK, UNBIND, GENERIC_NACK -> new SmppPdu.Plain(command, sequence);
         };
     }
 
-    private static String optionalText(SmppReader in) throws SmppViolation {
-        return in.hasMore() ? in.text(MAX_MESSAGE_ID, "id", SmppStatus.INVALID_COMMAND_LENGTH) : "";
+    /** A response without content. */
+    private static SmppPdu.Response response(SmppCommand command, int status, int sequence, boolean hasBody) {
+        return switch (command) {
+            case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER ->
+                new SmppPdu.BindResponse(command, status, sequence, "");
+            case SUBMIT_SM, DELIVER_SM, DATA_SM -> new SmppPdu.MessageResponse(command, status, sequence, "");
+            case GENERIC_NACK -> new SmppPdu.GenericNack(status, sequence);
+            case SUBMIT_MULTI ->
+                hasBody
+                        ? new SmppPdu.SubmitMultiResponse(status, sequence, "", List.of())
+                        : new SmppPdu.PlainResponse(command, status, sequence);
+            case QUERY_SM ->
+                hasBody
+                        ? new SmppPdu.QueryResponse(status, sequence, "", "", 0, 0)
+                        : new SmppPdu.PlainResponse(command, status, sequence);
+            case CANCEL_SM, REPLACE_SM, ENQUIRE_LINK, UNBIND -> new SmppPdu.PlainResponse(command, status, sequence);
+        };
     }
 
-    /** Encodes one PDU. */
-    public static byte[] encode(SmppPdu pdu) {
-        return SmppEncoder.encode(pdu);
+    private static SmppPdu body(SmppFields fields, SmppPdu pdu) throws SmppViolation {
+        if (pdu instanceof SmppPdu.Message message) {
+            boolean isData = message.command() == SmppCommand.DATA_SM;
+            SmppMessage content = isData ? data(fields, message.message()) : message(fields, message.message());
+            return new SmppPdu.Message(message.command(), message.sequence(), content);
+        } else if (pdu instanceof SmppPdu.MessageResponse response) {
+            return new SmppPdu.MessageResponse(
+                    response.command(),
+                    response.status(),
+                    response.sequence(),
+                    messageId(fields, response.messageId()));
+        } else if (pdu instanceof SmppPdu.SubmitMulti multi) {
+            return submitMulti(fields, multi);
+        } else if (pdu instanceof SmppPdu.SubmitMultiResponse response) {
+            return submitMultiResponse(fields, response);
+        } else if (pdu instanceof SmppPdu.Bind bind) {
+            return bind(fields, bind);
+        } else if (pdu instanceof SmppPdu.BindResponse response) {
+            String systemId =
+                    fields.text("system_id", MAX_MESSAGE_ID, SmppStatus.INVALID_COMMAND_LENGTH, response.systemId());
+            fields.parameters(List.of(Tlv.ofOctet(Tlv.INTERFACE_VERSION, SmppServer.INTERFACE_VERSION)));
+            return new SmppPdu.BindResponse(response.command(), response.status(), response.sequence(), systemId);
+        }
+        return bodyOnMessages(fields, pdu);
+    }
+
+    /** The body of a PDU that names a submitted message; all other kinds have none. */
+    private static SmppPdu bodyOnMessages(SmppFields fields, SmppPdu pdu) throws SmppViolation {
+        if (pdu instanceof SmppPdu.Query query) {
+            return new SmppPdu.Query(
+                    query.sequence(),
+                    messageId(fields, query.messageId()),
+                    source(fields, MAX_ADDRESS, query.source()));
+        } else if (pdu instanceof SmppPdu.QueryResponse response) {
+            return new SmppPdu.QueryResponse(
+                    response.status(),
+                    response.sequence(),
+                    messageId(fields, response.messageId()),
+                    fields.text("final_date", MAX_TIME, SmppStatus.INVALID_COMMAND_LENGTH, response.finalDate()),
+                    fields.octet("message_state", response.state()),
+                    fields.octet("error_code", response.error()));
+        } else if (pdu instanceof SmppPdu.Cancel cancel) {
+            serviceType(fields, "");
+            return new SmppPdu.Cancel(
+                    cancel.sequence(),
+                    messageId(fields, cancel.messageId()),
+                    source(fields, MAX_ADDRESS, cancel.source()),
+                    destination(fields, MAX_ADDRESS, cancel.destination()));
+        } else if (pdu instanceof SmppPdu.Replace replace) {
+            return new SmppPdu.Replace(
+                    replace.sequence(),
+                    messageId(fields, replace.messageId()),
+                    source(fields, MAX_ADDRESS, replace.source()),
+                    schedule(fields, replace.schedule()),
+                    validity(fields, replace.validity()),
+                    fields.octet("registered_delivery", replace.registeredDelivery()),
+                    fields.octet("sm_default_msg_id", replace.defaultMessageId()),
+                    fields.shortMessage(replace.shortMessage()));
+        }
+        return pdu;
+    }
+
+    private static SmppPdu bind(SmppFields fields, SmppPdu.Bind bind) throws SmppViolation {
+        String systemId = fields.text("system_id", MAX_SYSTEM_ID, SmppStatus.INVALID_SYSTEM_ID, bind.systemId());
+        String password = fields.text("password", MAX_PASSWORD, SmppStatus.INVALID_PASSWORD, bind.password());
+        String type = fields.text("system_type", MAX_SYSTEM_TYPE, SmppStatus.INVALID_SYSTEM_TYPE, bind.systemType());
+        int version = fields.octet("interface_version", bind.interfaceVersion());
+        fields.octet("addr_ton", 0);
+        fields.octet("addr_npi", 0);
+        String range = fields.text("address_range", MAX_ADDRESS_RANGE, SmppStatus.BIND_FAILED, bind.addressRange());
+        return new SmppPdu.Bind(bind.command(), bind.sequence(), systemId, password, type, version, range);
+    }
+
+    /** submit_sm and deliver_sm. */
+    private static SmppMessage message(SmppFields fields, SmppMessage message) throws SmppViolation {
+        String serviceType = serviceType(fields, message.serviceType());
+        SmppAddress source = source(fields, MAX_ADDRESS, message.source());
+        SmppAddress destination = destination(fields, MAX_ADDRESS, message.destination());
+        return fromEsmClass(fields, serviceType, source, destination, message);
+    }
+
+    private static SmppPdu submitMulti(SmppFields fields, SmppPdu.SubmitMulti multi) throws SmppViolation {
+        SmppMessage message = multi.message();
+        String serviceType = serviceType(fields, message.serviceType());
+        SmppAddress source = source(fields, MAX_ADDRESS, message.source());
+        int count = fields.octet("number_of_dests", multi.destinations().size());
+        if (count == 0 || count > MAX_DESTINATIONS) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_NUMBER_OF_DESTINATIONS, count + " destinations, expected 1 to 254");
+        }
+        List<SmppAddress> destinations = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            int flag = fields.octet("dest_flag", ADDRESS_FLAG);
+            if (flag != ADDRESS_FLAG) {
+                int status =
+                        flag == LIST_FLAG ? SmppStatus.INVALID_DISTRIBUTION_LIST : SmppStatus.INVALID_DESTINATION_FLAG;
+                throw new SmppViolation(status, "dest_flag " + flag + ", expected 1, an address");
+            }
+            boolean isGiven = i < multi.destinations().size();
+            destinations.add(destination(
+                    fields, MAX_ADDRESS, isGiven ? multi.destinations().get(i) : SmppAddress.NONE));
+        }
+        return new SmppPdu.SubmitMulti(
+                multi.sequence(), fromEsmClass(fields, serviceType, source, SmppAddress.NONE, message), destinations);
+    }
+
+    private static SmppPdu submitMultiResponse(SmppFields fields, SmppPdu.SubmitMultiResponse response)
+            throws SmppViolation {
+        String messageId = messageId(fields, response.messageId());
+        int count = fields.octet("no_unsuccess", response.refused().size());
+        List<SmppPdu.Refused> refused = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            boolean isGiven = i < response.refused().size();
+            SmppPdu.Refused each =
+                    isGiven ? response.refused().get(i) : new SmppPdu.Refused(SmppAddress.NONE, SmppStatus.OK);
+            refused.add(new SmppPdu.Refused(
+                    destination(fields, MAX_ADDRESS, each.destination()),
+                    fields.fourOctets("error_status_code", each.status())));
+        }
+        return new SmppPdu.SubmitMultiResponse(response.status(), response.sequence(), messageId, refused);
+    }
+
+    /** The fields that submit_sm, deliver_sm and submit_multi end with. */
+    private static SmppMessage fromEsmClass(
+            SmppFields fields, String serviceType, SmppAddress source, SmppAddress destination, SmppMessage message)
+            throws SmppViolation {
+        return new SmppMessage(
+                serviceType,
+                source,
+                destination,
+                fields.octet("esm_class", message.esmClass()),
+                fields.octet("protocol_id", message.protocolId()),
+                fields.octet("priority_flag", message.priority()),
+                schedule(fields, message.schedule()),
+                validity(fields, message.validity()),
+                fields.octet("registered_delivery", message.registeredDelivery()),
+                fields.octet("replace_if_present_flag", message.replaceIfPresent()),
+                fields.octet("data_coding", message.dataCoding()),
+                fields.octet("sm_default_msg_id", message.defaultMessageId()),
+                fields.shortMessage(message.shortMessage()),
+                fields.parameters(message.parameters()));
+    }
+
+    private static SmppMessage data(SmppFields fields, SmppMessage message) throws SmppViolation {
+        String serviceType = serviceType(fields, message.serviceType());
+        SmppAddress source = source(fields, MAX_DATA_ADDRESS, message.source());
+        SmppAddress destination = destination(fields, MAX_DATA_ADDRESS, message.destination());
+        int esmClass = fields.octet("esm_class", message.esmClass());
+        int registeredDelivery = fields.octet("registered_delivery", message.registeredDelivery());
+        int dataCoding = fields.octet("data_coding", message.dataCoding());
+        List<Tlv> parameters = fields.parameters(message.parameters());
+        return new SmppMessage(
+                serviceType,
+                source,
+                destination,
+                esmClass,
+                0,
+                0,
+                "",
+                "",
+                registeredDelivery,
+                0,
+                dataCoding,
+                0,
+                NOTHING,
+                parameters);
+    }
+
+    private static String serviceType(SmppFields fields, String value) throws SmppViolation {
+        return fields.text("service_type", MAX_SERVICE_TYPE, SmppStatus.INVALID_SERVICE_TYPE, value);
+    }
+
+    private static String messageId(SmppFields fields, String value) throws SmppViolation {
+        return fields.text("message_id", MAX_MESSAGE_ID, SmppStatus.INVALID_MESSAGE_ID, value);
+    }
+
+    private static String schedule(SmppFields fields, String value) throws SmppViolation {
+        return fields.text("schedule_delivery_time", MAX_TIME, SmppStatus.INVALID_SCHEDULE, value);
+    }
+
+    private static String validity(SmppFields fields, String value) throws SmppViolation {
+        return fields.text("validity_period", MAX_TIME, SmppStatus.INVALID_VALIDITY, value);
+    }
+
+    private static SmppAddress source(SmppFields fields, int most, SmppAddress value) throws SmppViolation {
+        return address(fields, "source_addr", most, SmppStatus.INVALID_SOURCE, value);
+    }
+
+    private static SmppAddress destination(SmppFields fields, int most, SmppAddress value) throws SmppViolation {
+        return address(fields, "destination_addr", most, SmppStatus.INVALID_DESTINATION, value);
+    }
+
+    private static SmppAddress address(SmppFields fields, String field, int most, int status, SmppAddress value)
+            throws SmppViolation {
+        return new SmppAddress(
+                fields.octet(field + "_ton", value.ton()),
+                fields.octet(field + "_npi", value.npi()),
+                fields.text(field, most, status, value.value()));
     }
 }

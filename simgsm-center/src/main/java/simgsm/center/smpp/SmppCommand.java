@@ -6,18 +6,22 @@ import java.util.Optional;
 
 /** Commands that the centre implements (5.1.2.1). */
 public enum SmppCommand {
+    /** Only as a response. */
+    GENERIC_NACK(0x000),
     BIND_RECEIVER(0x001),
     BIND_TRANSMITTER(0x002),
     QUERY_SM(0x003),
     SUBMIT_SM(0x004),
     DELIVER_SM(0x005),
     UNBIND(0x006),
+    REPLACE_SM(0x007),
     CANCEL_SM(0x008),
     BIND_TRANSCEIVER(0x009),
     ENQUIRE_LINK(0x015),
+    SUBMIT_MULTI(0x021),
     DATA_SM(0x103);
 
-    /** Set in the command_id of a response; alone it is generic_nack. */
+    /** Set in the command_id of a response. */
     static final int RESPONSE = 0x8000_0000;
 
     private static final Map<Integer, SmppCommand> BY_CODE = new HashMap<>();

@@ -6,7 +6,7 @@ import simgsm.octets.OctetReader;
 import simgsm.octets.OctetString;
 
 /** Reads one PDU; where it is too short or a field too long, the violation has the status that answers it. */
-final class SmppReader extends OctetReader<SmppViolation> {
+final class SmppReader extends OctetReader<SmppViolation> implements SmppFields {
     /** Tag and length, two octets each (5.3.1). */
     private static final int TLV_HEADER = 4;
 
@@ -14,18 +14,18 @@ final class SmppReader extends OctetReader<SmppViolation> {
         super(octets, from, to, text -> new SmppViolation(SmppStatus.INVALID_COMMAND_LENGTH, text));
     }
 
-    /** Four octets of the header, as the bits of an int. */
-    int word(String field) throws SmppViolation {
+    @Override
+    public int octet(String field, int ignored) throws SmppViolation {
+        return octet(field);
+    }
+
+    @Override
+    public int fourOctets(String field, int ignored) throws SmppViolation {
         return (int) fourOctets(field);
     }
 
-    /**
-     * A text that ends with a zero octet.
-     *
-     * @param most octets, with the zero
-     * @param status the answer to a longer one
-     */
-    String text(int most, String field, int status) throws SmppViolation {
+    @Override
+    public String text(String field, int most, int status, String ignored) throws SmppViolation {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < most; i++) {
             if (!hasMore()) {
@@ -40,14 +40,17 @@ final class SmppReader extends OctetReader<SmppViolation> {
         throw new SmppViolation(status, field + " does not end within " + most + " octets");
     }
 
-    /** @param status the answer if fewer octets are left */
-    OctetString string(int count, String field, int status) throws SmppViolation {
-        require(count, field, status);
-        return string(count, field);
+    @Override
+    public OctetString shortMessage(OctetString ignored) throws SmppViolation {
+        int length = octet("sm_length");
+        if (length > SmppMessage.MAX_SHORT_MESSAGE) {
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "sm_length " + length + " is over 254");
+        }
+        return string(length, "short_message", SmppStatus.INVALID_MESSAGE_LENGTH);
     }
 
-    /** All that is left, as optional parameters. */
-    List<Tlv> parameters() throws SmppViolation {
+    @Override
+    public List<Tlv> parameters(List<Tlv> ignored) throws SmppViolation {
         List<Tlv> found = new ArrayList<>(2);
         while (hasMore()) {
             require(TLV_HEADER, "an optional parameter", SmppStatus.INVALID_OPTIONAL_PART);
@@ -58,6 +61,17 @@ final class SmppReader extends OctetReader<SmppViolation> {
         return found;
     }
 
+    @Override
+    public boolean hasBody() {
+        return hasMore();
+    }
+
+    private OctetString string(int count, String field, int status) throws SmppViolation {
+        require(count, field, status);
+        return string(count, field);
+    }
+
+    /** @param status the answer if fewer octets are left */
     private void require(int count, String field, int status) throws SmppViolation {
         if (count > remaining()) {
             throw new SmppViolation(

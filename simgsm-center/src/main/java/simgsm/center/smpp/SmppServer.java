@@ -14,11 +14,11 @@ public final class SmppServer {
     private static final System.Logger LOG = System.getLogger(SmppServer.class.getName());
 
     private final EsmeRoutes routes = new EsmeRoutes();
-    private final MessageStatusStore statuses = new MessageStatusStore();
+    private final BindLimiter bindLimiter = new BindLimiter();
     private SmppUsers users = SmppUsers.anyLocal();
     private Timers timers;
     private ShortMessageCenter center;
-    private SubmitHandler submissions;
+    private MessageRequests requests;
     private int sessions;
 
     /** To be followed by {@link #serve}, because the short message centre is made with {@link #routes}. */
@@ -28,8 +28,7 @@ public final class SmppServer {
     public void serve(ShortMessageCenter shortMessages, Timers centersTimers) {
         timers = centersTimers;
         center = shortMessages;
-        submissions = new SubmitHandler(shortMessages);
-        shortMessages.addListener((message, state) -> statuses.changed(message, state, shortMessages.now()));
+        requests = new MessageRequests(shortMessages);
     }
 
     /** Sets the applications that may bind from now on; at first, any on this machine. */
@@ -89,15 +88,15 @@ public final class SmppServer {
         return users;
     }
 
+    BindLimiter bindLimiter() {
+        return bindLimiter;
+    }
+
+    MessageRequests requests() {
+        return requests;
+    }
+
     ShortMessageCenter center() {
         return center;
-    }
-
-    SubmitHandler submissions() {
-        return submissions;
-    }
-
-    MessageStatusStore statuses() {
-        return statuses;
     }
 }

@@ -35,9 +35,11 @@ public final class SmppSessionTable {
         SUBMIT_SM,
         DELIVER_SM,
         UNBIND,
+        REPLACE_SM,
         CANCEL_SM,
         BIND_TRANSCEIVER,
         ENQUIRE_LINK,
+        SUBMIT_MULTI,
         DATA_SM,
         /** The connection is lost, or closed by the centre. */
         END;
@@ -66,6 +68,8 @@ public final class SmppSessionTable {
             .stay(EnumSet.of(OPEN, BOUND_TX, BOUND_RX, BOUND_TRX), ENQUIRE_LINK)
             .stay(SENDING, SUBMIT_SM)
             .stay(SENDING, DATA_SM)
+            .stay(SENDING, SUBMIT_MULTI)
+            .stay(SENDING, REPLACE_SM)
             .stay(SENDING, QUERY_SM)
             .stay(SENDING, CANCEL_SM)
             .on(BOUND, UNBIND, UNBOUND, REMOVE_FROM_ROUTES, CLOSE_CONNECTION)

@@ -20,8 +20,12 @@ public final class SmppStatus {
     public static final int INVALID_PASSWORD = 0x0e;
     public static final int INVALID_SYSTEM_ID = 0x0f;
     public static final int CANCEL_FAILED = 0x11;
+    public static final int REPLACE_FAILED = 0x13;
     public static final int QUEUE_FULL = 0x14;
     public static final int INVALID_SERVICE_TYPE = 0x15;
+    public static final int INVALID_NUMBER_OF_DESTINATIONS = 0x33;
+    public static final int INVALID_DISTRIBUTION_LIST = 0x34;
+    public static final int INVALID_DESTINATION_FLAG = 0x40;
     public static final int INVALID_ESM_CLASS = 0x43;
     public static final int SUBMIT_FAILED = 0x45;
     public static final int INVALID_SYSTEM_TYPE = 0x53;

@@ -2,18 +2,22 @@ package simgsm.center.smpp;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
+import java.util.HashMap;
 import java.util.Map;
+import java.util.TreeMap;
 
-/** Applications that may bind. */
+/** Applications that may bind, and the settings of each. */
 public final class SmppUsers {
     private static final int MAX_SYSTEM_ID = 15;
     private static final int MAX_PASSWORD = 8;
 
-    private final Map<String, String> passwords;
+    private record User(String password, EsmeSettings settings) {}
+
+    private final Map<String, User> users;
     private final boolean isOpen;
 
-    private SmppUsers(Map<String, String> passwords, boolean isOpen) {
-        this.passwords = Map.copyOf(passwords);
+    private SmppUsers(Map<String, User> users, boolean isOpen) {
+        this.users = Map.copyOf(users);
         this.isOpen = isOpen;
     }
 
@@ -25,19 +29,60 @@ public final class SmppUsers {
     /**
      * Only the listed applications.
      *
-     * @param passwords by system id
-     * @throws IllegalArgumentException for an id of over 15 or a password of over 8 characters (5.2.1, 5.2.2)
+     * @param lines {@code id=password}, and {@code id.SETTING=value} for its settings
+     * @throws IllegalArgumentException naming the line that is wrong, such as an id of over 15 characters or a password of
+     *     over 8 (5.2.1, 5.2.2)
      */
-    public static SmppUsers only(Map<String, String> passwords) {
-        passwords.forEach((id, password) -> {
-            if (id.isEmpty() || id.length() > MAX_SYSTEM_ID) {
-                throw new IllegalArgumentException("system id \"" + id + "\" is not of 1 to 15 characters");
-            }
-            if (password.length() > MAX_PASSWORD) {
-                throw new IllegalArgumentException("the password of " + id + " is longer than 8 characters");
+    public static SmppUsers only(Map<String, String> lines) {
+        Map<String, User> users = new HashMap<>();
+        // In order, so that an id comes before its settings.
+        new TreeMap<>(lines).forEach((key, value) -> {
+            int dot = settingAfter(key, users);
+            if (dot < 0) {
+                users.put(key, user(key, value));
+            } else {
+                String id = key.substring(0, dot);
+                users.put(id, changed(users.get(id), key, key.substring(dot + 1), value));
             }
         });
-        return new SmppUsers(passwords, false);
+        return new SmppUsers(users, false);
+    }
+
+    /** The dot between a system id and the name of a setting; -1 if the key is a system id, which may have dots too. */
+    private static int settingAfter(String key, Map<String, User> users) {
+        for (int dot = key.indexOf('.'); dot >= 0; dot = key.indexOf('.', dot + 1)) {
+            String id = key.substring(0, dot);
+            boolean isSetting = EsmeSettings.isSetting(key.substring(dot + 1));
+            if (isSetting && !users.containsKey(id)) {
+                throw new IllegalArgumentException(key + ": there is no line " + id + "=password");
+            }
+            if (isSetting || users.containsKey(id)) {
+                return dot;
+            }
+        }
+        return -1;
+    }
+
+    private static User user(String id, String password) {
+        if (id.isEmpty() || id.length() > MAX_SYSTEM_ID) {
+            throw new IllegalArgumentException("system id \"" + id + "\" is not of 1 to 15 characters");
+        }
+        if (password.length() > MAX_PASSWORD) {
+            throw new IllegalArgumentException("the password of " + id + " is longer than 8 characters");
+        }
+        return new User(password, EsmeSettings.STANDARD);
+    }
+
+    private static User changed(User user, String key, String name, String value) {
+        if (!EsmeSettings.isSetting(name)) {
+            throw new IllegalArgumentException(
+                    key + ": expected alphabet, window, rate or retry.0xSTATUS, found " + name);
+        }
+        try {
+            return new User(user.password, user.settings.with(name, value.strip()));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(key + ": " + e.getMessage());
+        }
     }
 
     /** The command_status of a bind. */
@@ -48,15 +93,20 @@ public final class SmppUsers {
         if (isOpen) {
             return isLocal ? SmppStatus.OK : SmppStatus.BIND_FAILED;
         }
-        String expected = passwords.get(systemId);
-        if (expected == null) {
+        User user = users.get(systemId);
+        if (user == null) {
             return SmppStatus.INVALID_SYSTEM_ID;
         }
-        boolean isRight = MessageDigest.isEqual(octets(expected), octets(password));
+        boolean isRight = MessageDigest.isEqual(octets(user.password), octets(password));
         return isRight ? SmppStatus.OK : SmppStatus.INVALID_PASSWORD;
     }
 
     private static byte[] octets(String text) {
         return text.getBytes(StandardCharsets.ISO_8859_1);
+    }
+
+    EsmeSettings settings(String systemId) {
+        User user = users.get(systemId);
+        return user == null ? EsmeSettings.STANDARD : user.settings;
     }
 }

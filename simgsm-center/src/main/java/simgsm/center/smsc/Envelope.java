@@ -1,6 +1,7 @@
 package simgsm.center.smsc;
 
 import java.time.Instant;
+import java.util.Optional;
 import simgsm.octets.OctetString;
 
 /** An element of a receiver's queue: a message, or a report on one. */
@@ -10,6 +11,11 @@ public sealed interface Envelope {
     Destination destination();
 
     Instant expiresAt();
+
+    /** The time of the first attempt; empty for an immediate one. */
+    default Optional<Instant> notBefore() {
+        return Optional.empty();
+    }
 
     /**
      * The DELIVER or STATUS-REPORT.
@@ -28,6 +34,11 @@ public sealed interface Envelope {
         @Override
         public Instant expiresAt() {
             return message.expiresAt();
+        }
+
+        @Override
+        public Optional<Instant> notBefore() {
+            return message.esme().flatMap(EsmeOrigin::deliverAt);
         }
 
         @Override

@@ -1,5 +1,7 @@
 package simgsm.center.smsc;
 
+import java.time.Instant;
+import java.util.Optional;
 import simgsm.sms.SmsAddress;
 
 /**
@@ -9,8 +11,16 @@ import simgsm.sms.SmsAddress;
  * @param source originator address as submitted; a number, or letters
  * @param dataCoding as submitted (SMPP 3.4, 5.2.19); another application receives the same value
  * @param receipts which receipts are requested
+ * @param group the message's place in its submission
+ * @param deliverAt the first attempt (SMPP 3.4, 5.2.15); empty for an immediate one
  */
-public record EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Receipts receipts) {
+public record EsmeOrigin(
+        String systemId,
+        SmsAddress source,
+        int dataCoding,
+        Receipts receipts,
+        Group group,
+        Optional<Instant> deliverAt) {
     /** Bits 1-0 of registered_delivery (SMPP 3.4, 5.2.17); the value is the ordinal. */
     public enum Receipts {
         NONE,
@@ -22,7 +32,27 @@ public record EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Rec
         }
     }
 
-    EsmeOrigin withoutReceipts() {
-        return new EsmeOrigin(systemId, source, dataCoding, Receipts.NONE);
+    /**
+     * The messages of one submission, its parts and destinations, have consecutive ids.
+     *
+     * @param before how many have lower ids
+     * @param after how many have higher ids
+     */
+    public record Group(int before, int after) {
+        public static final Group SINGLE = new Group(0, 0);
+    }
+
+    /** A single message, delivered at once. */
+    public EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Receipts receipts) {
+        this(systemId, source, dataCoding, receipts, Group.SINGLE, Optional.empty());
+    }
+
+    EsmeOrigin member(Group place, boolean isReceipted) {
+        return new EsmeOrigin(systemId, source, dataCoding, isReceipted ? receipts : Receipts.NONE, place, deliverAt);
+    }
+
+    /** The same origin with another request for receipts and time of delivery. */
+    public EsmeOrigin with(Receipts newReceipts, Optional<Instant> newDeliverAt) {
+        return new EsmeOrigin(systemId, source, dataCoding, newReceipts, group, newDeliverAt);
     }
 }

@@ -22,7 +22,7 @@ final class QueueEntry {
     }
 
     final ReceiverQueue queue;
-    final Envelope envelope;
+    Envelope envelope;
     /** In the order of acceptance. */
     final long place;
 
@@ -32,7 +32,11 @@ final class QueueEntry {
     int failures;
 
     int refusals;
-    Timer expiry;
+    /** Runs until the scheduled time of delivery, then until the validity ends. */
+    Timer timer;
+
+    boolean isScheduled;
+    /** An attempt is under way, or the message is being replaced. */
     boolean isInFlight;
     /** When it is tried again by itself; null unless it is postponed. */
     Due due;

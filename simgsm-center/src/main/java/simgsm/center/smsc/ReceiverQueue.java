@@ -45,6 +45,7 @@ final class ReceiverQueue {
     /** Entries that are tried again at a time of their own. */
     private final NavigableMap<QueueEntry.Due, QueueEntry> postponed;
 
+    private int scheduled;
     private int inFlight;
     private int reserved;
     private boolean isMemoryFull;
@@ -68,7 +69,7 @@ final class ReceiverQueue {
 
     /** Entries held, those under way and the reserved places included. */
     int size() {
-        return ready.size() + postponed.size() + inFlight + reserved;
+        return ready.size() + postponed.size() + scheduled + inFlight + reserved;
     }
 
     /** Reserves places for messages that are being stored; a negative count gives them back. */
@@ -79,10 +80,58 @@ final class ReceiverQueue {
     /** Adds an envelope; {@link #attempt} then begins its delivery. */
     QueueEntry add(Envelope envelope) {
         QueueEntry added = new QueueEntry(this, envelope, nextPlace++);
-        ready.put(added.place, added);
-        Duration lifetime = Duration.between(context.now(), envelope.expiresAt());
-        added.expiry = timers.start(lifetime.toNanos(), () -> expire(added));
+        begin(added);
         return added;
+    }
+
+    /** Makes an entry ready, now or at its scheduled time. */
+    private void begin(QueueEntry entry) {
+        Instant now = context.now();
+        Optional<Instant> later = entry.envelope.notBefore().filter(now::isBefore);
+        if (later.isPresent()) {
+            entry.isScheduled = true;
+            scheduled++;
+            entry.timer = start(now, later.get(), () -> scheduledTimeHasCome(entry));
+        } else {
+            ready.put(entry.place, entry);
+            entry.timer = start(now, entry.envelope.expiresAt(), () -> expire(entry));
+        }
+    }
+
+    private Timer start(Instant now, Instant end, Runnable action) {
+        return timers.start(Duration.between(now, end).toNanos(), action);
+    }
+
+    private void scheduledTimeHasCome(QueueEntry entry) {
+        unschedule(entry);
+        begin(entry);
+        attempt();
+    }
+
+    private void unschedule(QueueEntry entry) {
+        entry.isScheduled = false;
+        scheduled--;
+    }
+
+    /** Holds an entry back while its replacement is stored; false if an attempt is under way. */
+    boolean hold(QueueEntry entry) {
+        if (entry.isInFlight) {
+            return false;
+        }
+        takeOut(entry);
+        entry.isInFlight = true;
+        inFlight++;
+        return true;
+    }
+
+    /** Puts a held entry back at its place, with this content. */
+    void release(QueueEntry entry, Envelope content) {
+        inFlight--;
+        entry.isInFlight = false;
+        entry.stateOnFailure = null;
+        entry.envelope = content;
+        begin(entry);
+        attempt();
     }
 
     /** Removes an entry as DELETED; false if an attempt is under way. */
@@ -113,7 +162,10 @@ final class ReceiverQueue {
             QueueEntry first = pollNext();
             first.isInFlight = true;
             inFlight++;
-            port.deliver(first.envelope, size() - reserved > 1, outcome -> attempted(first, outcome));
+            port.deliver(
+                    first.envelope,
+                    ready.size() + postponed.size() + inFlight > 1,
+                    outcome -> attempted(first, outcome));
         }
         awaitNext();
     }
@@ -205,17 +257,24 @@ final class ReceiverQueue {
     }
 
     private void remove(QueueEntry entry, MessageState state) {
-        if (entry.due == null) {
-            ready.remove(entry.place);
-        } else {
-            postponed.remove(entry.due);
-            awaitNext();
-        }
-        timers.cancel(entry.expiry);
+        takeOut(entry);
         if (ready.isEmpty() && inFlight == 0) {
             endPause();
         }
         context.ended.accept(entry, state);
+    }
+
+    private void takeOut(QueueEntry entry) {
+        timers.cancel(entry.timer);
+        if (entry.isScheduled) {
+            unschedule(entry);
+        } else if (entry.due == null) {
+            ready.remove(entry.place);
+        } else {
+            postponed.remove(entry.due);
+            entry.due = null;
+            awaitNext();
+        }
     }
 
     MessageHistory history(QueueEntry entry) {
@@ -230,6 +289,9 @@ final class ReceiverQueue {
     }
 
     private Optional<Long> nextTryNanos(QueueEntry entry) {
+        if (entry.isScheduled) {
+            return Optional.of(entry.timer.deadlineNanos());
+        }
         if (entry.due != null) {
             return isDue(entry.due) ? Optional.empty() : Optional.of(entry.due.nanos());
         }
@@ -241,6 +303,9 @@ final class ReceiverQueue {
     private WaitReason waitReason(QueueEntry entry) {
         if (entry.isInFlight) {
             return WaitReason.UNDER_WAY;
+        }
+        if (entry.isScheduled) {
+            return WaitReason.SCHEDULED;
         }
         if (entry.due != null) {
             return WaitReason.AWAITING_RETRY;

@@ -35,7 +35,8 @@ final class ReceiverQueues {
     }
 
     void removeIfEmpty(Destination destination) {
-        if (queues.get(destination).size() == 0) {
+        ReceiverQueue queue = queues.get(destination);
+        if (queue != null && queue.size() == 0) {
             queues.remove(destination);
             context.port().emptied(destination);
         }

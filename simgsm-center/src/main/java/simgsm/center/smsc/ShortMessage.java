@@ -30,6 +30,11 @@ public record ShortMessage(
         this(id, from, to, submit, acceptedAt, expiresAt, Optional.empty());
     }
 
+    /** The id that an application knows: the last one of its submission. */
+    public long submissionId() {
+        return id + esme.map(origin -> origin.group().after()).orElse(0);
+    }
+
     ShortMessage stampedAt(Instant stamp) {
         return new ShortMessage(id, from, to, submit, stamp, expiresAt, esme);
     }

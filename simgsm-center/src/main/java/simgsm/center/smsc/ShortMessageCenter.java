@@ -54,8 +54,8 @@ public final class ShortMessageCenter {
     private final MessageRegister messages;
 
     private final Map<Long, Submission> submissions = new HashMap<>();
-    /** Reports on ends that are not yet durable, by ticket: a report that was sent once must not change. */
-    private final Map<Long, Envelope.Report> unstoredReports = new HashMap<>();
+    /** By ticket. A report is sent when its end is durable: one that was sent once must not change. */
+    private final Map<Long, Consumer<Boolean>> otherCommits = new HashMap<>();
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
@@ -162,36 +162,40 @@ public final class ShortMessageCenter {
     }
 
     /**
-     * Accepts a message from an application: all of its parts, from {@link #nextId} on, or none. A receipt is sent for the
-     * last part.
+     * Accepts messages from an application, all or none: the parts of one text for each of its receivers. Their ids count
+     * up from {@link #nextId}. A receipt is sent for the last part to each receiver.
      *
-     * @param answer called once: empty when all parts are stored, else the cause of their refusal
+     * @param units with the receivers' numbers as destinations, those to the same receiver one after the other
+     * @param answer called once: empty when all are stored, else the cause of their refusal
      */
     public void submit(
             EsmeOrigin origin,
             Msisdn from,
-            Msisdn to,
-            List<SubmitTpdu> parts,
+            List<SubmitTpdu> units,
             Optional<Instant> expiresAt,
             Consumer<Optional<RpCause>> answer) {
-        Optional<RpCause> refusal = refusal(to, parts.size());
-        if (refusal.isPresent()) {
-            answer.accept(refusal);
-            return;
-        }
-        List<ShortMessage> messages = new ArrayList<>(parts.size());
-        for (SubmitTpdu part : parts) {
-            boolean isLast = messages.size() == parts.size() - 1;
-            messages.add(new ShortMessage(
-                    nextId + messages.size(),
+        List<ShortMessage> accepted = new ArrayList<>(units.size());
+        for (SubmitTpdu unit : units) {
+            Msisdn to = unit.destination().number().orElseThrow();
+            Optional<RpCause> refusal = refusal(to, units.size());
+            if (refusal.isPresent()) {
+                answer.accept(refusal);
+                return;
+            }
+            int before = accepted.size();
+            int after = units.size() - before - 1;
+            boolean isLastPart =
+                    after == 0 || !units.get(before + 1).destination().equals(unit.destination());
+            accepted.add(new ShortMessage(
+                    nextId + before,
                     from,
                     to,
-                    TpduCodec.encode(part),
-                    stamps.stamp(origin.source(), to, part, now()),
-                    expiresAt.orElse(now().plus(DEFAULT_VALIDITY)),
-                    Optional.of(isLast ? origin : origin.withoutReceipts())));
+                    TpduCodec.encode(unit),
+                    stamps.stamp(origin.source(), to, unit, now()),
+                    expiresAt.orElse(origin.deliverAt().orElse(now()).plus(DEFAULT_VALIDITY)),
+                    Optional.of(origin.member(new EsmeOrigin.Group(before, after), isLastPart))));
         }
-        commit(messages, answer);
+        commit(accepted, answer);
     }
 
     /** Answers a repeated submission like the original: at once if that is stored, else together with it. */
@@ -204,19 +208,23 @@ public final class ShortMessageCenter {
         }
     }
 
-    private void commit(List<ShortMessage> messages, Consumer<Optional<RpCause>> answer) {
-        nextId += messages.size();
-        uncommitted += messages.size();
-        queues.of(new Destination.Number(messages.get(0).to())).reserve(messages.size());
+    private void commit(List<ShortMessage> accepted, Consumer<Optional<RpCause>> answer) {
+        nextId += accepted.size();
+        uncommitted += accepted.size();
+        accepted.forEach(message -> reserve(message, 1));
         long ticket = nextTicket++;
-        submissions.put(ticket, new Submission(messages, answer));
+        submissions.put(ticket, new Submission(accepted, answer));
         store.commit(
                 ticket,
-                messages.stream().<StoreEntry>map(StoreEntry.Accepted::new).toList());
+                accepted.stream().<StoreEntry>map(StoreEntry.Accepted::new).toList());
     }
 
-    /** Why this number of messages cannot be accepted; empty if they can. */
-    private Optional<RpCause> refusal(Msisdn receiver, int count) {
+    private void reserve(ShortMessage message, int count) {
+        queues.of(new Destination.Number(message.to())).reserve(count);
+    }
+
+    /** Why this number of messages to a receiver cannot be accepted; empty if they can. */
+    public Optional<RpCause> refusal(Msisdn receiver, int count) {
         if (!port.isServed(receiver)) {
             return Optional.of(RpCause.UNASSIGNED_NUMBER);
         }
@@ -229,38 +237,53 @@ public final class ShortMessageCenter {
     /** The store's answer to an earlier commit. */
     public void committed(long ticket, boolean isDurable) {
         Submission submission = submissions.remove(ticket);
-        Envelope.Report report = unstoredReports.remove(ticket);
+        Consumer<Boolean> other = otherCommits.remove(ticket);
         if (submission != null) {
             submissionStored(submission, isDurable);
-        } else if (report != null && isDurable) {
-            report(report);
-        } else if (report != null) {
-            // After a crash its message would wait again, and might end in another state.
-            timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
+        } else if (other != null) {
+            other.accept(isDurable);
         }
     }
 
     private void submissionStored(Submission submission, boolean isDurable) {
-        List<ShortMessage> messages = submission.messages;
-        uncommitted -= messages.size();
-        Destination destination = new Destination.Number(messages.get(0).to());
-        queues.of(destination).reserve(-messages.size());
+        List<ShortMessage> stored = submission.messages;
+        uncommitted -= stored.size();
+        stored.forEach(message -> reserve(message, -1));
         if (isDurable) {
             submission.answer.accept(Optional.empty());
-            for (ShortMessage message : messages) {
+            for (ShortMessage message : stored) {
                 listener.accept(message, MessageState.ACCEPTED);
                 enqueue(new Envelope.Delivery(message));
             }
         } else {
-            queues.removeIfEmpty(destination);
-            for (ShortMessage message : messages) {
+            for (ShortMessage message : stored) {
+                queues.removeIfEmpty(new Destination.Number(message.to()));
                 if (message.esme().isEmpty()) {
                     recent.forget(message.from(), message.to(), TransferUnits.submitOf(message));
                 }
             }
             submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
-            messages.forEach(message -> listener.accept(message, MessageState.REJECTED));
+            stored.forEach(message -> listener.accept(message, MessageState.REJECTED));
         }
+    }
+
+    /**
+     * Replaces the content of a message that waits; it keeps its place.
+     *
+     * @param changed with the message's id and receiver
+     * @param answer is given whether the new content is stored; if not, the old one holds. Not called after false
+     * @return false if no message with this id waits, or an attempt at it is under way
+     */
+    public boolean replace(ShortMessage changed, Consumer<Boolean> answer) {
+        QueueEntry entry = messages.entry(changed.id());
+        if (entry == null || !entry.queue.hold(entry)) {
+            return false;
+        }
+        commit(new StoreEntry.Accepted(changed), isDurable -> {
+            answer.accept(isDurable);
+            entry.queue.release(entry, isDurable ? new Envelope.Delivery(changed) : entry.envelope);
+        });
+        return true;
     }
 
     /** A mobile has registered, or has memory for messages again. */
@@ -335,9 +358,20 @@ public final class ShortMessageCenter {
     }
 
     private void storeEnd(Envelope.Report report) {
+        commit(new StoreEntry.Ended(report.message().id(), report.state(), report.at(), true), isDurable -> {
+            if (isDurable) {
+                report(report);
+            } else {
+                // After a crash its message would wait again, and might end in another state.
+                timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
+            }
+        });
+    }
+
+    private void commit(StoreEntry entry, Consumer<Boolean> stored) {
         long ticket = nextTicket++;
-        unstoredReports.put(ticket, report);
-        store.commit(ticket, List.of(new StoreEntry.Ended(report.message().id(), report.state(), report.at(), true)));
+        otherCommits.put(ticket, stored);
+        store.commit(ticket, List.of(entry));
     }
 
     private static Envelope.Report reportOf(ShortMessage message, MessageState state, Instant at) {

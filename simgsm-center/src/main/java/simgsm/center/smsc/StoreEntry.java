@@ -6,7 +6,9 @@ import simgsm.air.Msisdn;
 
 /** An event that a store keeps, in the order of occurrence. */
 public sealed interface StoreEntry {
-    /** A message; its sender gets the acknowledgement once this entry is durable. */
+    /**
+     * A message, or the new content of the one with this id; its sender gets the acknowledgement once this entry is durable.
+     */
     record Accepted(ShortMessage message) implements StoreEntry {}
 
     /**

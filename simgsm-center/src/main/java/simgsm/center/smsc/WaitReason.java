@@ -12,6 +12,8 @@ public enum WaitReason {
     AWAITING_MEMORY,
     /** The last attempt failed; tried by the schedule, or when the receiver registers. */
     AWAITING_RETRY,
+    /** Its time of delivery has not come. */
+    SCHEDULED,
     /** The message has ended and waits for nothing. */
     ENDED
 }

@@ -9,6 +9,7 @@ import static simgsm.center.smpp.SmppClient.with;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +25,7 @@ class MessageContentTest {
     }
 
     private static List<UserData> parts(int esmClass, int dataCoding, byte[] octets) throws SmppViolation {
-        return MessageContent.parts(message("1", "2", esmClass, dataCoding, octets), 9);
+        return MessageContent.parts(message("1", "2", esmClass, dataCoding, octets), dataCoding, 9);
     }
 
     private static String joined(List<UserData> parts) {
@@ -62,7 +63,7 @@ class MessageContentTest {
     })
     void anotherApplicationGetsTheSameOctets(int dataCoding, String octets) throws SmppViolation {
         UserData part = parts(0, dataCoding, hex(octets)).get(0);
-        MessageContent.Translated back = MessageContent.translate(part, dataCoding);
+        MessageContent.Translated back = MessageContent.translate(part, dataCoding, Optional.empty());
         assertEquals(octets, back.octets().toString());
         assertEquals(dataCoding, back.dataCoding());
     }
@@ -73,7 +74,7 @@ class MessageContentTest {
         UserData part = parts(SmppMessage.HAS_HEADER, 0, octets).get(0);
         assertEquals("Hello", part.text());
         assertEquals(new Concatenation(42, 2, 1), part.concatenation().orElseThrow());
-        MessageContent.Translated back = MessageContent.translate(part, 0);
+        MessageContent.Translated back = MessageContent.translate(part, 0, Optional.empty());
         assertArrayEquals(octets, back.octets().toArray());
         assertEquals(true, back.hasHeader());
     }
@@ -85,7 +86,7 @@ class MessageContentTest {
                 Tlv.ofOctet(Tlv.SAR_TOTAL, 3),
                 Tlv.ofOctet(Tlv.SAR_PART, 2));
         SmppMessage message = with(message("1", "2", 0, 0, hex("41")), "", 0, sar);
-        UserData part = MessageContent.parts(message, 0).get(0);
+        UserData part = MessageContent.parts(message, 0, 0).get(0);
         assertEquals(new Concatenation(0x12a, 3, 2), part.concatenation().orElseThrow());
         assertEquals("A", part.text());
     }
@@ -110,7 +111,7 @@ class MessageContentTest {
                 "",
                 0,
                 List.of(new Tlv(Tlv.MESSAGE_PAYLOAD, OctetString.of(text))));
-        List<UserData> split = MessageContent.parts(message, 9);
+        List<UserData> split = MessageContent.parts(message, dataCoding, 9);
         assertEquals(parts, split.size());
         if (parts > 1) {
             assertEquals(

@@ -9,6 +9,7 @@ import static simgsm.center.smpp.SmppClient.text;
 import static simgsm.center.smpp.SmppClient.with;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -195,10 +196,10 @@ class SmppDeliveryTest extends SmppStage {
 
     @Test
     void aWindowThatTheResponseTimerHasFreedServesTheOtherReceiversAtOnce() {
+        network.server.admit(SmppUsers.only(Map.of("receiver", "", "receiver.window", "5", "sender", "")));
         TestCenter.Application receiver = receiver("555*");
         TestCenter.Application sender = sender();
-        receiver.session().setWindow(CircuitBreaker.MAX_FAILURES - 1);
-        for (int i = 0; i < CircuitBreaker.MAX_FAILURES - 1; i++) {
+        for (int i = 0; i < 5; i++) {
             sender.submit(i + 1, text("1", "5550301", "unanswered"));
         }
         sender.submit(1_000, text("1", "5550302", "one"));

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static simgsm.center.smpp.SmppClient.text;
 
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.air.Msisdn;
+import simgsm.octets.OctetString;
 
 /** Binding, unbinding, and who may do what when. */
 class SmppSessionTest extends SmppStage {
@@ -17,12 +19,14 @@ class SmppSessionTest extends SmppStage {
     @EnumSource(SmppCommand.class)
     void aRequestInTheWrongStateIsAnsweredWithStatus4(SmppCommand command) {
         TestCenter.Application open = network.open(true);
-        if (command.isBind() || command == SmppCommand.ENQUIRE_LINK) {
+        if (command.isBind() || command == SmppCommand.ENQUIRE_LINK || command == SmppCommand.GENERIC_NACK) {
             return;
         }
         SmppPdu pdu = switch (command) {
             case QUERY_SM -> new SmppPdu.Query(5, "1", SmppAddress.NONE);
             case CANCEL_SM -> new SmppPdu.Cancel(5, "1", SmppAddress.NONE, SmppAddress.NONE);
+            case REPLACE_SM -> new SmppPdu.Replace(5, "1", SmppAddress.NONE, "", "", 0, 0, OctetString.of(new byte[0]));
+            case SUBMIT_MULTI -> new SmppPdu.SubmitMulti(5, text("1", "2", "x"), List.of(new SmppAddress(1, 1, "2")));
             case UNBIND -> new SmppPdu.Plain(command, 5);
             default -> new SmppPdu.Message(command, 5, text("1", "2", "x"));
         };
@@ -123,7 +127,7 @@ class SmppSessionTest extends SmppStage {
         bind(far, "far", "");
         TestCenter.Application near = network.open(true);
         bind(near, "near", "");
-        for (int i = 0; i <= SubmissionLimits.MAX_UNANSWERED; i++) {
+        for (int i = 0; i <= RequestLimits.MAX_UNANSWERED; i++) {
             far.submit(i, text("1", SERVICE, "x"));
             near.submit(i, text("1", SERVICE, "x"));
         }

@@ -105,7 +105,7 @@ class StoredMessagesTest {
         List<SubmitTpdu> units = IntStream.range(0, parts)
                 .mapToObj(i -> unit("part " + i, false))
                 .toList();
-        center.submit(origin, SENDER, RECEIVER, units, Optional.empty(), answers::add);
+        center.submit(origin, SENDER, units, Optional.empty(), answers::add);
     }
 
     private void store(boolean isDurable) {

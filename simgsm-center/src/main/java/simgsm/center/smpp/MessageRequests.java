@@ -1,0 +1,302 @@
+package simgsm.center.smpp;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
+import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
+import simgsm.center.smpp.MessageStatusStore.MessageStatus;
+import simgsm.center.smsc.EsmeOrigin;
+import simgsm.center.smsc.EsmeOrigin.Receipts;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
+
+/** Fulfils the requests that submit, query, cancel and replace messages. */
+final class MessageRequests {
+    /** Parts times receivers of one submission. */
+    static final int MAX_MESSAGES = 1_000;
+    /** Farthest time of delivery. */
+    static final Duration MAX_SCHEDULE = Duration.ofDays(366);
+
+    /** TP-MR and the reference of concatenated parts are one octet. */
+    private static final int REFERENCES = 256;
+
+    private static final int RECEIPT_BITS = 0x03;
+
+    /**
+     * The application that makes a request.
+     *
+     * @param ownNumber replaces an empty source address
+     */
+    record Requester(String systemId, Msisdn ownNumber, Optional<EsmeAlphabet> alphabet) {}
+
+    private final ShortMessageCenter center;
+    private final MessageStatusStore statuses = new MessageStatusStore();
+
+    MessageRequests(ShortMessageCenter center) {
+        this.center = center;
+        center.addListener((message, state) -> statuses.changed(message, state, center.now()));
+    }
+
+    /**
+     * Fulfils a request.
+     *
+     * @param answer is given the response, once, now or when the request is stored
+     * @throws SmppViolation if the request is refused; nothing is answered then
+     */
+    void fulfil(Requester by, SmppPdu request, Consumer<SmppPdu> answer) throws SmppViolation {
+        if (request instanceof SmppPdu.Message message) {
+            List<SmppAddress> destination = List.of(message.message().destination());
+            submit(
+                    by,
+                    message.message(),
+                    destination,
+                    submitted -> new SmppPdu.MessageResponse(
+                            message.command(), submitted.status, message.sequence(), submitted.id),
+                    answer);
+        } else if (request instanceof SmppPdu.SubmitMulti multi) {
+            submit(
+                    by,
+                    multi.message(),
+                    multi.destinations(),
+                    submitted -> new SmppPdu.SubmitMultiResponse(
+                            submitted.status, multi.sequence(), submitted.id, submitted.refused),
+                    answer);
+        } else if (request instanceof SmppPdu.Query query) {
+            answer.accept(query(by, query));
+        } else if (request instanceof SmppPdu.Cancel cancel) {
+            answer.accept(cancel(by, cancel));
+        } else if (request instanceof SmppPdu.Replace replace) {
+            replace(by, replace, answer);
+        } else {
+            throw new SmppViolation(SmppStatus.INVALID_COMMAND_ID, request.command() + " is not for messages");
+        }
+    }
+
+    /** What has become of a submission. */
+    private record Submitted(String id, int status, List<SmppPdu.Refused> refused) {}
+
+    /** Makes the response of a submission. */
+    private interface Responder {
+        SmppPdu response(Submitted submitted);
+    }
+
+    /** Submits a message, in as many parts as it needs, to all destinations that can be served: all or none. */
+    private void submit(
+            Requester by,
+            SmppMessage message,
+            List<SmppAddress> destinations,
+            Responder responder,
+            Consumer<SmppPdu> answer)
+            throws SmppViolation {
+        SmsAddress source = source(message.source(), by.ownNumber);
+        Optional<Instant> deliverAt = schedule(message.schedule());
+        Optional<Instant> expiry = expiry(message.validity(), deliverAt);
+        int dataCoding = MessageContent.standardCoding(message.dataCoding(), by.alphabet);
+        long firstId = center.nextId();
+        List<UserData> texts = MessageContent.parts(message, dataCoding, (int) (firstId % REFERENCES));
+        if (texts.size() * destinations.size() > MAX_MESSAGES) {
+            throw new SmppViolation(
+                    SmppStatus.SUBMIT_FAILED,
+                    texts.size() + " parts to " + destinations.size() + " receivers are over " + MAX_MESSAGES);
+        }
+        List<SubmitTpdu> units = new ArrayList<>();
+        List<SmppPdu.Refused> refused = new ArrayList<>();
+        for (SmppAddress destination : destinations) {
+            int status = refusal(destination, texts.size());
+            if (status == SmppStatus.OK) {
+                for (UserData text : texts) {
+                    units.add(unit(message, destination.number().orElseThrow(), text, firstId + units.size()));
+                }
+            } else {
+                refused.add(new SmppPdu.Refused(destination, status));
+            }
+        }
+        if (units.isEmpty()) {
+            int status = destinations.size() == 1 ? refused.get(0).status() : SmppStatus.SUBMIT_FAILED;
+            throw new SmppViolation(status, "no destination can be served, the first is " + destinations.get(0));
+        }
+        EsmeOrigin origin = new EsmeOrigin(
+                by.systemId,
+                source,
+                dataCoding,
+                receipts(message.registeredDelivery()),
+                EsmeOrigin.Group.SINGLE,
+                deliverAt);
+        // Parts are delivered in order, so the last one's id and receipt stand for the message.
+        String id = Long.toString(firstId + units.size() - 1);
+        center.submit(
+                origin,
+                source.number().orElse(by.ownNumber),
+                units,
+                expiry,
+                cause -> answer.accept(responder.response(
+                        new Submitted(id, cause.map(MessageRequests::status).orElse(SmppStatus.OK), refused))));
+    }
+
+    /** The status for a destination that cannot be served now. */
+    private int refusal(SmppAddress destination, int parts) {
+        Optional<Msisdn> number = destination.number();
+        return number.isEmpty()
+                ? SmppStatus.INVALID_DESTINATION
+                : center.refusal(number.get(), parts)
+                        .map(MessageRequests::status)
+                        .orElse(SmppStatus.OK);
+    }
+
+    private static SmsAddress source(SmppAddress given, Msisdn ownNumber) throws SmppViolation {
+        if (given.value().isEmpty()) {
+            return SmsAddress.of(ownNumber);
+        }
+        return given.forMobiles()
+                .orElseThrow(() -> new SmppViolation(
+                        SmppStatus.INVALID_SOURCE,
+                        "\"" + given.value() + "\" is neither a number nor up to 11 letters"));
+    }
+
+    /** The time of delivery; empty for now, and for a time that has passed. */
+    private Optional<Instant> schedule(String text) throws SmppViolation {
+        Instant now = center.now();
+        Optional<Instant> later = text.isEmpty()
+                ? Optional.empty()
+                : Optional.of(time(text, now, SmppStatus.INVALID_SCHEDULE)).filter(now::isBefore);
+        if (later.isPresent() && later.get().isAfter(now.plus(MAX_SCHEDULE))) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_SCHEDULE,
+                    later.get() + " is more than " + MAX_SCHEDULE.toDays() + " days ahead");
+        }
+        return later;
+    }
+
+    private Optional<Instant> expiry(String text, Optional<Instant> deliverAt) throws SmppViolation {
+        if (text.isEmpty()) {
+            return Optional.empty();
+        }
+        Instant now = center.now();
+        Instant expiry = time(text, now, SmppStatus.INVALID_VALIDITY);
+        if (!expiry.isAfter(deliverAt.orElse(now))) {
+            throw new SmppViolation(SmppStatus.INVALID_VALIDITY, "the validity ends before delivery, at " + expiry);
+        }
+        return Optional.of(expiry);
+    }
+
+    private static Instant time(String text, Instant now, int status) throws SmppViolation {
+        try {
+            return SmppTime.parse(text, now);
+        } catch (IllegalArgumentException e) {
+            throw new SmppViolation(status, e.getMessage());
+        }
+    }
+
+    private static Receipts receipts(int registeredDelivery) {
+        int code = registeredDelivery & RECEIPT_BITS;
+        return code < Receipts.values().length ? Receipts.values()[code] : Receipts.NONE;
+    }
+
+    private static SubmitTpdu unit(SmppMessage message, Msisdn to, UserData part, long id) {
+        return new SubmitTpdu(
+                false,
+                false,
+                (message.esmClass() & SmppMessage.REPLY_PATH) != 0,
+                (int) (id % REFERENCES),
+                SmsAddress.of(to),
+                message.protocolId(),
+                Optional.empty(),
+                part);
+    }
+
+    private static int status(RpCause refusal) {
+        return switch (refusal) {
+            case UNASSIGNED_NUMBER, UNIDENTIFIED_SUBSCRIBER, UNKNOWN_SUBSCRIBER -> SmppStatus.INVALID_DESTINATION;
+            case CONGESTION, MEMORY_CAPACITY_EXCEEDED -> SmppStatus.QUEUE_FULL;
+            case NETWORK_OUT_OF_ORDER, TEMPORARY_FAILURE, RESOURCES_UNAVAILABLE -> SmppStatus.SYSTEM_ERROR;
+            default -> SmppStatus.SUBMIT_FAILED;
+        };
+    }
+
+    private SmppPdu query(Requester by, SmppPdu.Query query) throws SmppViolation {
+        MessageStatus status = status(by, query.messageId(), query.source(), SmppStatus.QUERY_FAILED);
+        boolean hasEnded = status.state() != MessageState.ACCEPTED;
+        return new SmppPdu.QueryResponse(
+                SmppStatus.OK,
+                query.sequence(),
+                query.messageId(),
+                hasEnded ? SmppTime.full(status.at()) : "",
+                DeliverSm.messageState(status.state()),
+                0);
+    }
+
+    /** Cancels all messages of a submission that wait. */
+    private SmppPdu cancel(Requester by, SmppPdu.Cancel cancel) throws SmppViolation {
+        MessageStatus status = status(by, cancel.messageId(), cancel.source(), SmppStatus.CANCEL_FAILED);
+        boolean isCancelled = false;
+        for (long id = status.firstId(); id <= status.id(); id++) {
+            isCancelled |= center.cancel(id);
+        }
+        if (!isCancelled) {
+            throw new SmppViolation(
+                    SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " has ended or is being delivered");
+        }
+        return new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, cancel.sequence());
+    }
+
+    private void replace(Requester by, SmppPdu.Replace replace, Consumer<SmppPdu> answer) throws SmppViolation {
+        MessageStatus status = status(by, replace.messageId(), replace.source(), SmppStatus.REPLACE_FAILED);
+        Optional<ShortMessage> waiting = center.messages().waitingMessage(status.id());
+        if (waiting.isEmpty() || status.firstId() != status.id()) {
+            throw new SmppViolation(
+                    SmppStatus.REPLACE_FAILED,
+                    "message " + replace.messageId() + " has ended, or has several parts or receivers");
+        }
+        boolean isTaken = center.replace(
+                changed(waiting.get(), replace),
+                isStored -> answer.accept(new SmppPdu.PlainResponse(
+                        SmppCommand.REPLACE_SM,
+                        isStored ? SmppStatus.OK : SmppStatus.SYSTEM_ERROR,
+                        replace.sequence())));
+        if (!isTaken) {
+            throw new SmppViolation(
+                    SmppStatus.REPLACE_FAILED, "message " + replace.messageId() + " is being delivered");
+        }
+    }
+
+    private ShortMessage changed(ShortMessage message, SmppPdu.Replace replace) throws SmppViolation {
+        EsmeOrigin origin = message.esme().orElseThrow();
+        SmppAddress destination = SmppAddress.of(SmsAddress.of(message.to()));
+        SmppMessage content = SmppMessage.of(
+                replace.source(), destination, 0, 0, origin.dataCoding(), replace.shortMessage(), List.of());
+        List<UserData> parts = MessageContent.parts(content, origin.dataCoding(), 0);
+        if (parts.size() > 1) {
+            throw new SmppViolation(SmppStatus.INVALID_MESSAGE_LENGTH, "the new text is too long for one part");
+        }
+        Optional<Instant> deliverAt = replace.schedule().isEmpty() ? origin.deliverAt() : schedule(replace.schedule());
+        Instant expiry = expiry(replace.validity(), deliverAt).orElse(message.expiresAt());
+        if (deliverAt.isPresent() && !expiry.isAfter(deliverAt.get())) {
+            throw new SmppViolation(SmppStatus.INVALID_SCHEDULE, "the validity ends before delivery, at " + expiry);
+        }
+        return new ShortMessage(
+                message.id(),
+                message.from(),
+                message.to(),
+                TpduCodec.encode(unit(content, message.to(), parts.get(0), message.id())),
+                message.acceptedAt(),
+                expiry,
+                Optional.of(origin.with(receipts(replace.registeredDelivery()), deliverAt)));
+    }
+
+    /** @throws SmppViolation with {@code refusal} if this application has no such message */
+    private MessageStatus status(Requester by, String id, SmppAddress source, int refusal) throws SmppViolation {
+        return statuses.find(center, id, by.systemId, source.value())
+                .orElseThrow(() -> new SmppViolation(
+                        refusal, by.systemId + " has no message \"" + id + "\" that waits or has lately ended"));
+    }
+}

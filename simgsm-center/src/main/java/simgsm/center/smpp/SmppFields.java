@@ -1,0 +1,31 @@
+package simgsm.center.smpp;
+
+import java.util.List;
+import simgsm.octets.OctetString;
+
+/**
+ * The fields of a PDU, one call each in their order. A reader ignores the given value and returns the one it finds; a writer
+ * writes the given value and returns it. So one description of a PDU serves both directions.
+ */
+interface SmppFields {
+    int octet(String field, int value) throws SmppViolation;
+
+    int fourOctets(String field, int value) throws SmppViolation;
+
+    /**
+     * A text that ends with a zero octet.
+     *
+     * @param most octets, with the zero
+     * @param status the answer to a longer one
+     */
+    String text(String field, int most, int status, String value) throws SmppViolation;
+
+    /** sm_length and short_message: at most {@link SmppMessage#MAX_SHORT_MESSAGE} octets. */
+    OctetString shortMessage(OctetString value) throws SmppViolation;
+
+    /** Optional parameters, up to the end of the PDU. */
+    List<Tlv> parameters(List<Tlv> values) throws SmppViolation;
+
+    /** Whether further mandatory fields follow; peers omit the body of a response, above all in refusals. */
+    boolean hasBody();
+}
