@@ -66,7 +66,8 @@ class LayeringTest {
             simgsm.center.subscriber : simgsm.air simgsm.sim
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
-            simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc
+            simgsm.center.smpp.pdu   : simgsm.octets simgsm.air simgsm.sms
+            simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.smpp.pdu
             simgsm.center.msc.link   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.trace simgsm.center.subscriber
             simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.msc.call   : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
@@ -250,7 +251,7 @@ class LayeringTest {
         "simgsm.modem.at.state",
         "simgsm.modem.at.command",
         "simgsm.center.msc..",
-        "simgsm.center.smpp",
+        "simgsm.center.smpp..",
         "simgsm.center.smsc",
         "simgsm.center.subscriber",
         "simgsm.phone.handset",

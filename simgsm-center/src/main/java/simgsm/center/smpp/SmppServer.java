@@ -9,7 +9,6 @@ import simgsm.timer.Timers;
 /** The centre's side of SMPP for all applications. A deterministic core on the exchange's thread and timers. */
 public final class SmppServer {
     static final String SYSTEM_ID = "SimGSM";
-    static final int INTERFACE_VERSION = 0x34;
 
     private static final System.Logger LOG = System.getLogger(SmppServer.class.getName());
 

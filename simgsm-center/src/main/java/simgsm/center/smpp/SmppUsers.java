@@ -5,6 +5,7 @@ import java.security.MessageDigest;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
+import simgsm.center.smpp.pdu.SmppStatus;
 
 /** Applications that may bind, and the settings of each. */
 public final class SmppUsers {

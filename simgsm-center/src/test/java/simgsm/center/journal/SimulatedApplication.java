@@ -13,15 +13,15 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
-import simgsm.center.smpp.SmppAddress;
-import simgsm.center.smpp.SmppCodec;
-import simgsm.center.smpp.SmppCommand;
-import simgsm.center.smpp.SmppMessage;
-import simgsm.center.smpp.SmppPdu;
 import simgsm.center.smpp.SmppPort;
 import simgsm.center.smpp.SmppServer;
-import simgsm.center.smpp.SmppStatus;
-import simgsm.center.smpp.SmppViolation;
+import simgsm.center.smpp.pdu.SmppAddress;
+import simgsm.center.smpp.pdu.SmppCodec;
+import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.center.smpp.pdu.SmppMessage;
+import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.center.smpp.pdu.SmppViolation;
 import simgsm.octets.OctetString;
 
 /** An application that serves a number over SMPP: it answers late, refuses, vanishes, and shows each message once. */

@@ -8,6 +8,14 @@ import java.net.Socket;
 import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import simgsm.center.smpp.pdu.SmppAddress;
+import simgsm.center.smpp.pdu.SmppCodec;
+import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.center.smpp.pdu.SmppMessage;
+import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.center.smpp.pdu.SmppViolation;
+import simgsm.center.smpp.pdu.Tlv;
 import simgsm.octets.OctetString;
 
 /** An application on a real socket, one PDU after the other; also sends what no application should. */

@@ -29,6 +29,13 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.net.CenterLoop;
+import simgsm.center.smpp.pdu.SmppAddress;
+import simgsm.center.smpp.pdu.SmppCodec;
+import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.center.smpp.pdu.SmppMessage;
+import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.center.smpp.pdu.Tlv;
 import simgsm.center.smsc.MessageStore;
 import simgsm.octets.OctetString;
 

@@ -11,6 +11,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.air.Msisdn;
+import simgsm.center.smpp.pdu.SmppAddress;
+import simgsm.center.smpp.pdu.SmppCodec;
+import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.center.smpp.pdu.SmppStatus;
 import simgsm.octets.OctetString;
 
 /** Binding, unbinding, and who may do what when. */

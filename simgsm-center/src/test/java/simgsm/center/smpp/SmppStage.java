@@ -2,6 +2,8 @@ package simgsm.center.smpp;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.center.smpp.pdu.SmppPdu;
 
 /** Applications and the centre, with time moved by hand. */
 abstract class SmppStage {

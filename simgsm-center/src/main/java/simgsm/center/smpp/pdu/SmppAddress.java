@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.Optional;
 import simgsm.air.Msisdn;
@@ -12,18 +12,18 @@ import simgsm.sms.SmsAddress;
  * @param value as sent, at most 20 characters
  */
 public record SmppAddress(int ton, int npi, String value) {
-    static final SmppAddress NONE = new SmppAddress(0, 0, "");
+    public static final SmppAddress NONE = new SmppAddress(0, 0, "");
 
     private static final int LETTERS = 5;
     private static final int MAX_TON = 7;
     private static final int MAX_NPI = 15;
 
-    static SmppAddress of(SmsAddress address) {
+    public static SmppAddress of(SmsAddress address) {
         return new SmppAddress(address.type(), address.plan(), address.value());
     }
 
     /** The telephone number; empty if the address is not one. */
-    Optional<Msisdn> number() {
+    public Optional<Msisdn> number() {
         String digits = value.startsWith("+") ? value.substring(1) : value;
         if (ton == LETTERS || digits.isEmpty() || digits.length() > Msisdn.MAX_DIGITS || !isDigits(digits)) {
             return Optional.empty();
@@ -32,7 +32,7 @@ public record SmppAddress(int ton, int npi, String value) {
     }
 
     /** The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. */
-    Optional<SmsAddress> forMobiles() {
+    public Optional<SmsAddress> forMobiles() {
         if (ton < 0 || ton > MAX_TON || npi > MAX_NPI || value.isEmpty()) {
             return Optional.empty();
         }

@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.time.DateTimeException;
 import java.time.Instant;
@@ -11,7 +11,7 @@ import java.time.format.DateTimeFormatter;
  * Times (7.1.1): {@code YYMMDDhhmmsstnnp}, t tenths of a second, nn quarters of an hour from UTC, p {@code +}, {@code -},
  * or {@code R} for a time relative to now.
  */
-final class SmppTime {
+public final class SmppTime {
     private static final int LENGTH = 16;
     private static final int QUARTER_SECONDS = 15 * 60;
     private static final int MAX_QUARTERS = 48;
@@ -21,7 +21,7 @@ final class SmppTime {
     private SmppTime() {}
 
     /** @throws IllegalArgumentException if the text is not a valid time */
-    static Instant parse(String text, Instant now) {
+    public static Instant parse(String text, Instant now) {
         if (text.length() != LENGTH || !text.substring(0, LENGTH - 1).chars().allMatch(c -> c >= '0' && c <= '9')) {
             throw new IllegalArgumentException("\"" + text + "\" is no time of 16 characters");
         }
@@ -62,12 +62,12 @@ final class SmppTime {
     }
 
     /** The 16 characters, in UTC. */
-    static String full(Instant time) {
+    public static String full(Instant time) {
         return SECONDS.format(time.atOffset(ZoneOffset.UTC)) + "000+";
     }
 
     /** YYMMDDhhmm in UTC, for receipts (appendix B). */
-    static String minutes(Instant time) {
+    public static String minutes(Instant time) {
         return MINUTES.format(time.atOffset(ZoneOffset.UTC));
     }
 }

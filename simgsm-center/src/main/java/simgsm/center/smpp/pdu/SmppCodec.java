@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +9,9 @@ import simgsm.octets.OctetString;
 public final class SmppCodec {
     /** Length, command id, status, sequence number, 4 octets each (3.2). */
     public static final int HEADER_LENGTH = 16;
+
+    /** interface_version of SMPP 3.4. */
+    public static final int INTERFACE_VERSION = 0x34;
 
     private static final int MAX_SYSTEM_ID = 16;
     private static final int MAX_PASSWORD = 9;
@@ -89,7 +92,7 @@ public final class SmppCodec {
     }
 
     /** The response that refuses a request. */
-    static SmppPdu refusal(SmppCommand command, int status, int sequence) {
+    public static SmppPdu refusal(SmppCommand command, int status, int sequence) {
         return new SmppPdu.PlainResponse(command, status, sequence);
     }
 
@@ -146,7 +149,7 @@ public final class SmppCodec {
         } else if (pdu instanceof SmppPdu.BindResponse response) {
             String systemId =
                     fields.text("system_id", MAX_MESSAGE_ID, SmppStatus.INVALID_COMMAND_LENGTH, response.systemId());
-            fields.parameters(List.of(Tlv.ofOctet(Tlv.INTERFACE_VERSION, SmppServer.INTERFACE_VERSION)));
+            fields.parameters(List.of(Tlv.ofOctet(Tlv.INTERFACE_VERSION, INTERFACE_VERSION)));
             return new SmppPdu.BindResponse(response.command(), response.status(), response.sequence(), systemId);
         }
         return bodyOnMessages(fields, pdu);

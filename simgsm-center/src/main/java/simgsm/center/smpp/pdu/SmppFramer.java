@@ -1,10 +1,10 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /** Splits a stream of octets into PDUs. */
-final class SmppFramer {
+public final class SmppFramer {
     /** The longest message_payload and all other fields. */
     static final int MAX_PDU = 70_000;
 
@@ -14,7 +14,7 @@ final class SmppFramer {
     private int start;
     private int end;
 
-    void accept(ByteBuffer more) {
+    public void accept(ByteBuffer more) {
         if (start > 0) {
             System.arraycopy(octets, start, octets, 0, end - start);
             end -= start;
@@ -29,7 +29,7 @@ final class SmppFramer {
     }
 
     /** Whether a complete PDU has arrived. @throws SmppViolation for a wrong command_length; the stream is unusable then */
-    boolean hasNext() throws SmppViolation {
+    public boolean hasNext() throws SmppViolation {
         if (end - start < SmppCodec.HEADER_LENGTH) {
             if (end - start >= 4) {
                 checkLength();
@@ -41,7 +41,7 @@ final class SmppFramer {
     }
 
     /** Only after {@link #hasNext}. */
-    SmppPdu next() throws SmppViolation {
+    public SmppPdu next() throws SmppViolation {
         int from = start;
         start += length();
         return SmppCodec.decode(octets, from, start);

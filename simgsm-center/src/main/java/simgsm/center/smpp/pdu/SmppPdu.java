@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.List;
 import simgsm.octets.OctetString;

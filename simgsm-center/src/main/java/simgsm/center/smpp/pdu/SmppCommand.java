@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -22,7 +22,7 @@ public enum SmppCommand {
     DATA_SM(0x103);
 
     /** Set in the command_id of a response. */
-    static final int RESPONSE = 0x8000_0000;
+    public static final int RESPONSE = 0x8000_0000;
 
     private static final Map<Integer, SmppCommand> BY_CODE = new HashMap<>();
 

@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 /** Values of command_status (5.1.3) that the centre sends or interprets. */
 public final class SmppStatus {
@@ -44,12 +44,12 @@ public final class SmppStatus {
     private SmppStatus() {}
 
     /** Whether the same message may be accepted later. */
-    static boolean mayPass(int status) {
+    public static boolean mayPass(int status) {
         return isBusy(status) || status == SYSTEM_ERROR || status == TEMPORARY_APPLICATION_ERROR;
     }
 
     /** Whether it may be accepted within seconds. */
-    static boolean isBusy(int status) {
+    public static boolean isBusy(int status) {
         return status == THROTTLED || status == QUEUE_FULL;
     }
 }

@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.List;
 import java.util.Optional;
@@ -28,13 +28,13 @@ public record SmppMessage(
         int defaultMessageId,
         OctetString shortMessage,
         List<Tlv> parameters) {
-    static final int RECEIPT = 0x04;
-    static final int HAS_HEADER = 0x40;
-    static final int REPLY_PATH = 0x80;
-    static final int MAX_SHORT_MESSAGE = 254;
+    public static final int RECEIPT = 0x04;
+    public static final int HAS_HEADER = 0x40;
+    public static final int REPLY_PATH = 0x80;
+    public static final int MAX_SHORT_MESSAGE = 254;
 
     /** A message with default values for all other fields. */
-    static SmppMessage of(
+    public static SmppMessage of(
             SmppAddress source,
             SmppAddress destination,
             int esmClass,
@@ -46,7 +46,7 @@ public record SmppMessage(
                 "", source, destination, esmClass, protocolId, 0, "", "", 0, 0, dataCoding, 0, text, parameters);
     }
 
-    Optional<OctetString> parameter(int tag) {
+    public Optional<OctetString> parameter(int tag) {
         for (Tlv parameter : parameters) {
             if (parameter.tag() == tag) {
                 return Optional.of(parameter.value());
@@ -56,7 +56,7 @@ public record SmppMessage(
     }
 
     /** The content of short_message or message_payload. */
-    OctetString content() throws SmppViolation {
+    public OctetString content() throws SmppViolation {
         Optional<OctetString> payload = parameter(Tlv.MESSAGE_PAYLOAD);
         if (payload.isPresent() && shortMessage.length() > 0) {
             throw new SmppViolation(
@@ -65,7 +65,7 @@ public record SmppMessage(
         return payload.orElse(shortMessage);
     }
 
-    boolean hasHeader() {
+    public boolean hasHeader() {
         return (esmClass & HAS_HEADER) != 0;
     }
 }

@@ -1,4 +1,4 @@
-package simgsm.center.smpp;
+package simgsm.center.smpp.pdu;
 
 import java.util.Optional;
 
@@ -25,7 +25,7 @@ public final class SmppViolation extends Exception {
     }
 
     /** Empty where no response is due, as for an invalid response. */
-    Optional<SmppPdu> answer() {
+    public Optional<SmppPdu> answer() {
         return Optional.ofNullable(answer);
     }
 }
