@@ -91,12 +91,12 @@ public final class CenterWindow implements CenterActions {
 
     @Override
     public void newPhone() throws IOException {
-        start("simgsm-phone.jar", numberFor(nextPhone), WindowCascade::nextPhone);
+        start("simgsm-phone.jar", nextPhone, WindowCascade::nextPhone);
     }
 
     @Override
     public void newRobot() throws IOException {
-        start("simrobot.jar", numberFor(nextRobot), WindowCascade::nextRobot);
+        start("simrobot.jar", nextRobot, WindowCascade::nextRobot);
     }
 
     private String numberFor(AtomicLong next) throws IOException {
@@ -135,11 +135,14 @@ public final class CenterWindow implements CenterActions {
         });
     }
 
-    private synchronized void start(String jar, String number, Function<WindowCascade, WindowPlace> place)
+    /** A program that has ended is started again with its number; else the next free number is used. */
+    private synchronized void start(String jar, AtomicLong next, Function<WindowCascade, WindowPlace> place)
             throws IOException {
         if (children == null) {
             children = ChildPrograms.besideOwnJar();
         }
+        Optional<String> ended = children.endedNumber(jar);
+        String number = ended.isPresent() ? ended.get() : numberFor(next);
         if (cascade == null) {
             cascade = new WindowCascade(Display.usableArea());
         }
@@ -149,7 +152,7 @@ public final class CenterWindow implements CenterActions {
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(List.of("--zoom", String.valueOf(Math.round(Theme.zoom() * 100))));
         words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
-        children.start(jar, words, ProcessBuilder.Redirect.DISCARD);
+        children.start(jar, number, words, ProcessBuilder.Redirect.DISCARD);
     }
 
     private synchronized void endChildren() {

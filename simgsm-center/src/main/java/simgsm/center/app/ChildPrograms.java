@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 
@@ -16,9 +17,13 @@ import java.util.concurrent.TimeUnit;
  */
 public final class ChildPrograms implements AutoCloseable {
     private static final long FAREWELL_MILLIS = 3_000;
+    /** A window program starts in half the CPU time with the first compiler and the serial collector only. */
+    private static final List<String> QUICK_START = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
     private final Path jars;
-    private final List<Process> processes = new CopyOnWriteArrayList<>();
+    private final List<Child> started = new CopyOnWriteArrayList<>();
+
+    private record Child(String jar, String number, Process process) {}
 
     private ChildPrograms(Path jars) {
         this.jars = jars;
@@ -46,21 +51,37 @@ public final class ChildPrograms implements AutoCloseable {
         }
     }
 
-    /** Starts a program. Its standard error is this program's; the caller reads or discards its standard output. */
-    public Process start(String jar, List<String> arguments, ProcessBuilder.Redirect output) throws IOException {
+    /**
+     * Starts a program. Its standard error is this program's; the caller reads or discards its standard output.
+     *
+     * @param number the telephone number that it registers with
+     */
+    public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
+            throws IOException {
         Path program = jars.resolve(jar);
         if (!Files.isReadable(program)) {
             throw new IOException(program + ": no such program");
         }
-        List<String> command = new ArrayList<>(List.of(java(), "-jar", program.toString()));
+        List<String> command = new ArrayList<>(List.of(java()));
+        command.addAll(QUICK_START);
+        command.addAll(List.of("-jar", program.toString()));
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .redirectInput(ProcessBuilder.Redirect.PIPE)
                 .redirectOutput(output)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
-        processes.add(process);
+        started.removeIf(child -> child.number.equals(number) && !child.process.isAlive());
+        started.add(new Child(jar, number, process));
         return process;
+    }
+
+    /** The number of the first program of this jar that was started here and has ended since. */
+    public Optional<String> endedNumber(String jar) {
+        return started.stream()
+                .filter(child -> child.jar.equals(jar) && !child.process.isAlive())
+                .map(Child::number)
+                .findFirst();
     }
 
     private static String java() {
@@ -70,18 +91,18 @@ public final class ChildPrograms implements AutoCloseable {
     /** Closes their standard input, and destroys those that have not ended after 3 s. */
     @Override
     public void close() {
-        for (Process process : processes) {
+        for (Child child : started) {
             try {
-                process.getOutputStream().close();
+                child.process.getOutputStream().close();
             } catch (IOException e) {
                 // It has gone already.
             }
         }
         long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MILLIS);
-        for (Process process : processes) {
-            await(process, deadline - System.nanoTime());
+        for (Child child : started) {
+            await(child.process, deadline - System.nanoTime());
         }
-        processes.clear();
+        started.clear();
     }
 
     private static void await(Process process, long nanos) {

@@ -76,13 +76,14 @@ final class DemoPrograms implements AutoCloseable {
     }
 
     Process startPhone(ProcessBuilder.Redirect output, String... more) throws IOException {
-        return children.start("simgsm-phone.jar", words(center.home().wordsFor(PHONE_NUMBER), more), output);
+        return children.start(
+                "simgsm-phone.jar", PHONE_NUMBER, words(center.home().wordsFor(PHONE_NUMBER), more), output);
     }
 
     Process startRobot(ProcessBuilder.Redirect output, String... more) throws IOException {
         List<String> words = words(center.home().wordsFor(ROBOT_NUMBER), more);
         words.addAll(List.of("--world", WORLD));
-        return children.start("simrobot.jar", words, output);
+        return children.start("simrobot.jar", ROBOT_NUMBER, words, output);
     }
 
     private List<String> words(List<String> own, String... more) {
