@@ -16,6 +16,10 @@ for sounds in core-sounds-en-wav core-sounds-es-wav core-sounds-fr-wav prompt-es
     [ -d "/usr/share/doc/asterisk-$sounds" ] || packages+=("asterisk-$sounds")
 done
 have bearerbox || packages+=(kannel)
+have Xvfb || packages+=(xvfb)
+have openbox || packages+=(openbox)
+have xdotool || packages+=(xdotool)
+have xwininfo || packages+=(x11-utils)
 have cc || packages+=(gcc libc6-dev)
 have python3 || packages+=(python3)
 python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)

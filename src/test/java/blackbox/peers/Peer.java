@@ -27,7 +27,11 @@ enum Peer {
     PYTHON("python3"),
     NODE("node"),
     BEARERBOX("bearerbox"),
-    SMSBOX("smsbox");
+    SMSBOX("smsbox"),
+    XVFB("Xvfb"),
+    OPENBOX("openbox"),
+    XDOTOOL("xdotool"),
+    XWININFO("xwininfo");
 
     /** Where {@code src/test/peers/install.sh} puts libraries. */
     static final Path LIBRARIES = Dist.root().resolve("target").resolve("peers");

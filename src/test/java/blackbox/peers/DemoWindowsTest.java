@@ -1,0 +1,160 @@
+package blackbox.peers;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import blackbox.Dist;
+import java.awt.Rectangle;
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The demo's windows as a window manager places them and X11 tools see them. */
+@Tag("peer")
+class DemoWindowsTest {
+    private static final long PATIENCE_SECONDS = 60;
+    private static final List<String> TITLES = List.of("Sim Cellular 5550100", "SimRobot 5550200", "SMSyCT");
+
+    private final List<Process> running = new ArrayList<>();
+    private String display;
+
+    @BeforeEach
+    void peers() {
+        Peer.XVFB.require();
+        Peer.OPENBOX.require();
+        Peer.XDOTOOL.require();
+        Peer.XWININFO.require();
+    }
+
+    @AfterEach
+    void end() throws InterruptedException {
+        for (int i = running.size() - 1; i >= 0; i--) {
+            running.get(i).destroy();
+            running.get(i).waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        }
+    }
+
+    @ParameterizedTest(name = "{0} x {1}, zoom {2}")
+    @CsvSource({"1280, 720, ", "1920, 1080, ", "1920, 1080, 150"})
+    void noWindowCoversAnotherOrLeavesTheScreen(int width, int height, String zoom) throws Exception {
+        screen(width, height);
+        demo(zoom == null ? new String[0] : new String[] {"--zoom", zoom});
+        Map<String, Rectangle> windows = TITLES.stream().collect(Collectors.toMap(Function.identity(), this::boundsOf));
+        for (String title : TITLES) {
+            Rectangle window = windows.get(title);
+            assertTrue(new Rectangle(0, 0, width, height).contains(window), title + " leaves the screen: " + window);
+            for (String other : TITLES) {
+                boolean meets = !title.equals(other) && window.intersects(windows.get(other));
+                assertFalse(meets, title + " " + window + " meets " + other + " " + windows.get(other));
+            }
+        }
+    }
+
+    @Test
+    void aPhoneThatWasClosedIsStartedAgainWithItsNumber() throws Exception {
+        screen(1920, 1080);
+        Process demo = demo();
+        String phone = window(TITLES.get(0));
+        ProcessHandle program = demo.toHandle()
+                .children()
+                .filter(child -> Arrays.stream(child.info().arguments().orElse(new String[0]))
+                        .anyMatch(argument -> argument.endsWith("simgsm-phone.jar")))
+                .findFirst()
+                .orElseThrow();
+        xdotool("windowactivate", "--sync", phone, "key", "--clearmodifiers", "alt+F4");
+        program.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        xdotool("windowactivate", "--sync", window("SMSyCT"), "key", "--clearmodifiers", "alt+p");
+        assertFalse(window(TITLES.get(0)).isEmpty());
+    }
+
+    private void screen(int width, int height) throws Exception {
+        Process server = start(Peer.XVFB.process(
+                "-displayfd", "1", "-screen", "0", width + "x" + height + "x24", "-noreset", "-nolisten", "tcp"));
+        BufferedReader output =
+                new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
+        display = ":" + output.readLine().strip();
+        start(onDisplay(Peer.OPENBOX.process().redirectOutput(ProcessBuilder.Redirect.DISCARD)));
+    }
+
+    private Process demo(String... more) throws Exception {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-jar",
+                Dist.jar("simgsm-center").toString(),
+                "--demo",
+                "--port",
+                "0",
+                "--lang",
+                "en"));
+        command.addAll(List.of(more));
+        Process demo = start(onDisplay(new ProcessBuilder(command)
+                .directory(Dist.root().toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)));
+        for (String title : TITLES) {
+            window(title);
+        }
+        return demo;
+    }
+
+    private Process start(ProcessBuilder builder) throws Exception {
+        Process process = builder.start();
+        running.add(process);
+        return process;
+    }
+
+    private ProcessBuilder onDisplay(ProcessBuilder builder) {
+        builder.environment().put("DISPLAY", display);
+        return builder;
+    }
+
+    /** The number of the visible window with this title, once it is there. */
+    private String window(String title) throws Exception {
+        return xdotool("search", "--sync", "--onlyvisible", "--name", "^" + title + "$")
+                .lines()
+                .findFirst()
+                .orElse("");
+    }
+
+    /** The window without its frame. */
+    private Rectangle boundsOf(String title) {
+        try {
+            Map<String, Integer> values = run(Peer.XWININFO, "-id", window(title))
+                    .lines()
+                    .map(line -> line.strip().split(":\\s+"))
+                    .filter(pair -> pair.length == 2 && pair[1].matches("-?[0-9]+"))
+                    .collect(Collectors.toMap(pair -> pair[0], pair -> Integer.parseInt(pair[1])));
+            return new Rectangle(
+                    values.get("Absolute upper-left X"),
+                    values.get("Absolute upper-left Y"),
+                    values.get("Width"),
+                    values.get("Height"));
+        } catch (Exception e) {
+            throw new AssertionError(title, e);
+        }
+    }
+
+    private String xdotool(String... words) throws Exception {
+        return run(Peer.XDOTOOL, words);
+    }
+
+    private String run(Peer peer, String... words) throws Exception {
+        Process process = onDisplay(peer.process(words)).start();
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), peer + " " + List.of(words));
+        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    }
+}
