@@ -131,6 +131,10 @@ public final class SimRobotMain {
                         "N",
                         "errors of wheels and sonars: 0 none (the default), 1 as MobileSim's, at most 10;"
                                 + "\nwith --seed they repeat")
+                .value(
+                        "at",
+                        "PORT",
+                        "take AT commands for the robots' modems, one port per robot upward from PORT; 0: any free ones")
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
                 .value(
                         "pioneer",
@@ -145,7 +149,7 @@ public final class SimRobotMain {
                         "http",
                         "PORT",
                         "serve a page with map and cameras, status as JSON and pictures; 0: any free port")
-                .value("bind", "ADDRESS", "address that P2OS and HTTP ports listen on; default loopback only")
+                .value("bind", "ADDRESS", "address that AT, P2OS and HTTP ports listen on; default loopback only")
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 

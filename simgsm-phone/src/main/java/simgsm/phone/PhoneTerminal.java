@@ -75,6 +75,16 @@ final class PhoneTerminal implements AtTerminal {
     }
 
     @Override
+    public boolean sendUssd(String text) {
+        return handset.ussd(text).isEmpty();
+    }
+
+    @Override
+    public boolean endUssd() {
+        return station.endUssd();
+    }
+
+    @Override
     public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
         return station.submit(tpdu, to, serviceCenter);
     }

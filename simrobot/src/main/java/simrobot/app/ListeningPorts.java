@@ -13,14 +13,16 @@ import simrobot.http.WebServer;
 import simrobot.http.WebSource;
 import simrobot.simulation.SimulationSnapshot;
 
-/** The ports on which the program listens, as the command line names them: P2OS and HTTP. */
+/** The ports on which the program listens, as the command line names them: AT commands, P2OS and HTTP. */
 public final class ListeningPorts implements AutoCloseable {
     static final int MAX_PORT = 0xffff;
 
+    private final AtPorts at;
     private final P2osPorts p2os;
     private final Optional<WebServer> web;
 
-    private ListeningPorts(P2osPorts p2os, Optional<WebServer> web) {
+    private ListeningPorts(AtPorts at, P2osPorts p2os, Optional<WebServer> web) {
+        this.at = at;
         this.p2os = p2os;
         this.web = web;
     }
@@ -28,11 +30,17 @@ public final class ListeningPorts implements AutoCloseable {
     /** Opens the ports, before the simulation starts. They are served from {@link #start} on. */
     public static ListeningPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
         InetAddress address = arguments.value("bind", ListeningPorts::address).orElse(InetAddress.getLoopbackAddress());
-        P2osPorts p2os = P2osPorts.open(arguments, address, simRobot);
+        AtPorts at = AtPorts.open(arguments, address, simRobot);
         try {
-            return new ListeningPorts(p2os, web(arguments, address, simRobot));
+            P2osPorts p2os = P2osPorts.open(arguments, address, simRobot);
+            try {
+                return new ListeningPorts(at, p2os, web(arguments, address, simRobot));
+            } catch (UsageException | IOException e) {
+                p2os.close();
+                throw e;
+            }
         } catch (UsageException | IOException e) {
-            p2os.close();
+            at.close();
             throw e;
         }
     }
@@ -81,7 +89,7 @@ public final class ListeningPorts implements AutoCloseable {
 
     /** Adds the ports to the program's first event. */
     public Event with(Event ready) {
-        Event both = p2os.with(ready);
+        Event both = p2os.with(at.with(ready));
         return http().map(port -> both.with("http", port)).orElse(both);
     }
 
@@ -94,5 +102,6 @@ public final class ListeningPorts implements AutoCloseable {
     public void close() {
         web.ifPresent(WebServer::close);
         p2os.close();
+        at.close();
     }
 }

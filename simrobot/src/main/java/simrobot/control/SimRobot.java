@@ -1,7 +1,9 @@
 package simrobot.control;
 
+import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,7 +18,11 @@ import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.FatalError;
+import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.command.AtModem;
+import simgsm.modem.at.command.ModemTerminal;
+import simgsm.modem.at.port.AtPort;
 import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -121,6 +127,23 @@ public final class SimRobot implements AutoCloseable {
             }
         });
         return added;
+    }
+
+    /**
+     * Opens a port for AT commands to a robot's M2; it is served once the program runs.
+     *
+     * @return nothing for a robot behind a real modem
+     * @throws IOException naming address and port
+     */
+    public Optional<AtPort> openAtPort(TelephoneRobot robot, InetSocketAddress address) throws IOException {
+        if (robot.m2().isEmpty()) {
+            return Optional.empty();
+        }
+        Modem m2 = robot.m2().get();
+        AtModem modem = new AtModem(new ModemTerminal(m2), InstantSource.system());
+        AtPort port = AtPort.open(modem, stationThread, address);
+        m2.observe(port::accept);
+        return Optional.of(port);
     }
 
     private void requireFree(Msisdn number) {

@@ -48,6 +48,7 @@ public final class Modem implements AnsweringModem {
     /** Tones whose last sample is in the frame that was filled last; sent once the next frame is requested. */
     private final Queue<DtmfKey> generated = new ArrayDeque<>();
 
+    private Consumer<StationEvent> observer = event -> {};
     private Phase phase = Phase.NONE;
     private boolean connected;
     private Optional<Msisdn> caller = Optional.empty();
@@ -179,7 +180,18 @@ public final class Modem implements AnsweringModem {
         }
     }
 
+    /** Adds a receiver of all events of the station, each after the modem has acted on it. */
+    public void observe(Consumer<StationEvent> newObserver) {
+        observer = newObserver;
+    }
+
     private void accept(StationEvent event) {
+        act(event);
+        observer.accept(event);
+    }
+
+    /** A call that was not ringing here was dialled through the station, and is not the robot's. */
+    private void act(StationEvent event) {
         if (event instanceof StationEvent.SpeechReceived speech) {
             hear(speech);
         } else if (event instanceof StationEvent.Ringing ringing) {
@@ -187,15 +199,21 @@ public final class Modem implements AnsweringModem {
         } else if (event instanceof StationEvent.AnswerDue) {
             answer();
         } else if (event instanceof StationEvent.Connected) {
-            connected = true;
-            queue(greeting);
-            if (phase == Phase.ACCEPTED) {
-                listener.accept(event);
-            }
+            connected(event);
         } else if (event instanceof StationEvent.Released) {
             end(event);
         } else {
             replies.accept(event);
+        }
+    }
+
+    private void connected(StationEvent event) {
+        if (phase != Phase.NONE) {
+            connected = true;
+            queue(greeting);
+        }
+        if (phase == Phase.ACCEPTED) {
+            listener.accept(event);
         }
     }
 

@@ -24,6 +24,7 @@ public final class AtModem {
     private final MessageCodes messages;
     private final Submissions submissions;
     private final PhoneBooks books;
+    private final UssdCodes ussd;
 
     /** @param wallClock for AT+CCLK */
     public AtModem(AtTerminal terminal, InstantSource wallClock) {
@@ -31,6 +32,7 @@ public final class AtModem {
         clock = new ModemClock(wallClock);
         books = new PhoneBooks(terminal.identity().number());
         keys = new KeyCodes(this);
+        ussd = new UssdCodes(this);
         calls = new CallCodes(this);
         network = new NetworkCodes(this);
         messages = new MessageCodes(this);
@@ -55,8 +57,14 @@ public final class AtModem {
         terminal.accept(event);
         if (event instanceof StationEvent.SpeechReceived speech) {
             keys.hear(speech.samples());
-        } else if (event instanceof StationEvent.OfCall ofCall) {
+            return;
+        }
+        if (event instanceof StationEvent.OfCall ofCall) {
             calls.accept(ofCall);
+        } else if (event instanceof StationEvent.KeysRefused) {
+            calls.keysRefused();
+        } else if (event instanceof StationEvent.OfUssd ofUssd) {
+            ussd.accept(ofUssd);
         } else if (event instanceof StationEvent.OfSubmittedMessage submitted) {
             submissions.accept(submitted);
         } else if (event instanceof StationEvent.OfMessage message) {

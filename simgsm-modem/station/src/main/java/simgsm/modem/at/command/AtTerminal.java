@@ -43,6 +43,12 @@ public interface AtTerminal {
     /** Switches the station on, or detaches it. */
     void setPower(boolean on);
 
+    /** As in {@link simgsm.station.StationCommands#sendUssd}. */
+    boolean sendUssd(String text);
+
+    /** Ends the USSD dialogue. @return false if there is none */
+    boolean endUssd();
+
     /**
      * Submits a transfer unit; its message reference is set by the station.
      *

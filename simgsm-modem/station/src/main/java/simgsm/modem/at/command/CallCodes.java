@@ -241,14 +241,19 @@ final class CallCodes {
         isConnected = false;
         number = "";
         finishAnswer(AtResult.NO_CARRIER);
-        List<AtRequest> unsent = List.copyOf(sendingKeys);
-        sendingKeys.clear();
-        unsent.forEach(request -> request.finish(AtResult.ERROR));
+        keysRefused();
         for (AtClient client : modem.clients()) {
             if (client != hangingUp) {
                 client.report(code == AtResult.BUSY && client.settings().callProgress < 3 ? AtResult.NO_CARRIER : code);
             }
         }
+    }
+
+    /** The keys that are being sent will not be. */
+    void keysRefused() {
+        List<AtRequest> unsent = List.copyOf(sendingKeys);
+        sendingKeys.clear();
+        unsent.forEach(request -> request.finish(AtResult.ERROR));
     }
 
     private AtResult code(Cause cause) {

@@ -59,6 +59,10 @@ final class CallCommands {
                         .lastCause()
                         .map(cause -> cause.code() + "," + AtRequest.quoted(cause.title()))
                         .orElse("\"no cause\"")));
+        table.add("+CUSD", "0-2[,\"text\"[,dcs]]", "USSD: 1 reports +CUSD, a text is sent, 2 ends the dialogue (0)")
+                .read((client, request) -> request.answer(client.settings().ussdMode))
+                .test("(0-2)")
+                .set(CallCommands::ussd);
         codes(table);
         keys(table);
     }
@@ -124,6 +128,10 @@ final class CallCommands {
             return AtResult.NO_CARRIER;
         }
         String dialled = number(client, text.substring(0, text.length() - 1).strip());
+        if (dialled.endsWith("#")) {
+            sendUssd(client, dialled);
+            return AtResult.OK;
+        }
         Msisdn to;
         try {
             to = Msisdn.parse(dialled);
@@ -179,6 +187,30 @@ final class CallCommands {
         }
         if (!client.modem().calls().supplementary(operation, client)) {
             throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+    }
+
+    private static void ussd(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(3);
+        int mode = parameters.number(0, 0, 2, client.settings().ussdMode);
+        parameters.number(2, 0, 255, 0);
+        if (mode == 2) {
+            client.modem().terminal().endUssd();
+            return;
+        }
+        client.settings().ussdMode = mode;
+        if (parameters.given(1).isPresent()) {
+            sendUssd(client, client.settings().characterSet.decodeUssd(parameters.text(1)));
+        }
+    }
+
+    private static void sendUssd(AtClient client, String text) throws AtException {
+        try {
+            if (!client.modem().terminal().sendUssd(text)) {
+                throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+            }
+        } catch (IllegalArgumentException tooLong) {
+            throw new AtException(CmeError.TEXT_TOO_LONG);
         }
     }
 

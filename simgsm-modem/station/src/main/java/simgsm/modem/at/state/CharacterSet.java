@@ -48,6 +48,15 @@ public enum CharacterSet {
         return line.toString();
     }
 
+    /** A USSD text: in this set; what cannot be UCS2 is taken as it is. */
+    public String decodeUssd(String line) {
+        try {
+            return decode(line);
+        } catch (IllegalArgumentException notHexadecimal) {
+            return line;
+        }
+    }
+
     /** A number: digits as they are, or in this set. */
     public String decodeNumber(String line) {
         if (this != UCS2 || line.length() % 4 != 0 || line.startsWith("+")) {

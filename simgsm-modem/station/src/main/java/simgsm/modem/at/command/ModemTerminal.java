@@ -1,0 +1,123 @@
+package simgsm.modem.at.command;
+
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.Queue;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.Modem;
+import simgsm.octets.OctetString;
+import simgsm.station.StationSnapshot;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+
+/**
+ * M2 as a modem for AT commands, beside the robot that it serves. Keys are signalled, as by real modems: the network makes
+ * the tones.
+ */
+public final class ModemTerminal implements AtTerminal {
+    private static final class Keys {
+        final Runnable sent;
+        int left;
+
+        Keys(int count, Runnable sent) {
+            left = count;
+            this.sent = sent;
+        }
+    }
+
+    private final Modem modem;
+    private final Queue<Keys> sending = new ArrayDeque<>();
+
+    public ModemTerminal(Modem modem) {
+        this.modem = modem;
+    }
+
+    @Override
+    public String model() {
+        return "M2";
+    }
+
+    @Override
+    public StationIdentity identity() {
+        return modem.station().identity();
+    }
+
+    @Override
+    public StationSnapshot snapshot() {
+        return modem.snapshot();
+    }
+
+    @Override
+    public boolean dial(Msisdn number) {
+        return modem.station().dial(number);
+    }
+
+    @Override
+    public boolean answer() {
+        return modem.answer();
+    }
+
+    @Override
+    public boolean hangUp() {
+        return modem.station().hangUp();
+    }
+
+    @Override
+    public boolean rejectWaiting() {
+        return modem.station().rejectWaiting();
+    }
+
+    @Override
+    public boolean hasCallWaiting() {
+        return false;
+    }
+
+    @Override
+    public void sendKeys(List<DtmfKey> keys, int toneMillis, Runnable sent) {
+        sending.add(new Keys(keys.size(), sent));
+        keys.forEach(key -> modem.station().signalKey(key, toneMillis));
+    }
+
+    @Override
+    public void setPower(boolean on) {
+        if (on) {
+            modem.station().powerOn();
+        } else {
+            modem.station().powerOff();
+        }
+    }
+
+    @Override
+    public boolean sendUssd(String text) {
+        return modem.station().sendUssd(text);
+    }
+
+    @Override
+    public boolean endUssd() {
+        return modem.station().endUssd();
+    }
+
+    @Override
+    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
+        return modem.station().submit(tpdu, to, serviceCenter);
+    }
+
+    @Override
+    public void setMemoryAvailable(boolean available) {
+        modem.station().setMemoryAvailable(available);
+    }
+
+    @Override
+    public void accept(StationEvent event) {
+        if (event instanceof StationEvent.KeyCompleted && !sending.isEmpty()) {
+            Keys keys = sending.element();
+            if (--keys.left == 0) {
+                sending.remove();
+                keys.sent.run();
+            }
+        } else if (event instanceof StationEvent.KeysRefused || event instanceof StationEvent.Released) {
+            sending.clear();
+        }
+    }
+}
