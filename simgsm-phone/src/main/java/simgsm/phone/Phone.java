@@ -68,7 +68,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     /** Opens a port for AT commands, before the start. @return its number */
     int openAtPort(InetSocketAddress address) throws IOException {
         AtModem modem = new AtModem(new PhoneTerminal(handset, station), InstantSource.system());
-        AtPort port = AtPort.open(modem, thread, address);
+        AtPort port = AtPort.open(modem, station, thread, address);
         at = Optional.of(port);
         return port.port();
     }

@@ -141,7 +141,7 @@ public final class SimRobot implements AutoCloseable {
         }
         Modem m2 = robot.m2().get();
         AtModem modem = new AtModem(new ModemTerminal(m2), InstantSource.system());
-        AtPort port = AtPort.open(modem, stationThread, address);
+        AtPort port = AtPort.open(modem, m2.station(), stationThread, address);
         m2.observe(port::accept);
         return Optional.of(port);
     }

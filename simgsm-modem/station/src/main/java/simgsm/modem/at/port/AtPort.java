@@ -10,6 +10,7 @@ import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
 import simgsm.net.OutputQueue;
+import simgsm.station.MobileStation;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timers;
@@ -26,6 +27,7 @@ public final class AtPort implements AutoCloseable {
     private static final long MOST_WAIT_NANOS = 1_000_000_000;
 
     private final AtModem modem;
+    private final MobileStation station;
     private final Acceptor acceptor;
     private final long originNanos = System.nanoTime();
 
@@ -53,7 +55,7 @@ public final class AtPort implements AutoCloseable {
 
         /** Gives the modem its time while somebody is connected: each connection wakes itself at the next deadline. */
         private void tick() {
-            advance();
+            advanceAll();
             Timers timers = modem.timers();
             long wait = timers.nextDeadlineNanos().isPresent()
                     ? timers.nextDeadlineNanos().getAsLong() - timers.nowNanos()
@@ -65,7 +67,7 @@ public final class AtPort implements AutoCloseable {
         protected void received(ByteBuffer octets) {
             byte[] all = new byte[octets.remaining()];
             octets.get(all);
-            advance();
+            advanceAll();
             client.received(all);
         }
 
@@ -92,8 +94,10 @@ public final class AtPort implements AutoCloseable {
         }
     }
 
-    private AtPort(AtModem modem, StationThread thread, InetSocketAddress address) throws IOException {
+    private AtPort(AtModem modem, MobileStation station, StationThread thread, InetSocketAddress address)
+            throws IOException {
         this.modem = modem;
+        this.station = station;
         acceptor = thread.listen(
                 address, new ConnectionLimits(MOST_CLIENTS, MOST_CLIENTS), endpoint -> new ClientConnection(endpoint));
     }
@@ -101,11 +105,13 @@ public final class AtPort implements AutoCloseable {
     /**
      * Opens a port; it is served once the thread runs.
      *
-     * @param thread owns the modem's station
+     * @param station of the modem's terminal
+     * @param thread owns the station
      * @throws IOException naming address and port
      */
-    public static AtPort open(AtModem modem, StationThread thread, InetSocketAddress address) throws IOException {
-        return new AtPort(modem, thread, address);
+    public static AtPort open(AtModem modem, MobileStation station, StationThread thread, InetSocketAddress address)
+            throws IOException {
+        return new AtPort(modem, station, thread, address);
     }
 
     public int port() {
@@ -116,6 +122,12 @@ public final class AtPort implements AutoCloseable {
     public void accept(StationEvent event) {
         advance();
         modem.accept(event);
+    }
+
+    /** Commands act at the station's time, which may be that of its last frame. */
+    private void advanceAll() {
+        station.timePassed(System.nanoTime());
+        advance();
     }
 
     private void advance() {
