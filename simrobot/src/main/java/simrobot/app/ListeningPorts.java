@@ -65,7 +65,7 @@ public final class ListeningPorts implements AutoCloseable {
     private record Source(SimRobot simRobot) implements WebSource {
         @Override
         public SimulationSnapshot scene() throws InterruptedException {
-            return simRobot.onSimulation(simRobot::scene);
+            return simRobot.onSimulation(simRobot::sceneWithLasers);
         }
 
         @Override

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
+import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
@@ -24,15 +26,19 @@ final class P2osPorts implements AutoCloseable {
     private final Optional<P2osServer> server;
     private final Map<String, Integer> ports = Collections.synchronizedMap(new LinkedHashMap<>());
 
-    private P2osPorts(Optional<P2osServer> server) {
+    private final ClientRequests requests;
+
+    private P2osPorts(Optional<P2osServer> server, SimRobot simRobot) {
         this.server = server;
+        requests = new ClientRequests(simRobot);
+        server.ifPresent(serving -> serving.setRequests(requests));
     }
 
     /** Opens a port for each robot, before the simulation starts. */
     static P2osPorts open(Arguments arguments, InetAddress address, SimRobot simRobot)
             throws UsageException, IOException {
         if (!arguments.has("p2os")) {
-            return new P2osPorts(Optional.empty());
+            return new P2osPorts(Optional.empty(), simRobot);
         }
         int first = (int) arguments.integer("p2os", 0, 0, ListeningPorts.MAX_PORT);
         int last = first + simRobot.robots().size() - 1;
@@ -41,7 +47,7 @@ final class P2osPorts implements AutoCloseable {
                     + " end above " + ListeningPorts.MAX_PORT);
         }
         P2osServer server = new P2osServer(simRobot.simulation(), address, first);
-        P2osPorts opened = new P2osPorts(Optional.of(server));
+        P2osPorts opened = new P2osPorts(Optional.of(server), simRobot);
         try {
             for (TelephoneRobot robot : simRobot.robots()) {
                 if (robot.simulated().isPresent()) {
@@ -63,6 +69,11 @@ final class P2osPorts implements AutoCloseable {
                 ? ready
                 : ready.with(
                         "p2os", ports.values().stream().map(String::valueOf).collect(Collectors.joining(",")));
+    }
+
+    /** Sets what loads a world that a client asks for, in place of the simulation alone. */
+    void setWorldLoader(Consumer<Path> loader) {
+        requests.setLoader(loader);
     }
 
     void start() {

@@ -95,6 +95,7 @@ public final class WindowModel implements OperatorActions {
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
+        ports.p2os().setWorldLoader(this::read);
         simRobot.onAdded(this::added);
         simRobot.onRemoved(this::removed);
     }

@@ -78,6 +78,18 @@ final class RobotCommands {
                                 .collect(Collectors.joining(",")))));
     }
 
+    void laser() throws CommandException {
+        SimulatedRobot simulated = telephone
+                .simulated()
+                .orElseThrow(() -> new CommandException("laser: " + robot.name() + " has none that is simulated"));
+        onSimulation(() -> console.answer(about("laser")
+                .with(
+                        "ranges",
+                        Arrays.stream(simulated.laserRangesMeters())
+                                .mapToObj(meters -> Long.toString(Math.round(meters * 1000)))
+                                .collect(Collectors.joining(",")))));
+    }
+
     private static boolean isOn(ConsoleCommand command) throws CommandException {
         String word = command.words(1, "on or off").get(0);
         if (!word.equals("on") && !word.equals("off")) {

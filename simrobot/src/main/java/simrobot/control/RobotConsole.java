@@ -38,6 +38,11 @@ public final class RobotConsole implements Console.Commands {
                     "prints the ranges of the 16 sonars in mm, sonar 0 first",
                     (to, command) -> to.robot().sonar())
             .add(
+                    "laser",
+                    "",
+                    "prints 181 laser ranges in mm, from 90 degrees at the right to 90 at the left",
+                    (to, command) -> to.robot().laser())
+            .add(
                     "camera",
                     "FILE",
                     "writes the camera's picture; the ending says .png, .jpg or .jpeg",

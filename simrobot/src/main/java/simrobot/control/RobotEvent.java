@@ -176,6 +176,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** A Pioneer program sent a text for the operator. */
+    record ClientMessage(String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "client-message").with("text", text);
+        }
+    }
+
     private static Event about(String robot, String name) {
         return Event.of(name).with("robot", robot);
     }
@@ -202,6 +210,7 @@ public sealed interface RobotEvent {
                         case "ussd" -> new UssdAnswered(field(fields, "text"), field(fields, "reply"));
                         case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
                         case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
+                        case "client-message" -> new ClientMessage(field(fields, "text"));
                         case "behaviour" -> new BehaviourChanged(BehaviourKind.shown(field(fields, "value")));
                         case "behaviour-failed" ->
                             new BehaviourFailed(

@@ -239,6 +239,11 @@ public final class SimRobot implements AutoCloseable {
         return simulation.snapshot();
     }
 
+    /** The same with the robots' laser ranges; for the simulation's thread only. */
+    public SimulationSnapshot sceneWithLasers() {
+        return simulation.snapshotWithLasers();
+    }
+
     /**
      * Performs a task on the simulation's thread and waits for it.
      *

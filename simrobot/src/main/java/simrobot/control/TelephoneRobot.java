@@ -65,6 +65,11 @@ public final class TelephoneRobot {
         control.listen(listener);
     }
 
+    /** A Pioneer program sent a text for the operator. For the simulation's thread only. */
+    public void clientMessage(String text) {
+        control.tell(new RobotEvent.ClientMessage(text));
+    }
+
     /** For the simulation's thread only. */
     public Pioneer robot() {
         return control.robot();

@@ -5,6 +5,8 @@ import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
+import simrobot.robot.Laser;
+import simrobot.robot.LaserField;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
 import simrobot.robot.Trail;
@@ -84,6 +86,30 @@ public final class RobotPainter {
             g.ink(Ink.RAY, echo ? 0.55 : 0.16);
             g.pen(0.8);
             g.line(x, y, x + length * Math.cos(direction), y - length * Math.sin(direction));
+        }
+    }
+
+    /** The area that the laser sees, its border drawn where there is an echo. */
+    void laser(RobotSnapshot robot) {
+        double[] ranges = robot.laserRangesMeters();
+        if (ranges.length == 0) {
+            return;
+        }
+        double x = view.screenX(robot.xMeters() + Laser.MOUNT_METERS * Math.cos(robot.headingRadians()));
+        double y = view.screenY(robot.yMeters() + Laser.MOUNT_METERS * Math.sin(robot.headingRadians()));
+        double[] border = new double[2 * ranges.length];
+        for (int i = 0; i < ranges.length; i++) {
+            double direction = robot.headingRadians() + LaserField.USUAL.radians(i);
+            border[2 * i] = x + ranges[i] * scale * Math.cos(direction);
+            border[2 * i + 1] = y - ranges[i] * scale * Math.sin(direction);
+        }
+        g.ink(Ink.ACCENT, 0.1);
+        g.fill(Outline.polyline(border).line(x, y).close());
+        g.ink(Ink.ACCENT, 0.8);
+        for (int i = 0; i < ranges.length; i++) {
+            if (ranges[i] < Laser.RANGE_METERS) {
+                g.bar(border[2 * i] - g.px(1), border[2 * i + 1] - g.px(1), g.px(2), g.px(2));
+            }
         }
     }
 

@@ -47,6 +47,7 @@ public final class WorldPainter {
         }
         for (RobotSnapshot robot : scene.robots()) {
             if (layers.sonar() && (alone || robot.name().equals(selected))) {
+                painter.laser(robot);
                 painter.sonar(robot);
             }
         }

@@ -5,7 +5,7 @@ import simrobot.robot.Condition;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
-/** A robot's status as JSON: metres, degrees anticlockwise from +X in [0, 360), sonar ranges in millimetres, volts. */
+/** A robot's status as JSON: metres, degrees anticlockwise from +X in [0, 360), sonar and laser ranges in millimetres, volts. */
 final class StatusJson {
     private StatusJson() {}
 
@@ -40,11 +40,8 @@ final class StatusJson {
         json.name("speed").value(robot.speedMetersPerSecond(), 4);
         json.name("turn").value(Math.toDegrees(robot.turnRadiansPerSecond()), 2);
         condition(json, robot.condition());
-        json.name("sonar").open('[');
-        for (double range : robot.sonarRangesMeters()) {
-            json.value(Math.round(range * 1000));
-        }
-        json.close(']');
+        ranges(json, "sonar", robot.sonarRangesMeters());
+        ranges(json, "laser", robot.laserRangesMeters());
         json.name("world").value(scene.world().name());
         json.name("time").value(scene.timeNanos() / 1e9, 2);
         json.name("simulated").value(robot.simulated());
@@ -53,6 +50,14 @@ final class StatusJson {
             json.name("stream").value(path + "/camera.mjpg");
         }
         json.close('}');
+    }
+
+    private static void ranges(JsonText json, String name, double[] meters) {
+        json.name(name).open('[');
+        for (double range : meters) {
+            json.value(Math.round(range * 1000));
+        }
+        json.close(']');
     }
 
     private static void condition(JsonText json, Condition condition) {

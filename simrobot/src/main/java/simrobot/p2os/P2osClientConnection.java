@@ -54,7 +54,8 @@ final class P2osClientConnection extends Connection {
 
     /** Begins the session; until then nothing is read. */
     void begin() {
-        session = new P2osSession(port.robot(), port.start(), new SessionOutput(), System.nanoTime());
+        session =
+                new P2osSession(port.robot(), port.start(), new SessionOutput(), server.requests(), System.nanoTime());
         server.add(session);
         resumeReading();
     }

@@ -77,6 +77,26 @@ public sealed interface P2osCommand {
     /** Selects when the simulator's status is sent, as for the encoders. */
     record SimStatus(int mode) implements P2osCommand {}
 
+    /** A setting of the simulated laser. */
+    enum LaserPart {
+        /** 0 off, 1 plain packets, 2 extended ones. */
+        MODE,
+        /** Degrees, of the first reading. */
+        START,
+        /** Degrees, of the last reading. */
+        END,
+        /** Hundredths of a degree between readings. */
+        STEP
+    }
+
+    record Laser(LaserPart part, int value) implements P2osCommand {}
+
+    /** Loads a world. */
+    record SimLoad(String file) implements P2osCommand {}
+
+    /** A text for the operator. */
+    record SimMessage(String text) implements P2osCommand {}
+
     record Battery(int decivolts) implements P2osCommand {}
 
     /** A command without effect: unknown, equipment not fitted, or its argument missing or of the wrong type. */

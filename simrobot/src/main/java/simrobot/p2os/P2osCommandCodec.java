@@ -1,5 +1,6 @@
 package simrobot.p2os;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,6 +13,7 @@ public final class P2osCommandCodec {
     private static final int TEXT = 0x2B;
 
     private static final int MAX_TEXT = 195;
+    private static final int SIM_CTRL_HEAD = 6;
 
     private P2osCommandCodec() {}
 
@@ -64,6 +66,8 @@ public final class P2osCommandCodec {
             case P2osCommandNumber.SIM_RESET -> new P2osCommand.SimReset();
             case P2osCommandNumber.POLLING -> polling(data);
             case P2osCommandNumber.SIM_SET_POSE -> simPose(data);
+            case P2osCommandNumber.SIM_CTRL -> simControl(data);
+            case P2osCommandNumber.SIM_MESSAGE -> simMessage(data);
             case P2osCommandNumber.SIM_STAT -> new P2osCommand.SimStatus(hasNumber(data) ? argument(data) : 1);
             default -> hasNumber(data) ? withNumber(number, argument(data)) : new P2osCommand.Unheeded(number);
         };
@@ -86,9 +90,47 @@ public final class P2osCommandCodec {
             case P2osCommandNumber.ENCODER -> new P2osCommand.Encoders(argument);
             case P2osCommandNumber.SONAR -> new P2osCommand.Sonar(argument != 0);
             case P2osCommandNumber.BUMPSTALL -> new P2osCommand.BumpStall((argument & 1) != 0, (argument & 2) != 0);
+            case P2osCommandNumber.LASER, P2osCommandNumber.SIM_LRF_ENABLE ->
+                laser(P2osCommand.LaserPart.MODE, argument);
+            case P2osCommandNumber.LASER_START, P2osCommandNumber.SIM_LRF_START ->
+                laser(P2osCommand.LaserPart.START, argument);
+            case P2osCommandNumber.LASER_END, P2osCommandNumber.SIM_LRF_END ->
+                laser(P2osCommand.LaserPart.END, argument);
+            case P2osCommandNumber.LASER_STEP, P2osCommandNumber.SIM_LRF_STEP ->
+                laser(P2osCommand.LaserPart.STEP, argument);
             case P2osCommandNumber.BATTEST -> new P2osCommand.Battery(argument);
             default -> new P2osCommand.Unheeded(number);
         };
+    }
+
+    private static P2osCommand laser(P2osCommand.LaserPart part, int value) {
+        return new P2osCommand.Laser(part, value);
+    }
+
+    /** Type, operation 2, length 2, file name; operations 1 and 2 load a world, the others are not served. */
+    private static P2osCommand simControl(byte[] data) {
+        int operation = hasNumber(data) ? argument(data) : 0;
+        boolean loads = operation == 1 || operation == 2;
+        if (!loads || data.length < SIM_CTRL_HEAD) {
+            return new P2osCommand.Unheeded(P2osCommandNumber.SIM_CTRL);
+        }
+        int length = data[4] & 0xFF | (data[5] & 0xFF) << 8;
+        return new P2osCommand.SimLoad(text(data, SIM_CTRL_HEAD, length));
+    }
+
+    private static P2osCommand simMessage(byte[] data) {
+        return data.length < 3 || data[1] != TEXT
+                ? new P2osCommand.Unheeded(P2osCommandNumber.SIM_MESSAGE)
+                : new P2osCommand.SimMessage(text(data, 3, data[2] & 0xFF));
+    }
+
+    /** At most {@code length} octets of UTF-8, up to a NUL. */
+    private static String text(byte[] data, int from, int length) {
+        int end = from;
+        while (end < Math.min(data.length, from + length) && data[end] != 0) {
+            end++;
+        }
+        return new String(data, from, end - from, StandardCharsets.UTF_8);
     }
 
     private static boolean hasNumber(byte[] data) {

@@ -24,12 +24,22 @@ public final class P2osCommandNumber {
     public static final int SONAR = 28;
     public static final int STOP = 29;
     public static final int VEL2 = 32;
+    public static final int LASER = 35;
+    public static final int LASER_START = 36;
+    public static final int LASER_END = 37;
+    public static final int LASER_STEP = 38;
     public static final int BUMPSTALL = 44;
     public static final int E_STOP = 55;
     public static final int E_STOP_OLD = 57;
     public static final int SIM_SET_POSE = 224;
     public static final int SIM_RESET = 225;
+    public static final int SIM_LRF_ENABLE = 230;
+    public static final int SIM_LRF_START = 231;
+    public static final int SIM_LRF_END = 232;
+    public static final int SIM_LRF_STEP = 233;
+    public static final int SIM_CTRL = 236;
     public static final int SIM_STAT = 237;
+    public static final int SIM_MESSAGE = 238;
     public static final int BATTEST = 250;
 
     private P2osCommandNumber() {}

@@ -30,6 +30,7 @@ public final class P2osServer implements AutoCloseable {
     private final List<P2osPort> ports = new CopyOnWriteArrayList<>();
     private final List<P2osSession> sessions = new CopyOnWriteArrayList<>();
     private final AtomicBoolean tickPosted = new AtomicBoolean();
+    private volatile SimulatorRequests requests = SimulatorRequests.IGNORED;
     private int nextPort;
 
     /**
@@ -57,6 +58,15 @@ public final class P2osServer implements AutoCloseable {
         nextPort += nextPort == 0 ? 0 : 1;
         ports.add(port);
         return port.port();
+    }
+
+    /** Sets the receiver of clients' requests to the simulator; of none, they are ignored. */
+    public void setRequests(SimulatorRequests receiver) {
+        requests = receiver;
+    }
+
+    SimulatorRequests requests() {
+        return requests;
     }
 
     /** Closes the robot's port and disconnects its clients. */

@@ -46,6 +46,8 @@ public final class P2osSession {
     private final P2osPacketReader reader = new P2osPacketReader(this::receive);
     private final P2osMotionCommands motion;
     private final P2osReports reports;
+    private final LaserReports laser;
+    private final SimulatorRequests requests;
     private final StallDetector stall;
     private final StateMachine<State, Event, Action> machine;
 
@@ -68,12 +70,19 @@ public final class P2osSession {
      * @param nanos real time now
      */
     public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, long nanos) {
+        this(robot, start, output, SimulatorRequests.IGNORED, nanos);
+    }
+
+    /** The same with a receiver of requests to the simulator. */
+    public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, SimulatorRequests requests, long nanos) {
+        this.requests = requests;
         this.robot = robot;
         this.start = start;
         this.output = output;
         motion = new P2osMotionCommands(robot);
         stall = new StallDetector(robot);
         reports = new P2osReports(robot, stall);
+        laser = new LaserReports(robot);
         machine = new StateMachine<>(P2osSessionTable.ROWS, robot.name(), this::perform);
         receivedNanos = nanos;
     }
@@ -162,7 +171,10 @@ public final class P2osSession {
             case SEND_NAMES -> output.send(reports.introduction());
             case BEGIN_CONTROL -> motion.begin();
             case SEND_INFORMATION -> sendInformation();
-            case END_CONTROL -> motion.end();
+            case END_CONTROL -> {
+                motion.end();
+                laser.end();
+            }
             case CLOSE_CONNECTION -> output.close();
         }
     }
@@ -188,6 +200,12 @@ public final class P2osSession {
             stall.setBumpers(sides);
         } else if (command instanceof P2osCommand.Battery battery) {
             robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
+        } else if (command instanceof P2osCommand.Laser setting) {
+            laser.set(setting);
+        } else if (command instanceof P2osCommand.SimLoad load) {
+            requests.loadWorld(robot.name(), load.file());
+        } else if (command instanceof P2osCommand.SimMessage message) {
+            requests.show(robot.name(), message.text());
         } else if (command instanceof P2osCommand.SimPose pose) {
             place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
         } else if (command instanceof P2osCommand.SimReset) {
@@ -230,6 +248,7 @@ public final class P2osSession {
             simulator = simulator == Repetition.ALWAYS ? Repetition.ALWAYS : Repetition.NEVER;
             output.send(reports.simulator());
         }
+        laser.scan().forEach(output::send);
     }
 
     /** Returns all sonars, sonar 0 first. */

@@ -437,6 +437,7 @@ public final class RealPioneer implements Pioneer {
                 Arrays.stream(sonars)
                         .mapToDouble(millimeters -> millimeters / 1000.0)
                         .toArray(),
+                new double[0],
                 new Condition(
                         volts,
                         known && volts < Battery.LOW_VOLTS,

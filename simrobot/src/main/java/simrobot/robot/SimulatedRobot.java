@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.SortedMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import simrobot.behaviour.Senses;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -24,8 +25,6 @@ import vericommand.StatusRules;
 public final class SimulatedRobot implements Pioneer {
     /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
     private static final double FREE_PATH_METERS = 0.01;
-
-    private static final double LASER_RANGE_METERS = 32;
 
     private final String name;
     private final int number;
@@ -53,6 +52,7 @@ public final class SimulatedRobot implements Pioneer {
     private ContactDirection touch = ContactDirection.NONE;
     private Noise noise = Noise.NONE;
     private long steps;
+    private boolean laserOn;
 
     /**
      * A robot that stands there with power and motors on.
@@ -410,6 +410,28 @@ public final class SimulatedRobot implements Pioneer {
         return ranges;
     }
 
+    /** What the laser measures now, metres: 181 readings from 90 degrees at the right to 90 degrees at the left. */
+    public double[] laserRangesMeters() {
+        return laserRangesMeters(LaserField.USUAL);
+    }
+
+    /** Whether windows show what the laser measures. */
+    public boolean isLaserOn() {
+        return laserOn;
+    }
+
+    /** Switches the laser; off, it can be read nevertheless. */
+    public void setLaserOn(boolean on) {
+        laserOn = on;
+    }
+
+    /** The same over another field. */
+    public double[] laserRangesMeters(LaserField field) {
+        return IntStream.range(0, field.count())
+                .mapToDouble(reading -> Laser.rangeMeters(this, floor, field.radians(reading)))
+                .toArray();
+    }
+
     /** What one sonar measures now, noise included. */
     double sonarRangeMeters(int sonar) {
         return noise.sonar(Sonars.rangeMeters(this, direction.to(heading), floor, sonar), sonar, steps);
@@ -420,8 +442,7 @@ public final class SimulatedRobot implements Pioneer {
         if (reading < 0 || reading >= Senses.LASER_READINGS) {
             throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
         }
-        double bearing = heading + Math.toRadians(reading - 90);
-        return floor.rayRange(this, x, y, StrictMath.cos(bearing), StrictMath.sin(bearing), LASER_RANGE_METERS);
+        return Laser.rangeMeters(this, floor, LaserField.USUAL.radians(reading));
     }
 
     /** The same in whole millimetres. */

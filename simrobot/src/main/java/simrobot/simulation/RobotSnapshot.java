@@ -14,6 +14,7 @@ import vericommand.RobotStatus;
  * @param turnRadiansPerSecond anticlockwise
  * @param sonarRangesMeters sixteen, sonar 0 first; empty with over 16 robots unless this one is watched
  * @param path the way that its process is about to take; empty if it plans none
+ * @param laserRangesMeters 181, from 90 degrees at the right to 90 at the left; empty while the laser is off
  * @param simulated false for a real robot, which has no simulated camera
  */
 public record RobotSnapshot(
@@ -27,6 +28,7 @@ public record RobotSnapshot(
         double speedMetersPerSecond,
         double turnRadiansPerSecond,
         double[] sonarRangesMeters,
+        double[] laserRangesMeters,
         Condition condition,
         Trail.Points trail,
         BehaviourKind behaviour,

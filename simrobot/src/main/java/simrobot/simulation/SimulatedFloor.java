@@ -25,8 +25,8 @@ final class SimulatedFloor implements Floor {
     /** No corner of the octagon is farther from the centre of rotation. */
     private static final double OCTAGON_REACH = 0.29;
 
-    /** Robots farther from a robot's centre are out of reach of all its sonars; mouths are at most 0.26 m from the centre. */
-    private static final double SONAR_REACH = Pioneer2Dx.SONAR_RANGE_METERS + 0.26 + OCTAGON_REACH;
+    /** Sonars' mouths are at most this far from the centre of rotation. */
+    private static final double MOUTH_REACH = 0.26;
 
     private final DiscGrid places = new DiscGrid();
 
@@ -38,11 +38,12 @@ final class SimulatedFloor implements Floor {
     private ObstacleGrid obstacles;
     private Area ground;
 
-    /** The robots in sonar reach of {@link #seer}, looked up once for all its sonars until a robot moves. */
+    /** The robots within {@link #reach} of {@link #seer}, looked up once for all its sensors until a robot moves. */
     private SimulatedRobot[] neighbours = new SimulatedRobot[16];
 
     private int neighbourCount;
     private SimulatedRobot seer;
+    private double reach;
 
     SimulatedFloor(World world) {
         load(world, new ObstacleGrid(world));
@@ -148,7 +149,7 @@ final class SimulatedFloor implements Floor {
     @Override
     public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range) {
         double nearest = obstacles.rayRange(x, y, ux, uy, range);
-        lookUpNeighbours(robot);
+        lookUpNeighbours(robot, range);
         for (int i = 0; i < neighbourCount; i++) {
             SimulatedRobot other = neighbours[i];
             if (Distances.alongRayToDisc(x, y, ux, uy, other.xMeters(), other.yMeters(), OCTAGON_REACH) < nearest) {
@@ -162,7 +163,7 @@ final class SimulatedFloor implements Floor {
     @Override
     public double coneRange(SimulatedRobot robot, Cone cone, double range) {
         double nearest = obstacles.coneRange(cone, range);
-        lookUpNeighbours(robot);
+        lookUpNeighbours(robot, range);
         for (int i = 0; i < neighbourCount; i++) {
             SimulatedRobot other = neighbours[i];
             if (cone.mayHold(other.xMeters(), other.yMeters(), OCTAGON_REACH, nearest)) {
@@ -172,11 +173,14 @@ final class SimulatedFloor implements Floor {
         return nearest;
     }
 
-    private void lookUpNeighbours(SimulatedRobot robot) {
-        if (seer != robot) {
+    /** @param range of a sensor; the robots found may be farther away */
+    private void lookUpNeighbours(SimulatedRobot robot, double range) {
+        if (seer != robot || range > reach) {
             double x = robot.xMeters();
             double y = robot.yMeters();
-            int found = places.near(x - SONAR_REACH, y - SONAR_REACH, x + SONAR_REACH, y + SONAR_REACH);
+            reach = Math.max(range, Pioneer2Dx.SONAR_RANGE_METERS);
+            double around = reach + MOUTH_REACH + OCTAGON_REACH;
+            int found = places.near(x - around, y - around, x + around, y + around);
             neighbours = found > neighbours.length ? new SimulatedRobot[2 * found] : neighbours;
             neighbourCount = 0;
             for (int i = 0; i < found; i++) {

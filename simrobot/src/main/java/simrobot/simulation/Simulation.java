@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.function.LongConsumer;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import simrobot.process.BehaviourList;
@@ -266,17 +267,26 @@ public final class Simulation {
     }
 
     public SimulationSnapshot snapshot() {
+        return snapshot(SimulatedRobot::isLaserOn);
+    }
+
+    /** The same with the laser ranges of all robots whose sonar ranges it holds, whether their lasers are on or not. */
+    public SimulationSnapshot snapshotWithLasers() {
+        return snapshot(robot -> true);
+    }
+
+    private SimulationSnapshot snapshot(Predicate<SimulatedRobot> lasers) {
         return new SimulationSnapshot(
                 timeNanos,
                 world,
                 Stream.concat(
-                                robots.stream().map(this::snapshot),
+                                robots.stream().map(robot -> snapshot(robot, lasers)),
                                 guests.stream().map(Supplier::get))
                         .toList(),
                 behaviours.withNone());
     }
 
-    private RobotSnapshot snapshot(SimulatedRobot robot) {
+    private RobotSnapshot snapshot(SimulatedRobot robot, Predicate<SimulatedRobot> lasers) {
         boolean sonars = robots.size() <= MAX_ROBOTS_WITH_SONARS || robot == watched;
         return new RobotSnapshot(
                 robot.name(),
@@ -289,6 +299,7 @@ public final class Simulation {
                 robot.speedMetersPerSecond(),
                 robot.turnRadiansPerSecond(),
                 sonars ? robot.sonarRangesMeters() : new double[0],
+                sonars && lasers.test(robot) ? robot.laserRangesMeters() : new double[0],
                 robot.condition(),
                 robot.trail().points(),
                 robot.autonomy().kind(),

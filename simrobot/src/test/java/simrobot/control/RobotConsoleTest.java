@@ -104,6 +104,12 @@ class RobotConsoleTest {
     }
 
     @Test
+    void theLaserAnswersWith181Ranges() throws Exception {
+        List<String> answers = answers("laser");
+        assertTrue(answers.get(0).matches("laser robot=r0 ranges=([0-9]+,){180}[0-9]+"), answers.get(0));
+    }
+
+    @Test
     void switchesAnswerWithTheStatusOnceWhetherItChangesOrNot() throws Exception {
         assertEquals(
                 List.of(

@@ -34,6 +34,23 @@ class SensesTest {
         return simulation.addRobot("robot", new Position(0, 0), 0);
     }
 
+    // ---- laser -----------------------------------------------------------------------------------------------------
+
+    @Test
+    void theLaserSeesWallsAndRobotsUpTo32MetersAway() {
+        Simulation simulation = simulation(World.ofSegments("far walls", List.of(new Segment(-50, 30, 50, 30))), 3, 1);
+        SimulatedRobot robot = robot(simulation);
+        simulation.addRobot("other", new Position(20, 0), 0);
+        robot.sonarRangesMeters();
+        double[] ranges = robot.laserRangesMeters();
+        assertEquals(181, ranges.length);
+        assertEquals(20 - 0.04 - 0.22 - 0.018, ranges[90], 1e-9, "the other robot's back");
+        assertEquals(30, ranges[180], 1e-9, "the wall at the left");
+        assertEquals(30 / Math.cos(Math.toRadians(10)), ranges[170], 1e-9);
+        assertEquals(32, ranges[0], "nothing at the right");
+        assertEquals(32, ranges[140], "the wall is farther than 32 m there");
+    }
+
     // ---- bumpers ---------------------------------------------------------------------------------------------------
 
     @ParameterizedTest

@@ -41,6 +41,8 @@ final class EventTexts {
             return texts.of("log.released", String.valueOf(released.cause()));
         } else if (event instanceof RobotEvent.BehaviourChanged behaviour) {
             return texts.of("log.behaviour", RobotsCard.word(texts, behaviour.kind()));
+        } else if (event instanceof RobotEvent.ClientMessage message) {
+            return texts.of("log.client.message", message.text());
         } else if (event instanceof RobotEvent.TypeUnknown unknown) {
             return texts.of("log.type.unknown", unknown.type());
         } else if (event instanceof RobotEvent.BehaviourFailed failed) {
