@@ -7,6 +7,7 @@ module simgsm.station {
     exports simgsm.modem;
     exports simgsm.modem.at.command;
     exports simgsm.modem.at.port;
+    exports simgsm.modem.client;
     exports simgsm.station;
     exports simgsm.station.call;
     exports simgsm.station.context;

@@ -34,6 +34,7 @@ import simrobot.app.BatchRun;
 import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
 import simrobot.app.ListeningPorts;
+import simrobot.app.ModemCheckRun;
 import simrobot.app.ReplayModel;
 import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
@@ -146,6 +147,15 @@ public final class SimRobotMain {
                         "FILE.p",
                         "the units of a real robot whose type is not built in: a params file of ARIA")
                 .value(
+                        "modem",
+                        "ADDRESS",
+                        "put a real modem in M2's place, which speaks AT commands: HOST:PORT, or a serial line's"
+                                + "\ndevice file whose speed is set")
+                .value(
+                        "modem-check",
+                        "ADDRESS",
+                        "try a real modem command by command, print the answers, and end: 0 if it can serve as M2")
+                .value(
                         "http",
                         "PORT",
                         "serve a page with map and cameras, status as JSON and pictures; 0: any free port")
@@ -156,6 +166,10 @@ public final class SimRobotMain {
     private static int run(Arguments arguments) throws Exception {
         if (arguments.has("replay")) {
             return replay(arguments);
+        }
+        if (arguments.has("modem-check")) {
+            return ModemCheckRun.run(
+                    arguments.value("modem-check", LineAddress::parse).orElseThrow(), Program.standardOutput());
         }
         VeriCommandSettings settings = settings(arguments);
         World world = WorldFile.read(arguments.path("world"));
@@ -252,11 +266,12 @@ public final class SimRobotMain {
         simRobot.simulation().onFailure(fault -> FatalError.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<LineAddress> real = RequestedRobots.real(arguments, names);
+        Optional<LineAddress> modem = RequestedRobots.modem(arguments, names);
         if (real.isPresent()) {
-            fleet.addReal(names.get(0), real.get(), RequestedRobots.parameters(arguments), simulation);
+            fleet.addReal(names.get(0), real.get(), RequestedRobots.parameters(arguments), simulation, modem);
         } else {
             for (RobotName name : names) {
-                fleet.addFirst(name, simulation);
+                fleet.addFirst(name, simulation, modem);
             }
         }
         return new Built(simulation, simRobot, fleet, behaviours);

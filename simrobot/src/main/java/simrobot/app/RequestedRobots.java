@@ -97,6 +97,22 @@ public final class RequestedRobots {
         return file.isEmpty() ? Optional.empty() : Optional.of(RobotParameters.read(file.get()));
     }
 
+    /** The address of a real modem; empty if the robots have M2. */
+    public static Optional<LineAddress> modem(Arguments arguments, List<RobotName> robots) throws UsageException {
+        Optional<LineAddress> address = arguments.value("modem", LineAddress::parse);
+        if (address.isPresent()) {
+            if (robots.size() > 1) {
+                throw new UsageException("--modem: expected one robot, found " + robots.size());
+            }
+            for (String option : List.of("sim", "codec", "record-audio", "center", "at")) {
+                if (arguments.has(option)) {
+                    throw new UsageException("--" + option + ": a real modem (--modem) has none of that");
+                }
+            }
+        }
+        return address;
+    }
+
     private static void requireDifferent(List<RobotName> robots) throws UsageException {
         Set<String> names = new HashSet<>();
         Set<Msisdn> numbers = new HashSet<>();

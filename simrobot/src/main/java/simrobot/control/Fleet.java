@@ -93,13 +93,27 @@ public final class Fleet {
 
     /** Creates a robot before the start, on the first free home. */
     public TelephoneRobot addFirst(RobotName name, Simulation simulation) throws IOException, UsageException {
-        Optional<SimCard> card = kit.cards().of(name.number());
-        return make(name, card, simulation, Optional.empty(), kit.recording().of(name.name()));
+        return addFirst(name, simulation, Optional.empty());
     }
 
-    /** Adds a real robot before the start; its assumed pose is the world's first home. */
+    /** Creates a robot before the start, on the first free home. @param modem the real modem in M2's place */
+    public TelephoneRobot addFirst(RobotName name, Simulation simulation, Optional<LineAddress> modem)
+            throws IOException, UsageException {
+        SimulatedRobot robot = placed(name, simulation, Optional.empty());
+        return modem.isPresent() ? join(robot, name, modem.get()) : join(robot, name);
+    }
+
+    /**
+     * Adds a real robot before the start; its assumed pose is the world's first home.
+     *
+     * @param modem the real modem in M2's place
+     */
     public TelephoneRobot addReal(
-            RobotName name, LineAddress address, Optional<RobotParameters> parameters, Simulation simulation)
+            RobotName name,
+            LineAddress address,
+            Optional<RobotParameters> parameters,
+            Simulation simulation,
+            Optional<LineAddress> modem)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
         Pose start = simulation.world().homes().stream()
@@ -110,8 +124,7 @@ public final class Fleet {
         RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors(), parameters);
         Supplier<RobotSnapshot> guest = robot::snapshot;
         simulation.addGuest(guest);
-        TelephoneRobot added =
-                join(robot, name, kit.cards().of(name.number()), kit.recording().of(name.name()));
+        TelephoneRobot added = modem.isPresent() ? join(robot, name, modem.get()) : join(robot, name);
         simRobot.onClose(call::close);
         simRobot.onRemoved(gone -> {
             if (gone == added) {
@@ -194,6 +207,10 @@ public final class Fleet {
             Simulation simulation,
             Optional<Pose> place,
             CallAudioListener recorder) {
+        return join(placed(name, simulation, place), name, card, recorder);
+    }
+
+    private SimulatedRobot placed(RobotName name, Simulation simulation, Optional<Pose> place) {
         place.filter(pose -> !simulation.world().ground().contains(pose.xMeters(), pose.yMeters()))
                 .ifPresent(pose -> {
                     throw new IllegalArgumentException("no place for robot " + name.name() + " at " + pose.xMeters()
@@ -208,7 +225,15 @@ public final class Fleet {
         robot.setMotors(kit.motors());
         robot.setPower(kit.power());
         robot.autonomy().begin(kit.behaviour());
-        return join(robot, name, card, recorder);
+        return robot;
+    }
+
+    private TelephoneRobot join(Pioneer robot, RobotName name) throws IOException, UsageException {
+        return join(robot, name, kit.cards().of(name.number()), kit.recording().of(name.name()));
+    }
+
+    private TelephoneRobot join(Pioneer robot, RobotName name, LineAddress modem) {
+        return simRobot.addBehind(modem, robot, name.number(), kit.answerAfterMillis());
     }
 
     private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallAudioListener recorder) {

@@ -123,6 +123,10 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         if (event instanceof ModemEvent.KeyDecided decided) {
             DtmfDigit digit = decided.digit();
             char key = digit.key().symbol();
+            if (!digit.isMeasured()) {
+                tracer.show(digit);
+                trace = tracer.newest();
+            }
             long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
             simulation.execute(() -> control.key(key, began));
         } else if (event instanceof ModemEvent.KeyUnreadable) {
@@ -134,9 +138,16 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof ModemEvent.ReplyToneSent sent) {
             simulation.execute(
                     () -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
-            tonesToLeave = Math.max(0, tonesToLeave - 1);
-            clearIfSilent();
+            toneLeft();
+        } else if (event instanceof ModemEvent.ReplyToneFailed failed) {
+            LOG.log(Level.INFO, "tone " + failed.key().symbol() + " was not sent: the modem refuses it");
+            toneLeft();
         }
+    }
+
+    private void toneLeft() {
+        tonesToLeave = Math.max(0, tonesToLeave - 1);
+        clearIfSilent();
     }
 
     private CallDecision decide(Optional<Msisdn> from) {

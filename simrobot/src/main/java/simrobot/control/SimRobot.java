@@ -23,6 +23,9 @@ import simgsm.modem.ModemOptions;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.command.ModemTerminal;
 import simgsm.modem.at.port.AtPort;
+import simgsm.modem.client.AttachedModem;
+import simgsm.modem.client.ModemLine;
+import simgsm.net.LineAddress;
 import simgsm.sim.SimCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -144,6 +147,41 @@ public final class SimRobot implements AutoCloseable {
         AtPort port = AtPort.open(modem, m2.station(), stationThread, address);
         m2.observe(port::accept);
         return Optional.of(port);
+    }
+
+    /**
+     * Adds a robot behind a real modem; before the start.
+     *
+     * @param number the SIM's
+     * @throws IllegalArgumentException if another robot has the number
+     */
+    TelephoneRobot addBehind(LineAddress modem, Pioneer robot, Msisdn number, int answerAfterMillis) {
+        requireFree(number);
+        ModemLine line = new ModemLine("modem of " + robot.name(), modem, cause -> FatalError.end("simrobot", cause));
+        TelephoneRobot added = new TelephoneRobot(
+                robot,
+                number,
+                (admission, listener) ->
+                        line.attach(new AttachedModem(number, answerAfterMillis, line::send, admission, listener)),
+                settings,
+                new ControlThreads(line::execute, simulationThread, System::nanoTime));
+        join(added, new ModemConnection() {
+            @Override
+            public void begin() {
+                line.start();
+            }
+
+            @Override
+            public void end() {
+                line.end();
+            }
+
+            @Override
+            public void close() {
+                line.close();
+            }
+        });
+        return added;
     }
 
     private void requireFree(Msisdn number) {

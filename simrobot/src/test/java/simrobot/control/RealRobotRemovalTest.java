@@ -53,7 +53,8 @@ class RealRobotRemovalTest {
                         new RobotName("real", new Msisdn("5550200")),
                         LineAddress.parse("127.0.0.1:" + pioneer.getLocalPort()),
                         Optional.empty(),
-                        simulation);
+                        simulation,
+                        Optional.empty());
         simRobot.start();
         connection = pioneer.accept();
     }

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import java.util.OptionalInt;
+
 /**
  * A key as it was heard.
  *
@@ -20,6 +22,29 @@ public record DtmfDigit(
         double columnDbm0,
         double rowError,
         double columnError) {
+
+    /**
+     * A key that was heard elsewhere, as by a modem: levels and errors are not a number.
+     *
+     * @param millis how long it sounded; empty if that is not known, then the duration is 0
+     */
+    public static DtmfDigit reported(DtmfKey key, long decidedAtSample, OptionalInt millis) {
+        long duration = 8L * millis.orElse(0);
+        return new DtmfDigit(
+                key,
+                decidedAtSample,
+                Math.max(0, decidedAtSample - duration),
+                duration,
+                Double.NaN,
+                Double.NaN,
+                Double.NaN,
+                Double.NaN);
+    }
+
+    /** Whether the tones were measured here. */
+    public boolean isMeasured() {
+        return !Double.isNaN(rowDbm0);
+    }
 
     /** High group over low group (ITU-T Q.24). */
     public double twistDecibels() {

@@ -95,6 +95,12 @@ public final class ToneTracer {
         publish();
     }
 
+    /** Shows a key that was heard elsewhere. */
+    public void show(DtmfDigit reported) {
+        modem.keyEnded(reported);
+        publish();
+    }
+
     private void publish() {
         newest = new ToneTrace(
                 samples.clone(), experiment, modem.newest(isExperiment()), classic.newest(isExperiment()));

@@ -9,6 +9,9 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A key in an accepted call, at its decision, while its tone sounds. */
     record KeyDecided(DtmfDigit digit) implements ModemEvent {}
 
+    /** A tone could not be sent. */
+    record ReplyToneFailed(DtmfKey key) implements ModemEvent {}
+
     /** A key in an accepted call whose report could not be read; an order that it belongs to cannot be trusted. */
     record KeyUnreadable() implements ModemEvent {}
 

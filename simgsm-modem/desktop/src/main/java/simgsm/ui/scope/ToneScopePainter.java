@@ -229,6 +229,12 @@ final class ToneScopePainter {
     }
 
     private String reading(String key, DtmfDigit digit) {
+        if (!digit.isMeasured()) {
+            String symbol = String.valueOf(digit.key().symbol());
+            return digit.durationSamples() == 0
+                    ? texts.of("scope.reported", symbol)
+                    : texts.of("scope.reported.long", symbol, decimal("%.0f", digit.durationMillis()));
+        }
         return texts.of(
                 key,
                 String.valueOf(digit.key().symbol()),

@@ -1,0 +1,377 @@
+package simgsm.modem.client;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Queue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.modem.CallDecision;
+import simgsm.modem.ModemEvent;
+import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
+import simgsm.modem.client.AttachedCallTable.CallAction;
+import simgsm.modem.client.AttachedCallTable.CallEvent;
+import simgsm.state.StateMachine;
+import simgsm.station.context.StationEvent;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+
+/**
+ * The call of an attached modem; runs by {@link AttachedCallTable}. While it is active the modem is asked for its calls every
+ * 0.5 s, which shows that both still are: 2 s without an answer are a lost call. A key that is reported while an answer is
+ * due waits for it, so that no order is completed by a modem that has just lost a key.
+ */
+final class AttachedCall {
+    static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    static final int POLL_LIMIT_MILLIS = 2_000;
+    /** RING is repeated every 3 to 6 s. */
+    static final long RING_GUARD_NANOS = TimeUnit.SECONDS.toNanos(7);
+    /** As M2. */
+    static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(60);
+    /** A tone of 200 ms, and 70 ms of pause. */
+    static final long TONE_NANOS = TimeUnit.MILLISECONDS.toNanos(270);
+
+    private static final Logger LOG = System.getLogger(AttachedCall.class.getName());
+    private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+    private static final int SAMPLES_PER_TICK = 800;
+    private static final long NANOS_PER_SAMPLE = 125_000;
+    /** States of {@code +CLCC} (TS 27.007, 7.18). */
+    static final int CALL_INCOMING = 4;
+
+    private static final int CALL_ACTIVE = 0;
+    private static final int CALL_WAITING = 5;
+
+    private final CommandDialogue dialogue;
+    private final Timers timers;
+    private final long answerAfterNanos;
+    private final Function<Optional<Msisdn>, CallDecision> admission;
+    private final Consumer<StationEvent> listener;
+    private final StateMachine<AttachedCallPhase, CallEvent, CallAction> machine;
+    private ModemSetup setup;
+
+    private Optional<Msisdn> caller = Optional.empty();
+    private boolean reported;
+    private boolean accepted;
+    private DtmfKey greeting;
+    private Cause cause = Cause.NORMAL_CALL_CLEARING;
+    private boolean orderActive;
+    private long connectedNanos;
+    private final Queue<DtmfKey> tones = new ArrayDeque<>();
+    private boolean toneUnderWay;
+    /** What came while a list of calls was due. */
+    private final Deque<ModemEvent> held = new ArrayDeque<>();
+
+    private boolean pollUnderWay;
+    private boolean disturbed;
+    private Timer answerTimer;
+    private Timer ringGuard;
+    private Timer pollTimer;
+    private Timer tickTimer;
+    private Timer idleTimer;
+    private Timer toneTimer;
+
+    AttachedCall(
+            CommandDialogue dialogue,
+            Timers timers,
+            int answerAfterMillis,
+            Function<Optional<Msisdn>, CallDecision> admission,
+            Consumer<StationEvent> listener) {
+        this.dialogue = dialogue;
+        this.timers = timers;
+        this.admission = admission;
+        this.listener = listener;
+        answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(answerAfterMillis);
+        machine = new StateMachine<>(AttachedCallTable.TABLE, "attached modem", this::perform);
+    }
+
+    /** The modem is ready; the calls of before have been ended. */
+    void ready(ModemSetup whatItCan) {
+        setup = whatItCan;
+    }
+
+    AttachedCallPhase phase() {
+        return machine.state();
+    }
+
+    Optional<Msisdn> caller() {
+        return caller;
+    }
+
+    // ---- from the modem --------------------------------------------------------------------------------------------
+
+    void rings() {
+        machine.fire(CallEvent.RING);
+    }
+
+    /** {@code +CLIP: "number",type,...}. */
+    void callerNamed(String line) {
+        if (phase() == AttachedCallPhase.RINGING) {
+            caller = number(AnswerFields.of(line).quoted(0)).or(() -> caller);
+        }
+    }
+
+    void cleared() {
+        clear(CallEvent.CLEARED, Cause.NORMAL_CALL_CLEARING);
+    }
+
+    /** Any call has ended. */
+    void modemLost() {
+        clear(CallEvent.MODEM_LOST, Cause.TEMPORARY_FAILURE);
+    }
+
+    private void clear(CallEvent event, Cause why) {
+        cause = why;
+        machine.fire(event);
+    }
+
+    void key(DtmfKey key, OptionalInt millis) {
+        if (phase() != AttachedCallPhase.ACTIVE || !accepted) {
+            return;
+        }
+        LOG.log(Level.INFO, "key " + key.symbol() + (millis.isPresent() ? ", " + millis.getAsInt() + " ms" : ""));
+        long now = (timers.nowNanos() - connectedNanos) / NANOS_PER_SAMPLE;
+        heard(new ModemEvent.KeyDecided(DtmfDigit.reported(key, now, millis)));
+    }
+
+    /** A line that could have been the report of a key. */
+    void unreadable() {
+        disturbed = true;
+        if (phase() == AttachedCallPhase.ACTIVE && accepted) {
+            heard(new ModemEvent.KeyUnreadable());
+        }
+    }
+
+    private void heard(ModemEvent event) {
+        restartIdle();
+        if (pollUnderWay) {
+            held.add(event);
+        } else {
+            listener.accept(event);
+        }
+    }
+
+    /** The network offers a second call: it is told that the user is busy. */
+    void secondCallWaits() {
+        if (AttachedCallTable.STANDING.contains(phase())) {
+            dialogue.send(ModemCommand.of("AT+CHLD=0"), answer -> {});
+        }
+    }
+
+    // ---- from the robot --------------------------------------------------------------------------------------------
+
+    boolean sendTone(DtmfKey key) {
+        boolean heard = phase() == AttachedCallPhase.ACTIVE && accepted;
+        if (heard) {
+            queueTone(key);
+        }
+        return heard;
+    }
+
+    void setOrderUnderWay(boolean active) {
+        orderActive = active;
+        restartIdle();
+    }
+
+    boolean hangUp() {
+        cause = Cause.NORMAL_CALL_CLEARING;
+        return machine.fire(CallEvent.HANG_UP);
+    }
+
+    // ---- the machine -----------------------------------------------------------------------------------------------
+
+    private void perform(CallAction action) {
+        switch (action) {
+            case ASK_CALLER -> askCaller();
+            case START_RING_GUARD -> {
+                timers.cancel(ringGuard);
+                ringGuard = timers.start(RING_GUARD_NANOS, this::cleared);
+            }
+            case REPORT_RINGING -> reportRinging();
+            case START_ANSWER_TIMER -> startAnswerTimer();
+            case SEND_ANSWER -> answer();
+            case BEGIN -> begin();
+            case SEND_HANG_UP -> dialogue.sendFirst(setup.command(SetupStep.HANG_UP), this::hungUp);
+            case REPORT_RELEASED -> reportReleased();
+            case STOP_TIMERS -> stopTimers();
+        }
+    }
+
+    private void hungUp(ModemAnswer answer) {
+        if (answer.ending() != ModemAnswer.Ending.LOST) {
+            machine.fire(CallEvent.HUNG_UP);
+        }
+    }
+
+    private void askCaller() {
+        caller = Optional.empty();
+        reported = false;
+        accepted = false;
+        dialogue.send(list(), answer -> {
+            for (String line : answer.lines()) {
+                caller = caller.or(() -> number(AnswerFields.of(line).quoted(0)));
+            }
+            // a RING may still be under way when its call has ended; a call that stands rings again
+            boolean ended = answer.isOk() && answer.lines().isEmpty();
+            machine.fire(ended ? CallEvent.CLEARED : CallEvent.CALLER_KNOWN);
+        });
+    }
+
+    private static ModemCommand list() {
+        return ModemCommand.query("AT+CLCC", "+CLCC:").within(POLL_LIMIT_MILLIS);
+    }
+
+    private static Optional<Msisdn> number(String text) {
+        try {
+            return text.isEmpty() ? Optional.empty() : Optional.of(Msisdn.parse(text));
+        } catch (IllegalArgumentException notANumber) {
+            return Optional.empty();
+        }
+    }
+
+    private void reportRinging() {
+        reported = true;
+        listener.accept(new StationEvent.Ringing(caller));
+    }
+
+    private void startAnswerTimer() {
+        if (!setup.hasAll(SetupStep.Need.FOR_CALLS)) {
+            LOG.log(Level.WARNING, "call refused: the modem does not report keys as an order needs them");
+            hangUp();
+        } else {
+            answerTimer = timers.start(answerAfterNanos, () -> machine.fire(CallEvent.ANSWER_DUE));
+        }
+    }
+
+    private void answer() {
+        CallDecision decision = admission.apply(caller);
+        accepted = decision.accepted();
+        greeting = decision.tone();
+        dialogue.sendFirst(ModemCommand.ofCall("ATA"), answer -> {
+            if (answer.isOk()) {
+                machine.fire(CallEvent.ANSWERED);
+            } else if (answer.ending() == ModemAnswer.Ending.REFUSED) {
+                cleared();
+            }
+        });
+    }
+
+    private void begin() {
+        connectedNanos = timers.nowNanos();
+        orderActive = false;
+        tones.clear();
+        held.clear();
+        toneUnderWay = false;
+        pollUnderWay = false;
+        pollTimer = timers.start(POLL_NANOS, this::poll);
+        tickTimer = timers.start(TICK_NANOS, this::tick);
+        restartIdle();
+        queueTone(greeting);
+        if (accepted) {
+            listener.accept(new StationEvent.Connected(caller));
+        }
+    }
+
+    private void stopTimers() {
+        for (Timer timer : new Timer[] {answerTimer, ringGuard, pollTimer, tickTimer, idleTimer, toneTimer}) {
+            timers.cancel(timer);
+        }
+    }
+
+    private void reportReleased() {
+        tones.clear();
+        held.clear();
+        if (reported) {
+            listener.accept(new StationEvent.Released(cause));
+        }
+        caller = Optional.empty();
+    }
+
+    private void tick() {
+        tickTimer = timers.start(TICK_NANOS, this::tick);
+        if (accepted) {
+            listener.accept(new ModemEvent.SpeechProcessed(SAMPLES_PER_TICK));
+        }
+    }
+
+    private void restartIdle() {
+        timers.cancel(idleTimer);
+        if (phase() == AttachedCallPhase.ACTIVE && !orderActive) {
+            idleTimer = timers.start(IDLE_NANOS, this::hangUp);
+        }
+    }
+
+    // ---- whether the call stands -----------------------------------------------------------------------------------
+
+    private void poll() {
+        pollTimer = timers.start(POLL_NANOS, this::poll);
+        if (!dialogue.isIdle()) {
+            return;
+        }
+        pollUnderWay = true;
+        disturbed = false;
+        dialogue.sendFirst(list(), this::listed);
+    }
+
+    private void listed(ModemAnswer answer) {
+        pollUnderWay = false;
+        if (phase() != AttachedCallPhase.ACTIVE || answer.ending() == ModemAnswer.Ending.TIMED_OUT) {
+            return;
+        }
+        List<AnswerFields> calls = answer.lines().stream().map(AnswerFields::of).toList();
+        boolean stands = calls.stream().anyMatch(call -> call.number(2) == CALL_ACTIVE);
+        if (answer.isOk() && !stands && !disturbed) {
+            cleared();
+            return;
+        }
+        for (ModemEvent event = held.poll(); event != null; event = held.poll()) {
+            listener.accept(event);
+        }
+        if (calls.stream().anyMatch(call -> call.number(2) == CALL_WAITING)) {
+            secondCallWaits();
+        }
+    }
+
+    // ---- tones -----------------------------------------------------------------------------------------------------
+
+    private void queueTone(DtmfKey key) {
+        restartIdle();
+        tones.add(key);
+        if (!toneUnderWay) {
+            nextTone();
+        }
+    }
+
+    private void nextTone() {
+        toneUnderWay = !tones.isEmpty();
+        if (!toneUnderWay) {
+            return;
+        }
+        DtmfKey key = tones.remove();
+        long began = timers.nowNanos();
+        dialogue.send(ModemCommand.of("AT+VTS=" + key.symbol()).within(POLL_LIMIT_MILLIS), answer -> {
+            if (phase() == AttachedCallPhase.ACTIVE) {
+                long left = Math.max(1, began + TONE_NANOS - timers.nowNanos());
+                toneTimer = timers.start(answer.isOk() ? left : 1, () -> toneEnded(key, answer.isOk()));
+            }
+        });
+    }
+
+    private void toneEnded(DtmfKey key, boolean sent) {
+        restartIdle();
+        listener.accept(sent ? new ModemEvent.ReplyToneSent(key) : new ModemEvent.ReplyToneFailed(key));
+        if (accepted) {
+            nextTone();
+        } else {
+            hangUp();
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package simgsm.modem.client;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A command to a modem and what belongs to its answer.
+ *
+ * @param text the command line without its end
+ * @param payload what the prompt asks for, as of {@code +CMGS}
+ * @param prefix the beginning of the answer's lines, such as {@code +CLCC:}; empty if any line belongs to it
+ * @param shape which lines belong to the answer
+ * @param timeoutNanos from the sending to the final result
+ */
+record ModemCommand(String text, Optional<String> payload, String prefix, Shape shape, long timeoutNanos) {
+    /** The lines of an answer before its final result. */
+    enum Shape {
+        /** None; {@link #prefix} is ignored. */
+        RESULT_ONLY,
+        /** Lines that begin with the prefix. */
+        PREFIXED,
+        /** A line that begins with the prefix, then lines of any text, as of {@code +CMGR}. */
+        PREFIXED_WITH_BODY,
+        /** Lines of any text, as of {@code +CGMI}. */
+        FREE,
+        /** None; the call's end is a final result, too, as of {@code ATA}. */
+        CALL
+    }
+
+    private static final long USUAL_MILLIS = 5_000;
+
+    private ModemCommand(String text, Optional<String> payload, String prefix, Shape shape, int millis) {
+        this(text, payload, prefix, shape, TimeUnit.MILLISECONDS.toNanos(millis));
+    }
+
+    /** Answered by a final result only. */
+    static ModemCommand of(String text) {
+        return new ModemCommand(text, Optional.empty(), "", Shape.RESULT_ONLY, (int) USUAL_MILLIS);
+    }
+
+    /** Answered by lines with this prefix. */
+    static ModemCommand query(String text, String prefix) {
+        return new ModemCommand(text, Optional.empty(), prefix, Shape.PREFIXED, (int) USUAL_MILLIS);
+    }
+
+    /** Answered by lines of text. */
+    static ModemCommand free(String text) {
+        return new ModemCommand(text, Optional.empty(), "", Shape.FREE, (int) USUAL_MILLIS);
+    }
+
+    /** Answered by lines with this prefix, each with lines of text after it. */
+    static ModemCommand listing(String text, String prefix) {
+        return new ModemCommand(text, Optional.empty(), prefix, Shape.PREFIXED_WITH_BODY, 20_000);
+    }
+
+    /** Answers or ends a call. */
+    static ModemCommand ofCall(String text) {
+        return new ModemCommand(text, Optional.empty(), "", Shape.CALL, 20_000);
+    }
+
+    /** Followed by more at a prompt; a network may take a minute to accept a short message. */
+    static ModemCommand prompting(String text, String payload, String prefix) {
+        return new ModemCommand(text, Optional.of(payload), prefix, Shape.PREFIXED, 60_000);
+    }
+
+    ModemCommand within(long millis) {
+        return new ModemCommand(text, payload, prefix, shape, TimeUnit.MILLISECONDS.toNanos(millis));
+    }
+}

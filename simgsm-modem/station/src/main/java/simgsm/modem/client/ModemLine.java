@@ -1,0 +1,248 @@
+package simgsm.modem.client;
+
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.nio.channels.AsynchronousCloseException;
+import java.nio.channels.ByteChannel;
+import java.nio.channels.UnresolvedAddressException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.NoSuchFileException;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.net.LineAddress;
+import simgsm.net.SelectorLoop;
+
+/**
+ * Line and clock of a modem's core. Serial lines block, so one thread connects and reads, and one writes; a third owns the
+ * core and runs its timers. A line that is lost or cannot be opened is opened again after 1 s. Any thread may call its
+ * methods.
+ */
+public final class ModemLine implements AutoCloseable {
+    /** The core; called by its owner thread. Time is in nanoseconds since the line was made. */
+    public interface Party {
+        void lineUp(long nowNanos);
+
+        void lineDown(long nowNanos);
+
+        void received(byte[] octets, long nowNanos);
+
+        void timePassed(long nowNanos);
+
+        long nextDeadlineNanos();
+
+        /** The line cannot be opened; it is tried again. */
+        default void lineFailed(String reason) {}
+
+        /** The last call while the line stands. */
+        default void closing() {}
+    }
+
+    private static final Logger LOG = System.getLogger(ModemLine.class.getName());
+    private static final long PAUSE_MILLIS = 1_000;
+    private static final long GOODBYE_MILLIS = 1_000;
+    private static final int CHUNK_OCTETS = 1_024;
+    /** Closes the line after what was written before. */
+    private static final byte[] END = {};
+
+    private final LineAddress address;
+    private final long originNanos = System.nanoTime();
+    private final SelectorLoop loop;
+    private final Consumer<Throwable> onFailure;
+    private final BlockingQueue<byte[]> outgoing = new LinkedBlockingQueue<>();
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final Thread reader;
+    private final Thread writer;
+    private Party party;
+    private volatile ByteChannel channel;
+    /** Owned by the reader's thread. */
+    private boolean failureLogged;
+
+    /**
+     * Not started yet.
+     *
+     * @param name of its threads
+     * @param onFailure called when the owner thread ends by an error
+     */
+    public ModemLine(String name, LineAddress address, Consumer<Throwable> onFailure) {
+        this.address = address;
+        this.onFailure = onFailure;
+        loop = new SelectorLoop(name);
+        reader = thread(name + " reader", this::keepOpen);
+        writer = thread(name + " writer", this::write);
+    }
+
+    /** Sets the core, before the start. @return the same */
+    public <P extends Party> P attach(P core) {
+        party = core;
+        return core;
+    }
+
+    private interface Work {
+        void run() throws InterruptedException;
+    }
+
+    private static Thread thread(String name, Work work) {
+        Runnable interruptible = () -> {
+            try {
+                work.run();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        };
+        Thread thread = new Thread(interruptible, name);
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /** Starts the threads and opens the line. */
+    public void start() {
+        loop.start(
+                new SelectorLoop.Core() {
+                    @Override
+                    public long nextDeadlineNanos() {
+                        long next = party.nextDeadlineNanos();
+                        return next == AttachedModem.NO_DEADLINE ? SelectorLoop.NEVER : originNanos + next;
+                    }
+
+                    @Override
+                    public void advance(long nowNanos) {
+                        party.timePassed(nowNanos - originNanos);
+                    }
+                },
+                onFailure);
+        reader.start();
+        writer.start();
+    }
+
+    /** Queues an action of the owner thread; the core's time is the present when it runs. */
+    public void execute(Runnable action) {
+        loop.post(() -> {
+            party.timePassed(now());
+            action.run();
+        });
+    }
+
+    /** Sends a text in ISO 8859-1; called by the core. */
+    public void send(String text) {
+        outgoing.add(text.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    private long now() {
+        return System.nanoTime() - originNanos;
+    }
+
+    // ---- the threads -----------------------------------------------------------------------------------------------
+
+    private void keepOpen() throws InterruptedException {
+        while (closing.getCount() > 0) {
+            try (ByteChannel open = address.open()) {
+                outgoing.clear();
+                channel = open;
+                failureLogged = false;
+                LOG.log(Level.INFO, "the line to the modem at " + address + " is open");
+                loop.post(() -> party.lineUp(now()));
+                read(open);
+                LOG.log(Level.WARNING, "the modem at " + address + " has ended the connection");
+            } catch (AsynchronousCloseException e) {
+                LOG.log(Level.INFO, "the line to the modem at " + address + " is closed");
+            } catch (IOException | UnresolvedAddressException e) {
+                failed(reason(e));
+            }
+            channel = null;
+            loop.post(() -> party.lineDown(now()));
+            closing.await(PAUSE_MILLIS, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private void failed(String reason) {
+        if (closing.getCount() > 0) {
+            LOG.log(failureLogged ? Level.DEBUG : Level.WARNING, "no modem at " + address + ": " + reason);
+            failureLogged = true;
+            loop.post(() -> party.lineFailed(reason));
+        }
+    }
+
+    private static String reason(Exception e) {
+        if (e instanceof NoSuchFileException) {
+            return "no such file";
+        }
+        return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+    }
+
+    private void read(ByteChannel open) throws IOException {
+        ByteBuffer buffer = ByteBuffer.allocate(CHUNK_OCTETS);
+        while (open.read(buffer) >= 0) {
+            byte[] octets = new byte[buffer.flip().remaining()];
+            buffer.get(octets);
+            buffer.clear();
+            loop.post(() -> party.received(octets, now()));
+        }
+    }
+
+    private void write() throws InterruptedException {
+        byte[] octets = outgoing.take();
+        while (octets != END) {
+            ByteChannel open = channel;
+            if (open != null) {
+                write(open, octets);
+            }
+            octets = outgoing.take();
+        }
+        drop();
+    }
+
+    private void write(ByteChannel open, byte[] octets) {
+        try {
+            ByteBuffer rest = ByteBuffer.wrap(octets);
+            while (rest.hasRemaining()) {
+                open.write(rest);
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "writing to " + address + ": " + e.getMessage());
+            drop();
+        }
+    }
+
+    private void drop() {
+        ByteChannel open = channel;
+        if (open != null) {
+            try {
+                open.close();
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "closing " + address + ": " + e.getMessage());
+            }
+        }
+    }
+
+    // ---- the end ---------------------------------------------------------------------------------------------------
+
+    /** Ends any call and the line, without waiting for that. */
+    public void end() {
+        execute(() -> {
+            party.closing();
+            closing.countDown();
+            outgoing.add(END);
+        });
+    }
+
+    /** Ends any call, the line and the threads, and waits for that for at most a second. */
+    @Override
+    public void close() {
+        end();
+        try {
+            if (writer.isAlive()) {
+                writer.join(GOODBYE_MILLIS);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        closing.countDown();
+        drop();
+        loop.close();
+    }
+}

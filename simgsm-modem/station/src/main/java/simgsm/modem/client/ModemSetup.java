@@ -1,0 +1,180 @@
+package simgsm.modem.client;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+
+/** Walks a modem through {@link SetupStep}, and keeps what it can. */
+final class ModemSetup {
+    /** Pause before a step that is awaited is tried again. */
+    static final long AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
+    /** Asks for nothing but an answer. */
+    static final ModemCommand ATTENTION = ModemCommand.of("AT").within(1_000);
+
+    /** Learns of each command, as it is answered. */
+    interface Observer {
+        void answered(ModemCommand command, ModemAnswer answer, SetupVerdict verdict);
+    }
+
+    private final CommandDialogue dialogue;
+    private final Timers timers;
+    private final Observer observer;
+    private final int mostTries;
+    private final Deque<SetupStep> steps = new ArrayDeque<>();
+    private final Deque<ModemCommand> alternatives = new ArrayDeque<>();
+    /** The command of each step that was accepted with the expected answer. */
+    private final Map<SetupStep, ModemCommand> accepted = new EnumMap<>(SetupStep.class);
+
+    private final Map<SetupStep, ModemAnswer> answers = new EnumMap<>(SetupStep.class);
+    private final Map<SetupStep, SetupVerdict> verdicts = new EnumMap<>(SetupStep.class);
+    private SetupStep step;
+    private int tries;
+    private Timer again;
+    private Consumer<ModemSetup> done;
+
+    /** @param mostTries of a step that is awaited; then the set-up goes on without it */
+    ModemSetup(CommandDialogue dialogue, Timers timers, int mostTries, Observer observer) {
+        this.dialogue = dialogue;
+        this.timers = timers;
+        this.mostTries = mostTries;
+        this.observer = observer;
+    }
+
+    /** Begins anew. @param whenDone is called once, unless {@link #stop} is called before */
+    void start(Consumer<ModemSetup> whenDone) {
+        stop();
+        done = whenDone;
+        accepted.clear();
+        answers.clear();
+        verdicts.clear();
+        steps.addAll(List.of(SetupStep.values()));
+        nextStep();
+    }
+
+    void stop() {
+        timers.cancel(again);
+        steps.clear();
+        alternatives.clear();
+        done = null;
+    }
+
+    private void nextStep() {
+        step = steps.poll();
+        if (step == null) {
+            Consumer<ModemSetup> whenDone = done;
+            stop();
+            whenDone.accept(this);
+            return;
+        }
+        tries = 0;
+        tryStep();
+    }
+
+    private void tryStep() {
+        tries++;
+        alternatives.clear();
+        alternatives.addAll(step.alternatives(text(SetupStep.MANUFACTURER)));
+        if (step == SetupStep.HANG_UP && isRinging()) {
+            accepted.put(step, alternatives.element());
+            nextStep();
+        } else {
+            tryNext();
+        }
+    }
+
+    private void tryNext() {
+        ModemCommand command = alternatives.remove();
+        SetupStep asked = step;
+        Consumer<ModemSetup> run = done;
+        dialogue.send(command, answer -> {
+            if (done == run && done != null && answer.ending() != ModemAnswer.Ending.LOST) {
+                answered(asked, command, answer);
+            }
+        });
+    }
+
+    private void answered(SetupStep asked, ModemCommand command, ModemAnswer answer) {
+        SetupVerdict verdict = asked.verdict(answer);
+        observer.answered(command, answer, verdict);
+        answers.put(asked, answer);
+        verdicts.put(asked, verdict);
+        if (answer.ending() == ModemAnswer.Ending.TIMED_OUT) {
+            askWhetherItAnswers();
+        } else {
+            goOn(asked, command, verdict);
+        }
+    }
+
+    /** A modem that answers nothing at all need not be asked the rest. */
+    private void askWhetherItAnswers() {
+        SetupStep late = step;
+        Consumer<ModemSetup> run = done;
+        dialogue.send(ATTENTION, answer -> {
+            if (done != run || done == null) {
+                return;
+            }
+            if (answer.isOk()) {
+                goOn(late, ATTENTION, SetupVerdict.MISSING);
+            } else {
+                steps.clear();
+                nextStep();
+            }
+        });
+    }
+
+    private void goOn(SetupStep asked, ModemCommand command, SetupVerdict verdict) {
+        if (verdict == SetupVerdict.OK) {
+            accepted.put(asked, command);
+            nextStep();
+        } else if (!alternatives.isEmpty()) {
+            tryNext();
+        } else if (asked.need() == SetupStep.Need.AWAITED && tries < mostTries) {
+            again = timers.start(AGAIN_NANOS, this::tryStep);
+        } else {
+            nextStep();
+        }
+    }
+
+    /** Whether a call rings already: it is not hung up, as one of before is. */
+    boolean isRinging() {
+        return answers.containsKey(SetupStep.CALL_LIST)
+                && answers.get(SetupStep.CALL_LIST).lines().stream()
+                        .anyMatch(line -> AnswerFields.of(line).number(2) == AttachedCall.CALL_INCOMING);
+    }
+
+    boolean has(SetupStep wanted) {
+        return accepted.containsKey(wanted);
+    }
+
+    /** The command that a step has ended with; only after {@link #has}. */
+    ModemCommand command(SetupStep of) {
+        return accepted.get(of);
+    }
+
+    /** Whether each step that is needed for this, and all that are awaited, have succeeded. */
+    boolean hasAll(SetupStep.Need need) {
+        for (SetupStep each : SetupStep.values()) {
+            if ((each.need() == need || each.need() == SetupStep.Need.AWAITED) && !has(each)) {
+                return false;
+            }
+        }
+        return need != SetupStep.Need.FOR_CALLS || !losesEqualKeys();
+    }
+
+    /** Whether the modem says that the second of two equal keys is dropped: its orders could be read wrong. */
+    boolean losesEqualKeys() {
+        return verdicts.get(SetupStep.KEY_INTERVAL) == SetupVerdict.UNEXPECTED;
+    }
+
+    /** The answer's lines of a step, in one; empty before the step. */
+    String text(SetupStep of) {
+        return answers.containsKey(of) ? String.join(" ", answers.get(of).lines()) : "";
+    }
+}

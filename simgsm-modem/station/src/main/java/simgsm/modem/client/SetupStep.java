@@ -1,0 +1,108 @@
+package simgsm.modem.client;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * How a modem is prepared, in this order (TS 27.007, TS 27.005): the commands of each step, of which the first that is
+ * accepted counts, and the answer that is expected.
+ */
+enum SetupStep {
+    ECHO_OFF(Need.USEFUL, "", command("ATE0")),
+    WORDS(Need.USEFUL, "", command("ATV1")),
+    ERROR_NUMBERS(Need.USEFUL, "", command("AT+CMEE=1")),
+    MANUFACTURER(Need.USEFUL, ".+", ModemCommand.free("AT+CGMI")),
+    MODEL(Need.USEFUL, ".+", ModemCommand.free("AT+CGMM")),
+    CARD(Need.AWAITED, "\\+CPIN: ?READY", ModemCommand.query("AT+CPIN?", "+CPIN:")),
+    /** {@code ATH} ends voice calls, too. */
+    VOICE_HANG_UP(Need.USEFUL, "", command("AT+CVHU=0")),
+    CALLER(Need.USEFUL, "", command("AT+CLIP=1")),
+    KEYS(Need.FOR_CALLS, "", enablers()),
+    /** The interval between equal keys; modems without it do not answer. */
+    KEY_INTERVAL(Need.USEFUL, "(\\+DDET: ?1(, ?0(,.*)?)?)?", ModemCommand.query("AT+DDET?", "+DDET:")),
+    TONES(Need.USEFUL, "", ModemCommand.query("AT+VTS=?", "+VTS:")),
+    /** In units of 100 ms. */
+    TONE_LENGTH(Need.USEFUL, "", command("AT+VTD=2")),
+    CALL_LIST(Need.FOR_CALLS, "", ModemCommand.query("AT+CLCC", "+CLCC:")),
+    HANG_UP(Need.FOR_CALLS, "", ModemCommand.ofCall("ATH"), ModemCommand.ofCall("AT+CHUP")),
+    /** PDU mode; else text mode. */
+    MESSAGE_FORMAT(Need.FOR_MESSAGES, "", command("AT+CMGF=0"), command("AT+CMGF=1")),
+    MESSAGE_MEMORY(
+            Need.USEFUL,
+            "",
+            ModemCommand.query("AT+CPMS=\"SM\",\"SM\",\"SM\"", "+CPMS:"),
+            ModemCommand.query("AT+CPMS=\"ME\",\"ME\",\"ME\"", "+CPMS:")),
+    MESSAGE_NOTICE(Need.USEFUL, "", command("AT+CNMI=2,1,0,0,0"), command("AT+CNMI=2,1"), command("AT+CNMI=1,1")),
+    /** In text mode the second. */
+    MESSAGE_LIST(
+            Need.FOR_MESSAGES,
+            "",
+            ModemCommand.listing("AT+CMGL=4", "+CMGL:"),
+            ModemCommand.listing("AT+CMGL=\"ALL\"", "+CMGL:")),
+    OPERATOR_FORMAT(Need.USEFUL, "", command("AT+COPS=3,0")),
+    OPERATOR(Need.USEFUL, "\\+COPS: .*", ModemCommand.query("AT+COPS?", "+COPS:")),
+    REGISTRATION_NOTICE(Need.USEFUL, "", command("AT+CREG=1")),
+    /** At home or roaming. */
+    REGISTRATION(Need.AWAITED, "\\+CREG: ?[0-9], ?[15](,.*)?", ModemCommand.query("AT+CREG?", "+CREG:"));
+
+    /** What a modem cannot do without the step. */
+    enum Need {
+        /** Anything; it is repeated until it succeeds. */
+        AWAITED,
+        FOR_CALLS,
+        FOR_MESSAGES,
+        /** Nothing is missing, or it is done in another way. */
+        USEFUL
+    }
+
+    private final Need need;
+    private final Pattern expected;
+    private final List<ModemCommand> alternatives;
+
+    /** @param expected of the answer's lines together; empty if they do not matter */
+    SetupStep(Need need, String expected, ModemCommand... alternatives) {
+        this.need = need;
+        this.expected = Pattern.compile(expected.isEmpty() ? ".*" : expected);
+        this.alternatives = List.of(alternatives);
+    }
+
+    private static ModemCommand command(String text) {
+        return ModemCommand.of(text);
+    }
+
+    private static ModemCommand[] enablers() {
+        return Arrays.stream(DtmfDialect.values())
+                .flatMap(dialect -> dialect.enablers().stream())
+                .map(ModemCommand::of)
+                .toArray(ModemCommand[]::new);
+    }
+
+    Need need() {
+        return need;
+    }
+
+    /** @param manufacturer as the modem has named it; its dialect is tried first */
+    List<ModemCommand> alternatives(String manufacturer) {
+        if (this != KEYS) {
+            return alternatives;
+        }
+        List<String> own = Arrays.stream(DtmfDialect.values())
+                .filter(dialect -> dialect.isOf(manufacturer))
+                .flatMap(dialect -> dialect.enablers().stream())
+                .toList();
+        Function<Boolean, Stream<ModemCommand>> ofOwn =
+                wanted -> alternatives.stream().filter(command -> own.contains(command.text()) == wanted);
+        return Stream.concat(ofOwn.apply(true), ofOwn.apply(false)).toList();
+    }
+
+    SetupVerdict verdict(ModemAnswer answer) {
+        if (!answer.isOk()) {
+            return SetupVerdict.MISSING;
+        }
+        boolean fits = expected.matcher(String.join(" ", answer.lines())).matches();
+        return fits ? SetupVerdict.OK : SetupVerdict.UNEXPECTED;
+    }
+}
