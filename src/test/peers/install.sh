@@ -15,6 +15,7 @@ have opusenc || packages+=(opus-tools)
 for sounds in core-sounds-en-wav core-sounds-es-wav core-sounds-fr-wav prompt-es-co moh-opsound-wav; do
     [ -d "/usr/share/doc/asterisk-$sounds" ] || packages+=("asterisk-$sounds")
 done
+have socat || packages+=(socat)
 have bearerbox || packages+=(kannel)
 have Xvfb || packages+=(xvfb)
 have openbox || packages+=(openbox)

@@ -20,7 +20,7 @@ import simgsm.sms.TpduCodec;
  * A SIM800, or a modem of another family, as a client sees it, with the faults that such modems and their lines have. It
  * answers 20 ms after a command; its time is moved by hand.
  */
-final class EmulatedModem {
+public final class EmulatedModem {
     /** How it reports keys. */
     enum Family {
         SIM800("SIMCOM_Ltd", "AT+DDET=", "+DTMF: %c", 0),

@@ -28,6 +28,7 @@ enum Peer {
     NODE("node"),
     BEARERBOX("bearerbox"),
     SMSBOX("smsbox"),
+    SOCAT("socat"),
     XVFB("Xvfb"),
     OPENBOX("openbox"),
     XDOTOOL("xdotool"),
