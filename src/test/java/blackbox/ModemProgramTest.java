@@ -75,7 +75,7 @@ class ModemProgramTest {
 
     @Test
     void optionsThatBelongToM2AreRefused() throws Exception {
-        for (String option : List.of("--codec=gsm", "--center=127.0.0.1:3003", "--record-audio=x.wav")) {
+        for (String option : List.of("--codec=gsm", "--center=127.0.0.1:3003", "--record-audio=x.wav", "--at=0")) {
             FinishedProgram refused = FinishedProgram.run("simrobot", "--headless", "--modem=127.0.0.1:1", option);
             assertEquals(2, refused.status(), refused.error());
             assertTrue(refused.error().contains("--modem"), refused.error());
