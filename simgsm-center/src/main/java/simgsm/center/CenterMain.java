@@ -12,6 +12,7 @@ import simgsm.center.app.NewSims;
 import simgsm.center.capture.CapturePlan;
 import simgsm.center.demo.HeadlessDemo;
 import simgsm.center.demo.WindowedDemo;
+import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
@@ -45,8 +46,8 @@ public final class CenterMain {
                         "smpp",
                         "PORT",
                         "serve applications by SMPP 3.4 on this TCP port, 0 for any free one; who may bind stands in"
-                                + "\nsmpp-users.properties in the data directory, id=password a line; without that file"
-                                + "\nany application of this machine")
+                                + "\nsmpp-users.properties in the data directory, id=password a line, and id.SETTING=value;"
+                                + "\nwithout that file any application of this machine")
                 .value(
                         "tones",
                         "eu|us",
@@ -68,6 +69,21 @@ public final class CenterMain {
                         "N,N-N,...",
                         "with --hlr: makes SIMs with new keys for these numbers, adds them to the file, writes each"
                                 + "\none beside it as NUMBER.sim for --sim of phone and robot, and ends")
+                .value(
+                        "max-terminals",
+                        "N",
+                        "connections of phones and modems; default " + PortLimits.STANDARD.terminals())
+                .value(
+                        "max-terminals-per-address",
+                        "N",
+                        "of these, from each address other than this machine's; default "
+                                + PortLimits.STANDARD.terminalsPerAddress())
+                .value("max-applications", "N", "SMPP connections; default " + PortLimits.STANDARD.applications())
+                .value(
+                        "max-applications-per-address",
+                        "N",
+                        "of these, from each address other than this machine's; default "
+                                + PortLimits.STANDARD.applicationsPerAddress())
                 .value("barred-imeis", "IMEI,...", "terminals that may not register (cause 6)")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
                 .value(

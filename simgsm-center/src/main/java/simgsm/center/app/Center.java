@@ -71,21 +71,27 @@ public final class Center implements AutoCloseable {
      */
     public static Center open(CenterSettings settings, Path data, int port) throws IOException {
         InetAddress address = settings.address();
-        warnIfOpen(address, settings.home());
+        warnIfOpen(address, settings);
         DataDirectory directory = DataDirectory.take(data);
         try {
-            return open(directory, CenterLoop.open(address, port), settings);
+            return open(directory, CenterLoop.open(address, port, settings.limits()), settings);
         } catch (IOException e) {
             directory.close();
             throw e;
         }
     }
 
-    private static void warnIfOpen(InetAddress address, HomeSettings home) {
+    private static void warnIfOpen(InetAddress address, CenterSettings settings) {
         if (address.isLoopbackAddress()) {
             return;
         }
-        if (home.isClosed()) {
+        if (settings.smppPort().isPresent()) {
+            LOG.log(
+                    Level.WARNING,
+                    "listening on {0}: SMPP passwords and messages cross the network in clear",
+                    address.getHostAddress());
+        }
+        if (settings.home().isClosed()) {
             LOG.log(Level.INFO, "listening on {0}: closed network, nothing is ciphered", address.getHostAddress());
         } else {
             LOG.log(

@@ -11,6 +11,7 @@ import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simgsm.center.capture.CapturePlan;
+import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.dtmf.ToneSet;
@@ -24,6 +25,7 @@ import simgsm.dtmf.ToneSet;
  * @param capture empty for none
  * @param home the SIMs that may register
  * @param tones made by the network; empty when phones make them
+ * @param limits of connections
  * @param callWaiting whether a second call is offered to a busy phone
  */
 public record CenterSettings(
@@ -36,6 +38,7 @@ public record CenterSettings(
         RandomGenerator random,
         Locale language,
         Optional<ToneSet> tones,
+        PortLimits limits,
         boolean callWaiting) {
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
@@ -52,7 +55,21 @@ public record CenterSettings(
                 random(arguments),
                 arguments.language(),
                 arguments.value("tones", ToneSet::of),
+                limits(arguments),
                 arguments.choice("call-waiting", "off", "on").equals("on"));
+    }
+
+    private static PortLimits limits(Arguments arguments) throws UsageException {
+        PortLimits standard = PortLimits.STANDARD;
+        return new PortLimits(
+                limit(arguments, "max-terminals", standard.terminals()),
+                limit(arguments, "max-terminals-per-address", standard.terminalsPerAddress()),
+                limit(arguments, "max-applications", standard.applications()),
+                limit(arguments, "max-applications-per-address", standard.applicationsPerAddress()));
+    }
+
+    private static int limit(Arguments arguments, String option, int standard) throws UsageException {
+        return (int) arguments.integer(option, standard, 1, PortLimits.LARGEST);
     }
 
     private static Optional<CapturePlan> capture(Arguments arguments) throws UsageException {

@@ -24,6 +24,7 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
     /** @throws IOException naming the file, and the line, that is invalid */
     static HomeSettings read(Arguments arguments) throws UsageException, IOException {
         Optional<Path> file = arguments.path("hlr");
+        file.ifPresent(SecretFile::check);
         return new HomeSettings(
                 file,
                 file.isPresent() ? SimFile.read(file.get()) : SimFile.EMPTY,

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Properties;
 import simgsm.center.smpp.SmppUsers;
 
-/** The applications that may bind by SMPP: {@code system-id=password}, a line each. */
+/** The applications that may bind by SMPP: {@code system-id=password}, a line each, and {@code system-id.SETTING=value}. */
 final class SmppUserFile {
     static final String NAME = "smpp-users.properties";
 
@@ -31,10 +31,11 @@ final class SmppUserFile {
         } catch (IOException | IllegalArgumentException e) {
             throw new IOException("cannot read " + file + ": " + e.getMessage(), e);
         }
-        Map<String, String> passwords = new LinkedHashMap<>();
-        lines.stringPropertyNames().forEach(id -> passwords.put(id, lines.getProperty(id)));
+        SecretFile.check(file);
+        Map<String, String> users = new LinkedHashMap<>();
+        lines.stringPropertyNames().forEach(key -> users.put(key, lines.getProperty(key)));
         try {
-            return SmppUsers.only(passwords);
+            return SmppUsers.only(users);
         } catch (IllegalArgumentException e) {
             throw new IOException(file + ": " + e.getMessage(), e);
         }

@@ -17,17 +17,9 @@ import simgsm.net.SelectorLoop;
 
 /** The thread that owns the exchange, its ports and its connections. */
 public final class CenterLoop implements AutoCloseable {
-    public static final int MAX_TERMINALS = 20_000;
-    /** From each remote address; permits a class behind one NAT. */
-    static final int MAX_TERMINALS_PER_ADDRESS = 500;
-
-    /** SMPP sessions. */
-    public static final int MAX_APPLICATIONS = 5_000;
-    /** SMPP sessions from each remote address. */
-    static final int MAX_APPLICATIONS_PER_ADDRESS = 2_000;
-
     private final SelectorLoop loop = new SelectorLoop("centre");
     private final long startNanos = System.nanoTime();
+    private final PortLimits limits;
     private final Acceptor terminals;
     private final RateLimitedObserver observer = new RateLimitedObserver();
     private Optional<Capture> capture = Optional.empty();
@@ -50,11 +42,12 @@ public final class CenterLoop implements AutoCloseable {
         }
     }
 
-    private CenterLoop(InetAddress address, int port) throws IOException {
+    private CenterLoop(InetAddress address, int port, PortLimits limits) throws IOException {
+        this.limits = limits;
         try {
             terminals = loop.listen(
                     new InetSocketAddress(address, port),
-                    new ConnectionLimits(MAX_TERMINALS, MAX_TERMINALS_PER_ADDRESS),
+                    new ConnectionLimits(limits.terminals(), limits.terminalsPerAddress()),
                     endpoint -> new TerminalConnection(endpoint, this, tap(endpoint)));
         } catch (IOException e) {
             loop.close();
@@ -68,8 +61,8 @@ public final class CenterLoop implements AutoCloseable {
      * @param port 0 for any free one
      * @throws IOException naming address and port
      */
-    public static CenterLoop open(InetAddress address, int port) throws IOException {
-        return new CenterLoop(address, port);
+    public static CenterLoop open(InetAddress address, int port, PortLimits limits) throws IOException {
+        return new CenterLoop(address, port, limits);
     }
 
     /**
@@ -80,7 +73,7 @@ public final class CenterLoop implements AutoCloseable {
     public int openSmpp(InetAddress address, int port, SmppServer smpp) throws IOException {
         return loop.listen(
                         new InetSocketAddress(address, port),
-                        new ConnectionLimits(MAX_APPLICATIONS, MAX_APPLICATIONS_PER_ADDRESS),
+                        new ConnectionLimits(limits.applications(), limits.applicationsPerAddress()),
                         endpoint -> new SmppConnection(endpoint, this, smpp))
                 .port();
     }

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.center.msc.Exchange;
+import simgsm.center.net.PortLimits;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.sim.SimFile;
@@ -49,6 +50,7 @@ class CenterConsoleTest {
                 new SplittableRandom(1),
                 Locale.ENGLISH,
                 Optional.empty(),
+                PortLimits.STANDARD,
                 false);
         center = Center.open(settings, temporary, 0);
     }

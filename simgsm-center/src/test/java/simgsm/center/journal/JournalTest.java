@@ -69,9 +69,19 @@ class JournalTest {
         EsmeOrigin origin = new EsmeOrigin("shop", SmsAddress.ofLetters("Shop"), 0xf5, EsmeOrigin.Receipts.ON_FAILURE);
         ShortMessage ofApplication = new ShortMessage(
                 2, new Msisdn("1"), new Msisdn("2"), OctetString.ofHex("00"), NOW, NOW, Optional.of(origin));
+        EsmeOrigin scheduled = new EsmeOrigin(
+                "shop",
+                SmsAddress.ofLetters("Shop"),
+                0,
+                EsmeOrigin.Receipts.ALWAYS,
+                new EsmeOrigin.Group(3, 250),
+                Optional.of(NOW));
+        ShortMessage inGroup = new ShortMessage(
+                3, new Msisdn("1"), new Msisdn("2"), OctetString.ofHex("00"), NOW, NOW, Optional.of(scheduled));
         for (StoreEntry entry : List.of(
                 accepted(1),
                 new StoreEntry.Accepted(ofApplication),
+                new StoreEntry.Accepted(inGroup),
                 ended(1, true),
                 new StoreEntry.Reported(1),
                 new StoreEntry.Known(new Msisdn("5550100"), Imsi.ofOpenNumber(new Msisdn("5550100"))),

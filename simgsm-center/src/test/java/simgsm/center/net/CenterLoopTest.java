@@ -46,7 +46,7 @@ class CenterLoopTest {
 
     @BeforeEach
     void open() throws IOException {
-        loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
+        loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0, PortLimits.STANDARD);
         MessageStore store =
                 (ticket, entries) -> loop.post(exchange -> exchange.committed(loop.nowNanos(), ticket, true));
         loop.start(
@@ -188,8 +188,8 @@ class CenterLoopTest {
     @Test
     void aPortThatIsTakenIsNamed() {
         int port = loop.port();
-        IOException failure =
-                assertThrows(IOException.class, () -> CenterLoop.open(InetAddress.getLoopbackAddress(), port));
+        IOException failure = assertThrows(
+                IOException.class, () -> CenterLoop.open(InetAddress.getLoopbackAddress(), port, PortLimits.STANDARD));
         assertTrue(failure.getMessage().contains("port " + port), failure.getMessage());
     }
 

@@ -29,6 +29,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.net.CenterLoop;
+import simgsm.center.net.PortLimits;
 import simgsm.center.smpp.pdu.SmppAddress;
 import simgsm.center.smpp.pdu.SmppCodec;
 import simgsm.center.smpp.pdu.SmppCommand;
@@ -50,7 +51,7 @@ class SmppOverSocketsTest {
 
     @BeforeEach
     void open() throws IOException {
-        loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0);
+        loop = CenterLoop.open(InetAddress.getLoopbackAddress(), 0, PortLimits.STANDARD);
         port = loop.openSmpp(InetAddress.getLoopbackAddress(), 0, smpp);
         MessageStore store = (ticket, entries) -> loop.post(owned -> owned.committed(loop.nowNanos(), ticket, true));
         Exchange exchange =

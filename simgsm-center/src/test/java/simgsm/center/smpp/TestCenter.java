@@ -44,7 +44,11 @@ final class TestCenter {
     }
 
     Application open(boolean isLocal) {
-        return new Application(isLocal);
+        return open(isLocal, "test");
+    }
+
+    Application open(boolean isLocal, String address) {
+        return new Application(isLocal, address);
     }
 
     Application bound(SmppCommand command, String systemId, String range) {
@@ -63,8 +67,8 @@ final class TestCenter {
         boolean isEnding;
         String closed = "";
 
-        private Application(boolean isLocal) {
-            session = server.opened(this, "test", isLocal);
+        private Application(boolean isLocal, String address) {
+            session = server.opened(this, address, isLocal);
         }
 
         void say(SmppPdu pdu) {

@@ -44,6 +44,7 @@ class LargestSizeTest {
     private final Deque<Consumer<DeliveryOutcome>> underWay = new ArrayDeque<>();
     private final Set<Destination> asked = new HashSet<>();
     private boolean isThere;
+    private int window = 1;
     private Optional<RpCause> answer = Optional.empty();
 
     private final DeliveryPort port = new DeliveryPort() {
@@ -51,6 +52,11 @@ class LargestSizeTest {
         public boolean isReachable(Destination destination) {
             asked.add(destination);
             return isThere;
+        }
+
+        @Override
+        public int window(Destination destination) {
+            return window;
         }
 
         @Override
@@ -133,6 +139,35 @@ class LargestSizeTest {
                 () -> timers.advance(
                         timers.nowNanos() + RetrySchedule.PAUSES.get(0).toNanos()));
         assertEquals(1, underWay.size());
+    }
+
+    @Test
+    void failuresOfSingleMessagesCostNoMoreTheMoreOfThemWait() {
+        fillTheReceiver();
+        isThere = true;
+        window = 1_000;
+        center.available(RECEIVER);
+        for (int i = 0; i < 1_000; i++) {
+            assertFew("postponing", () -> underWay.remove().accept(DeliveryOutcome.POSTPONED));
+        }
+        assertFew("withdrawal", () -> underWay.remove().accept(DeliveryOutcome.WITHDRAWN));
+        assertFew("cancel of a postponed one", () -> assertTrue(center.cancel(1)));
+        isThere = false;
+        assertFew("the receiver becomes available", () -> center.available(RECEIVER));
+        assertEquals(ShortMessageCenter.MAX_WAITING_PER_RECEIVER - 1, center.waitingCount());
+    }
+
+    @Test
+    void replacingCostsNoMoreTheMoreMessagesWait() {
+        fillTheReceiver();
+        for (long id : new long[] {1, 100_000, ShortMessageCenter.MAX_WAITING_PER_RECEIVER}) {
+            ShortMessage old = center.messages().waitingMessage(id).orElseThrow();
+            assertFew("replacement of " + id, () -> {
+                assertTrue(center.replace(old, stored -> {}));
+                store();
+            });
+        }
+        assertEquals(ShortMessageCenter.MAX_WAITING_PER_RECEIVER, center.waitingCount());
     }
 
     @Test

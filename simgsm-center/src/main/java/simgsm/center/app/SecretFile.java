@@ -1,0 +1,33 @@
+package simgsm.center.app;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+
+/** Files that hold passwords or keys. */
+final class SecretFile {
+    private static final System.Logger LOG = System.getLogger(SecretFile.class.getName());
+
+    private SecretFile() {}
+
+    /** Logs a warning if every user of this machine may read the file. */
+    static void check(Path file) {
+        if (isReadableByAll(file)) {
+            LOG.log(
+                    Level.WARNING,
+                    "{0} holds secrets and every user of this machine may read it; \"chmod 600 {0}\" ends that",
+                    file);
+        }
+    }
+
+    /** False also where the file system has no such permissions. */
+    static boolean isReadableByAll(Path file) {
+        try {
+            return Files.getPosixFilePermissions(file).contains(PosixFilePermission.OTHERS_READ);
+        } catch (IOException | UnsupportedOperationException e) {
+            return false;
+        }
+    }
+}
