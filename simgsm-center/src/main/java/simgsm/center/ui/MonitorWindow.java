@@ -42,6 +42,7 @@ public final class MonitorWindow {
                 panel,
                 Optional.empty(),
                 Optional.of(SuiteWindow.CENTER.least()),
+                Runnable::run,
                 panel::requestFocusInWindow,
                 () -> {
                     newest.stop();

@@ -36,6 +36,7 @@ public final class HandsetWindow {
                 panel,
                 Optional.empty(),
                 Optional.empty(),
+                Runnable::run,
                 panel::requestFocusInWindow,
                 () -> {
                     newest.stop();

@@ -7,12 +7,14 @@ import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.ButtonGroup;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
+import javax.swing.Timer;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
@@ -34,6 +36,7 @@ import simrobot.world.World;
 public final class EditorPanel extends JPanel {
     private static final double[] RASTERS_METERS = {0, 0.1, 0.5};
     private static final String ENDING = "map";
+    private static final int KEEP_AFTER_MILLIS = 2_000;
 
     private final TextBundle texts;
     private final OperatorActions operator;
@@ -47,6 +50,11 @@ public final class EditorPanel extends JPanel {
     private final UserAction redo;
     private final UserAction delete;
     private final UserAction apply;
+    private final UserAction restore;
+    private final JButton restoring;
+    private final KeptDraft kept;
+    private final Timer keeping = new Timer(KEEP_AFTER_MILLIS, event -> keepDraft());
+    private Optional<World> left = Optional.empty();
     private Path file = Path.of("");
     private boolean named;
     private World applied;
@@ -67,10 +75,15 @@ public final class EditorPanel extends JPanel {
         redo = action("redo", Symbol.REDO.icon(), KeyEvent.VK_Y, () -> floor.step(floor.draft()::redo));
         delete = action("delete", Symbol.ERASE.icon(), KeyEvent.VK_D, () -> floor.step(floor.draft()::deleteSelected));
         apply = action("apply", Symbol.PLAY.icon(), KeyEvent.VK_ENTER, () -> apply(() -> {}));
+        restore = action("restore", null, 0, this::restore);
+        restoring = named(restore);
+        kept = new KeptDraft(operator);
+        keeping.setRepeats(false);
         JPanel files = Arrange.row(
                 Theme.HALF,
                 named(action("back", Symbol.LEFT.icon(), KeyEvent.VK_W, this::close)),
                 Arrange.growing(title),
+                restoring,
                 named(action("save", null, KeyEvent.VK_S, () -> save(() -> {}))),
                 named(action("saveAs", null, 0, () -> saveAs(() -> {}))),
                 named(apply));
@@ -144,14 +157,35 @@ public final class EditorPanel extends JPanel {
         file = place;
         named = isThere;
         applied = isThere ? world : null;
-        report("", false);
+        left = KeptDraft.of(place).filter(draft -> !draft.equals(world.named(draft.name())));
+        restoring.setVisible(left.isPresent());
         floor.edit(new Draft(world), robots);
+        report(left.isPresent() ? texts.of("editor.left", place.getFileName()) : "", false);
         floor.setTool(isThere ? EditorTool.SELECT : EditorTool.WALL);
         floor.requestFocusInWindow();
     }
 
     public void showRobots(List<RobotSnapshot> robots) {
         floor.showRobots(robots);
+    }
+
+    /** Takes the draft over that an earlier session left; one step of undo. */
+    private void restore() {
+        left.ifPresent(draft -> floor.step(() -> floor.draft().change(draft)));
+        left = Optional.empty();
+        restoring.setVisible(false);
+    }
+
+    /** Writes a changed draft beside its file. */
+    void keepDraft() {
+        if (floor.draft().isChanged()) {
+            kept.keep(floor.draft().committed(), file);
+        }
+    }
+
+    private void dropKept() {
+        keeping.stop();
+        kept.drop(file);
     }
 
     private void report(String words, boolean failure) {
@@ -167,6 +201,9 @@ public final class EditorPanel extends JPanel {
         delete.setEnabled(draft.selected().isPresent());
         apply.setEnabled(draft.committed() != applied);
         boolean changed = draft.isChanged() || !named;
+        if (draft.isChanged()) {
+            keeping.restart();
+        }
         title.show(texts.of(changed ? "editor.file.changed" : "editor.file", file.getFileName()));
         tools.get(floor.tool()).setSelected(true);
         sidebar.show(draft);
@@ -207,6 +244,7 @@ public final class EditorPanel extends JPanel {
         World world = floor.draft().committed();
         operator.save(world, target, EventThread.onEventThread(refusal -> {
             if (refusal.isEmpty()) {
+                dropKept();
                 file = target;
                 named = true;
                 floor.draft().markSaved(world);
@@ -217,23 +255,35 @@ public final class EditorPanel extends JPanel {
     }
 
     private void close() {
+        leave(closed);
+    }
+
+    /**
+     * Leaves the editor, after a question where changes are unsaved.
+     *
+     * @param done run when it is left; not where the user stays
+     */
+    public void leave(Runnable done) {
         if (!floor.draft().isChanged()) {
-            closed.run();
+            done.run();
             return;
         }
         switch (FileDialogs.askAboutChanges(texts, this, String.valueOf(file.getFileName()))) {
-            case SAVE -> save(this::applyAndClose);
-            case DROP -> closed.run();
+            case SAVE -> save(() -> applyAnd(done));
+            case DROP -> {
+                dropKept();
+                done.run();
+            }
             case STAY -> floor.requestFocusInWindow();
         }
     }
 
     /** Puts the saved world under the robots, unless it is there already. */
-    private void applyAndClose() {
+    private void applyAnd(Runnable done) {
         if (floor.draft().committed() == applied) {
-            closed.run();
+            done.run();
         } else {
-            apply(closed);
+            apply(done);
         }
     }
 }

@@ -168,6 +168,15 @@ public final class SimRobotPanel extends JPanel {
         pages.show(page, EDITING);
     }
 
+    /** Closes the window by the given action, unless an editor with unsaved changes is to stay. */
+    void leave(Runnable close) {
+        if (editor.isVisible()) {
+            editor.leave(close);
+        } else {
+            close.run();
+        }
+    }
+
     private void stopEditing() {
         pages.show(page, RUNNING);
         operator.setPaused(pausedBefore);

@@ -34,6 +34,7 @@ public final class SimRobotWindow {
                 panel,
                 Optional.of(SIZE),
                 Optional.of(SuiteWindow.ROBOT.least()),
+                panel::leave,
                 panel::focusFloor,
                 newest::stop);
     }

@@ -8,7 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -28,6 +30,7 @@ import simrobot.drawing.Viewport;
 import simrobot.editor.Item;
 import simrobot.ui.panel.WindowBench;
 import simrobot.ui.panel.WorldChoice;
+import simrobot.world.MapWriter;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
@@ -181,6 +184,40 @@ class EditorPanelTest {
         bench.settle();
         assertTrue(bench.spoken("editor.state").endsWith("the folder does not exist"));
         assertEquals("empty.map \u2013 changed", bench.spoken("editor.file"));
+    }
+
+    @Test
+    void aDraftThatWasNeverSavedIsOfferedWhenTheFileIsOpenedAgain() throws Exception {
+        Path file = folder.resolve("room.map");
+        World saved = WindowBench.world("empty.map").named("room.map");
+        MapWriter.save(saved, file);
+        editor().edit(saved, file, true, List.of());
+        assertFalse(bench.component("editor.restore").isVisible());
+        bench.click("editor.tool.wall");
+        drag(1, 2, 4, 2.3, 0);
+        World draft = floor.draft().committed();
+        editor().keepDraft();
+        bench.settle();
+
+        editor().edit(saved, file, true, List.of());
+        assertEquals(saved, floor.draft().committed());
+        assertTrue(bench.component("editor.restore").isVisible());
+        bench.click("editor.restore");
+        assertEquals(draft.named("room.map"), floor.draft().committed().named("room.map"));
+        assertFalse(bench.component("editor.restore").isVisible());
+        editor().write(file, () -> {});
+        bench.settle();
+
+        editor().edit(WorldReader.read(file), file, true, List.of());
+        assertFalse(bench.component("editor.restore").isVisible());
+        assertEquals(List.of(file), List.of(Files.list(folder).toArray()));
+    }
+
+    @Test
+    void aWindowWithoutUnsavedChangesClosesAtOnce() {
+        List<String> done = new ArrayList<>();
+        editor().leave(() -> done.add("closed"));
+        assertEquals(List.of("closed"), done);
     }
 
     private EditorPanel editor() {

@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
@@ -30,6 +31,7 @@ public final class ProgramWindow {
      * The content of a window, made on the event thread.
      *
      * @param size at first, unless {@code --window} gives another; empty for the panel's preferred size
+     * @param closing called when the user closes the window, with the action that does it; asks about what is unsaved
      * @param shown run when the window is on the screen
      * @param closed run when the window has been closed
      */
@@ -39,6 +41,7 @@ public final class ProgramWindow {
             JComponent panel,
             Optional<Dimension> size,
             Optional<Dimension> least,
+            Consumer<Runnable> closing,
             Runnable shown,
             Runnable closed) {}
 
@@ -135,8 +138,13 @@ public final class ProgramWindow {
         frame.setIconImages(content.icons());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
-        frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                content.closing().accept(frame::dispose);
+            }
+
             @Override
             public void windowClosed(WindowEvent event) {
                 content.closed().run();
