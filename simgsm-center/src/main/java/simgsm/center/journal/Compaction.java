@@ -8,7 +8,10 @@ import java.util.Iterator;
 import java.util.List;
 import simgsm.center.smsc.StoreEntry;
 
-/** Writes the journal's state into a snapshot, in steps, and then deletes the files that the snapshot replaces. */
+/**
+ * Writes the journal's state into a snapshot, in steps, reads it back, gives it its name, and only then deletes the files
+ * that it replaces.
+ */
 final class Compaction {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
@@ -19,33 +22,54 @@ final class Compaction {
     private final long number;
     private final Iterator<StoreEntry> rest;
     private final JournalSegment snapshot;
+    /** Null until all is written. */
+    private SnapshotProof proof;
 
     /**
      * @param number of the last closed segment
      * @param image the state after that segment
      */
-    Compaction(Disk disk, long number, List<StoreEntry> image) throws IOException {
+    Compaction(Disk disk, long number, Iterator<StoreEntry> image) throws IOException {
         this.disk = disk;
         this.number = number;
-        this.rest = image.iterator();
-        this.snapshot = new JournalSegment(disk.create(FileNames.unfinished()));
+        this.rest = image;
+        this.snapshot = JournalSegment.begin(disk.create(FileNames.unfinished()), 0);
     }
 
-    /** Writes the next entries. @return whether the snapshot is complete and has replaced the older files */
+    /** Writes or reads the next entries. @return whether the snapshot has replaced the older files */
     boolean step() throws IOException {
+        if (rest.hasNext()) {
+            writeNext();
+            return false;
+        }
+        if (proof == null) {
+            snapshot.append(new FileMark.Closed(snapshot.records()));
+            snapshot.close();
+            proof = new SnapshotProof(FileNames.unfinished(), disk.open(FileNames.unfinished()));
+        }
+        if (!proof.read(STEP_ENTRIES)) {
+            return false;
+        }
+        finish();
+        return true;
+    }
+
+    private void writeNext() throws IOException {
         List<StoreEntry> next = new ArrayList<>(STEP_ENTRIES);
         while (rest.hasNext() && next.size() < STEP_ENTRIES) {
             next.add(rest.next());
         }
         snapshot.append(next);
-        if (rest.hasNext()) {
-            return false;
+    }
+
+    private void finish() throws IOException {
+        proof.close();
+        if (!proof.isWhole()) {
+            throw new IOException("the snapshot does not read back as it was written");
         }
-        snapshot.close();
         disk.rename(FileNames.unfinished(), FileNames.snapshot(number));
         disk.sync();
         removeSuperseded();
-        return true;
     }
 
     long size() {
@@ -69,6 +93,9 @@ final class Compaction {
     void abandon() {
         try {
             snapshot.close();
+            if (proof != null) {
+                proof.close();
+            }
             disk.delete(FileNames.unfinished());
         } catch (IOException | UncheckedIOException e) {
             // The next compaction overwrites it; the next start deletes it.

@@ -25,6 +25,11 @@ final class FileNames {
         return UNFINISHED;
     }
 
+    /** The copy of a file's octets that could not be read, from this position on. */
+    static String damaged(String name, long from) {
+        return name + "-" + from + ".damaged";
+    }
+
     static Optional<Long> segmentNumber(String name) {
         return number(SEGMENT, name);
     }

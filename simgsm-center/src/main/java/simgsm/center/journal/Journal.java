@@ -20,17 +20,25 @@ import simgsm.center.smsc.StoredState;
 public final class Journal {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
-    /** No compaction below this size on disk. */
-    private static final long MIN_COMPACTED_OCTETS = 4 << 20;
-    /** A larger segment is closed and followed by the next. */
-    private static final long SEGMENT_OCTETS = 16 << 20;
-    /** Compaction begins when the files are larger than their state by this factor. */
-    private static final int MOST_WASTE = 3;
+    /**
+     * Sizes; tests use smaller ones.
+     *
+     * @param segmentOctets a larger segment is closed and followed by the next
+     * @param minCompactedOctets no compaction below this size on disk
+     * @param mostWaste compaction begins when the files are larger than their state by this factor
+     * @param mostSegments compaction begins when there are more
+     * @param maxRecent messages kept to recognise repetitions
+     */
+    record Limits(long segmentOctets, long minCompactedOctets, int mostWaste, int mostSegments, int maxRecent) {
+        static final Limits STANDARD = new Limits(16 << 20, 4 << 20, 3, 32, 20_000);
 
-    private static final int MOST_SEGMENTS = 32;
+        Limits(long minCompactedOctets, int maxRecent) {
+            this(STANDARD.segmentOctets, minCompactedOctets, STANDARD.mostWaste, STANDARD.mostSegments, maxRecent);
+        }
+    }
 
     private final Disk disk;
-    private final long minCompactedOctets;
+    private final Limits limits;
     private final JournalState state;
     /** Entries that the disk has not taken, in order; repetitions are kept once. */
     private final Set<StoreEntry> owed = new LinkedHashSet<>();
@@ -42,6 +50,8 @@ public final class Journal {
     private boolean isFailing;
     private Compaction compaction;
     private long lastNumber;
+    /** Records in the last closed segment. */
+    private long lastRecords;
     /** Octets in closed files; of these, those that the compaction under way replaces. */
     private long closedOctets;
 
@@ -49,11 +59,11 @@ public final class Journal {
     private int segments;
     private long compactAboveOctets;
 
-    private Journal(Disk disk, long minCompactedOctets, int maxRecent) {
+    private Journal(Disk disk, Limits limits) {
         this.disk = disk;
-        this.state = new JournalState(maxRecent);
-        this.minCompactedOctets = minCompactedOctets;
-        this.compactAboveOctets = minCompactedOctets;
+        this.limits = limits;
+        this.state = new JournalState(limits.maxRecent);
+        this.compactAboveOctets = limits.minCompactedOctets;
     }
 
     /**
@@ -62,15 +72,15 @@ public final class Journal {
      * @throws IOException if the disk cannot be read
      */
     public static Journal open(Disk disk) throws IOException {
-        return open(disk, MIN_COMPACTED_OCTETS, JournalState.MAX_RECENT);
+        return open(disk, Limits.STANDARD);
     }
 
-    /** For tests with smaller limits. */
-    static Journal open(Disk disk, long minCompactedOctets, int maxRecent) throws IOException {
-        Journal journal = new Journal(disk, minCompactedOctets, maxRecent);
+    static Journal open(Disk disk, Limits limits) throws IOException {
+        Journal journal = new Journal(disk, limits);
         Recovery recovery = new Recovery(disk, journal.state);
         recovery.run();
         journal.lastNumber = recovery.lastNumber();
+        journal.lastRecords = recovery.lastRecords();
         journal.closedOctets = recovery.octets();
         journal.segments = recovery.segments();
         return journal;
@@ -125,7 +135,7 @@ public final class Journal {
             segment.repair();
             isSuspect = false;
         }
-        if (segment != null && segment.size() > SEGMENT_OCTETS) {
+        if (segment != null && segment.size() > limits.segmentOctets) {
             closeSegment();
         }
         if (segment == null) {
@@ -135,21 +145,23 @@ public final class Journal {
 
     private void openSegment() throws IOException {
         DiskFile file = disk.create(FileNames.segment(lastNumber + 1));
+        JournalSegment begun = JournalSegment.begin(file, lastRecords);
         try {
             disk.sync();
         } catch (IOException e) {
-            file.close();
+            begun.close();
             throw e;
         }
         lastNumber++;
         segments++;
-        segment = new JournalSegment(file);
+        segment = begun;
     }
 
     private void closeSegment() throws IOException {
         JournalSegment closing = segment;
         segment = null;
         closedOctets += closing.size();
+        lastRecords = closing.records();
         closing.close();
     }
 
@@ -165,12 +177,12 @@ public final class Journal {
                 beginIfDue();
             } else if (compaction.step()) {
                 closedOctets += compaction.size() - replacedOctets;
-                compactAboveOctets = minCompactedOctets;
+                compactAboveOctets = limits.minCompactedOctets;
                 compaction = null;
             }
         } catch (IOException | UncheckedIOException e) {
             LOG.log(Level.WARNING, "the journal cannot be compacted now: {0}", e.toString());
-            compactAboveOctets = octetsOnDisk() + minCompactedOctets;
+            compactAboveOctets = octetsOnDisk() + limits.minCompactedOctets;
             if (compaction != null) {
                 compaction.abandon();
                 compaction = null;
@@ -179,8 +191,8 @@ public final class Journal {
     }
 
     private void beginIfDue() throws IOException {
-        boolean isWasteful = octetsOnDisk() > compactAboveOctets && octetsOnDisk() > MOST_WASTE * state.octets();
-        if (!isFailing && (isWasteful || segments > MOST_SEGMENTS)) {
+        boolean isWasteful = octetsOnDisk() > compactAboveOctets && octetsOnDisk() > limits.mostWaste * state.octets();
+        if (!isFailing && (isWasteful || segments > limits.mostSegments)) {
             segments = 0;
             if (segment != null) {
                 closeSegment();

@@ -6,31 +6,58 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import simgsm.center.smsc.StoreEntry;
 
-/** A file to which entries are appended. Its size counts durable octets; any after them are invalid. */
+/** A file to which records are appended. Its size counts durable octets; any after them are invalid. */
 final class JournalSegment {
     private final DiskFile file;
     private long size;
-    private long nextSequence = 1;
+    private long records;
 
-    JournalSegment(DiskFile file) {
+    private JournalSegment(DiskFile file) {
         this.file = file;
+    }
+
+    /** Begins a new file with its mark; if that fails, the file is closed. @param file an empty file */
+    static JournalSegment begin(DiskFile file, long previousRecords) throws IOException {
+        JournalSegment begun = new JournalSegment(file);
+        try {
+            begun.append(new FileMark.Opened(previousRecords));
+            return begun;
+        } catch (IOException e) {
+            file.close();
+            throw e;
+        }
     }
 
     long size() {
         return size;
     }
 
+    /** Durable records, marks included. */
+    long records() {
+        return records;
+    }
+
     /** Appends entries with one write and one synchronisation. */
     void append(List<StoreEntry> entries) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        long sequence = nextSequence;
+        long sequence = records;
         for (StoreEntry entry : entries) {
-            RecordFormat.write(octets, sequence++, EntryCodec.encode(entry));
+            RecordFormat.write(octets, ++sequence, EntryCodec.encode(entry));
         }
+        write(octets, sequence);
+    }
+
+    void append(FileMark mark) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        RecordFormat.write(octets, records + 1, mark.encode());
+        write(octets, records + 1);
+    }
+
+    private void write(ByteArrayOutputStream octets, long lastSequence) throws IOException {
         file.write(ByteBuffer.wrap(octets.toByteArray()), size);
         file.sync();
         size += octets.size();
-        nextSequence = sequence;
+        records = lastSequence;
     }
 
     /** Removes the octets that a failed append may have left. */

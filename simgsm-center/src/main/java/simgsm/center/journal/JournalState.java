@@ -4,10 +4,12 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
@@ -19,14 +21,18 @@ import simgsm.center.smsc.StoredState;
  * costs only a map entry here.
  */
 final class JournalState {
-    /** Repetitions are recognised for this time, and among the latest {@link #MAX_RECENT} messages. */
+    /** Repetitions are recognised for this time, and among the latest {@code maxRecent} messages. */
     private static final Duration RECENT = Duration.ofHours(1);
 
-    static final int MAX_RECENT = 20_000;
     /** Approximate octets of an accepted message on disk besides its SUBMIT. */
     private static final int MESSAGE_OCTETS = 100;
 
-    private record Kept(ShortMessage message, StoreEntry.Ended ended) {}
+    private record Kept(ShortMessage message, StoreEntry.Ended ended) {
+        Stream<StoreEntry> entries() {
+            StoreEntry accepted = new StoreEntry.Accepted(message);
+            return ended == null ? Stream.of(accepted) : Stream.of(accepted, ended);
+        }
+    }
 
     private final Map<Long, Kept> kept = new TreeMap<>();
     private final Deque<ShortMessage> recent = new ArrayDeque<>();
@@ -87,24 +93,27 @@ final class JournalState {
         return octets + (long) (recent.size() + known.size()) * 2 * MESSAGE_OCTETS;
     }
 
-    /** The shortest sequence of entries with the same sum. */
-    List<StoreEntry> image() {
-        List<StoreEntry> image = new ArrayList<>(1 + known.size() + 2 * recent.size() + kept.size());
-        image.add(new StoreEntry.Numbered(lastId));
-        image.addAll(known.values());
-        for (ShortMessage message : recent) {
-            if (!kept.containsKey(message.id())) {
-                image.add(new StoreEntry.Accepted(message));
-                image.add(new StoreEntry.Ended(message.id(), MessageState.DELIVERED, message.acceptedAt(), false));
-            }
-        }
-        for (Kept each : kept.values()) {
-            image.add(new StoreEntry.Accepted(each.message()));
-            if (each.ended() != null) {
-                image.add(each.ended());
-            }
-        }
-        return image;
+    /** Messages that wait or whose report is due. */
+    int messages() {
+        return kept.size();
+    }
+
+    /** The shortest sequence of entries with the same sum, as it is now; made one by one while it is read. */
+    Iterator<StoreEntry> image() {
+        List<ShortMessage> endedLately = recent.stream()
+                .filter(message -> !kept.containsKey(message.id()))
+                .toList();
+        List<StoreEntry> few = new ArrayList<>(known.values());
+        few.add(new StoreEntry.Numbered(lastId));
+        Stream<StoreEntry> ended = endedLately.stream().flatMap(JournalState::accepted);
+        Stream<StoreEntry> others = List.copyOf(kept.values()).stream().flatMap(Kept::entries);
+        return Stream.concat(few.stream(), Stream.concat(ended, others)).iterator();
+    }
+
+    private static Stream<StoreEntry> accepted(ShortMessage message) {
+        return Stream.of(
+                new StoreEntry.Accepted(message),
+                new StoreEntry.Ended(message.id(), MessageState.DELIVERED, message.acceptedAt(), false));
     }
 
     StoredState stored() {

@@ -20,6 +20,7 @@ final class RecordReader {
     private long position;
     private long lastSequence = NONE;
     private long damagedFrom = NONE;
+    private long records;
 
     RecordReader(String name, DiskFile file, Consumer<Damage> damages) throws IOException {
         this.name = name;
@@ -36,6 +37,7 @@ final class RecordReader {
             if (contents != null) {
                 reportDamage(false);
                 position += RecordFormat.HEADER_LENGTH + contents.length;
+                records++;
                 return contents;
             }
             damagedFrom = damagedFrom == NONE ? position : damagedFrom;
@@ -43,6 +45,16 @@ final class RecordReader {
         }
         reportDamage(true);
         return null;
+    }
+
+    /** Valid records so far. */
+    long records() {
+        return records;
+    }
+
+    /** The number of records that the file held up to the last valid one: {@link #records} and those lost before it. */
+    long writtenRecords() {
+        return Math.max(0, lastSequence);
     }
 
     /** The position after the last valid record so far. */

@@ -2,22 +2,37 @@ package simgsm.center.journal;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.nio.ByteBuffer;
+import java.util.Collection;
+import java.util.NavigableSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.LongStream;
 
-/** Reads the latest snapshot and the segments after it into the journal's state. */
+/**
+ * Reads the newest whole snapshot and the segments after it into the journal's state. A snapshot that is not whole counts
+ * only where the files that it has replaced are not there any more. Octets that cannot be read are copied to a file of their
+ * own before they are cut off.
+ */
 final class Recovery {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
     /** The number of no snapshot; segments are numbered from 1. */
     private static final long NONE = 0;
 
+    /** Octets copied at once. */
+    private static final int COPIED_OCTETS = 1 << 20;
+
     private final Disk disk;
     private final JournalState state;
+    private final RecoveryReport report = new RecoveryReport();
     private long lastNumber;
+    /** The segment read last; null if none was. */
+    private FileContents before;
+
     private long octets;
     private int segments;
 
@@ -31,6 +46,11 @@ final class Recovery {
         return lastNumber;
     }
 
+    /** Records of the last segment; 0 if there is none. */
+    long lastRecords() {
+        return before == null ? 0 : before.writtenRecords();
+    }
+
     /** Valid octets read. */
     long octets() {
         return octets;
@@ -40,61 +60,146 @@ final class Recovery {
         return segments;
     }
 
+    RecoveryReport report() {
+        return report;
+    }
+
     void run() throws IOException {
         Set<String> names = disk.names();
-        long snapshot = numbers(names, FileNames::snapshotNumber).stream().reduce(NONE, Math::max);
-        if (snapshot != NONE) {
-            replay(FileNames.snapshot(snapshot));
+        NavigableSet<Long> snapshots = numbers(names, FileNames::snapshotNumber);
+        long base = newestUsable(snapshots, names);
+        if (base != NONE) {
+            replaySnapshot(base);
+            lastNumber = base;
         }
-        lastNumber = snapshot;
-        for (long number : numbers(names, FileNames::segmentNumber)) {
-            if (number > snapshot) {
-                replaySegment(number);
+        NavigableSet<Long> segmentNumbers =
+                numbers(names, FileNames::segmentNumber).tailSet(base, false);
+        NavigableSet<Long> further = snapshots.tailSet(base, false);
+        NavigableSet<Long> rest = new TreeSet<>(segmentNumbers);
+        rest.addAll(further);
+        for (long number : rest) {
+            if (segmentNumbers.contains(number)) {
+                replaySegment(number, number == segmentNumbers.last());
+            }
+            if (further.contains(number)) {
+                replayIfNeeded(number, base, segmentNumbers);
             }
         }
         if (lastNumber != NONE) {
             disk.sync();
         }
-        removeSuperseded(names, snapshot);
+        removeSuperseded(names, base);
+        report.log(LOG, state.messages());
     }
 
-    private static Set<Long> numbers(Set<String> names, Function<String, Optional<Long>> numberOf) {
+    private static NavigableSet<Long> numbers(Set<String> names, Function<String, Optional<Long>> numberOf) {
         return names.stream().map(numberOf).flatMap(Optional::stream).collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private void replaySegment(long number) throws IOException {
-        if (number != lastNumber + 1) {
-            LOG.log(Level.WARNING, "{0} is missing", FileNames.segment(lastNumber + 1));
+    /** The newest snapshot that is whole, or that nothing is left to replace; 0 if there is none. */
+    private long newestUsable(NavigableSet<Long> snapshots, Set<String> names) throws IOException {
+        for (long number : snapshots.descendingSet()) {
+            boolean hasOlder = names.stream().anyMatch(name -> FileNames.isSuperseded(name, number));
+            if (!hasOlder || SnapshotProof.isWhole(disk, FileNames.snapshot(number))) {
+                return number;
+            }
         }
-        lastNumber = number;
-        segments++;
-        replay(FileNames.segment(number));
+        return NONE;
     }
 
-    private void replay(String name) throws IOException {
+    /** A snapshot that is not whole is read for what it still holds, unless all segments that it replaces are there. */
+    private void replayIfNeeded(long number, long base, Collection<Long> segmentNumbers) throws IOException {
+        String name = FileNames.snapshot(number);
+        boolean isReplaced = LongStream.rangeClosed(base + 1, number).allMatch(segmentNumbers::contains);
+        if (isReplaced) {
+            LOG.log(Level.WARNING, "{0}: is not whole; the segments that it was to replace are read", name);
+        } else {
+            replaySnapshot(number);
+        }
+        lastNumber = Math.max(lastNumber, number);
+    }
+
+    private void replaySnapshot(long number) throws IOException {
+        String name = FileNames.snapshot(number);
+        FileContents read = replay(name);
+        if (read.isOfFirstFormat()) {
+            LOG.log(Level.WARNING, "{0}: has no end mark, as version 1.0.0 wrote it", name);
+        } else if (!read.isClosed()) {
+            report.lostUnknown(name + ": its end is missing");
+        }
+        report.lost(name, read.lostRecords());
+    }
+
+    private void replaySegment(long number, boolean isLast) throws IOException {
+        String name = FileNames.segment(number);
+        FileContents read = replay(name);
+        if (number != lastNumber + 1) {
+            report.lostUnknown(FileNames.segment(lastNumber + 1) + ": is missing");
+            before = null;
+        }
+        if (before != null && read.isOpened()) {
+            report.lost(FileNames.segment(lastNumber) + ", its end", read.previousRecords() - before.writtenRecords());
+        } else if (before != null && before.cutOctets() > 0) {
+            report.lostUnknown(FileNames.segment(lastNumber) + ": its end is damaged");
+        }
+        report.lost(name, read.lostRecords());
+        if (isLast && read.cutOctets() > 0 && !read.isTornAsByDeath()) {
+            report.lostUnknown(name + ": is damaged from its beginning");
+        }
+        lastNumber = number;
+        before = read;
+        segments++;
+    }
+
+    private FileContents replay(String name) throws IOException {
         try (DiskFile file = disk.open(name)) {
-            RecordReader reader = new RecordReader(name, file, Recovery::report);
+            FileContents contents = new FileContents();
+            RecordReader reader = new RecordReader(name, file, report::damaged);
             for (byte[] record = reader.next(); record != null; record = reader.next()) {
-                apply(name, record);
+                Optional<FileMark> mark = FileMark.decode(record);
+                contents.add(mark);
+                if (mark.isEmpty()) {
+                    apply(name, record);
+                }
             }
+            contents.ended(reader, file.size());
             octets += reader.goodEnd();
-            if (reader.goodEnd() < file.size()) {
+            boolean isKept = true;
+            for (Damage damage : report.damagesOf(name)) {
+                isKept &= isPutAside(file, damage);
+            }
+            if (contents.cutOctets() > 0 && isKept) {
                 cut(name, file, reader.goodEnd());
             }
             // An earlier process may have ended before it synchronised the file.
             file.sync();
+            return contents;
         }
-    }
-
-    private static void report(Damage damage) {
-        LOG.log(Level.WARNING, damage::toString);
     }
 
     private void apply(String name, byte[] record) {
         try {
             state.apply(EntryCodec.decode(record));
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "{0}: {1}; skipped", name, e.getMessage());
+            report.lost(name + ": " + e.getMessage(), 1);
+        }
+    }
+
+    /** Copies the octets to a file of their own. @return whether that has succeeded */
+    private boolean isPutAside(DiskFile file, Damage damage) {
+        String copyName = FileNames.damaged(damage.file(), damage.from());
+        try (DiskFile copy = disk.create(copyName)) {
+            for (long at = damage.from(); at < damage.to(); at += COPIED_OCTETS) {
+                ByteBuffer piece = ByteBuffer.allocate((int) Math.min(COPIED_OCTETS, damage.to() - at));
+                file.read(piece, at);
+                copy.write(piece.flip(), at - damage.from());
+            }
+            copy.sync();
+            disk.sync();
+            return true;
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "{0}: cannot be written: {1}", copyName, e.getMessage());
+            return false;
         }
     }
 
@@ -108,7 +213,7 @@ final class Recovery {
         }
     }
 
-    /** Deletes the replaced files and the unfinished snapshot of a compaction that a crash has interrupted. */
+    /** Deletes the files that a proven snapshot replaces, and the unfinished one of an interrupted compaction. */
     private void removeSuperseded(Set<String> names, long snapshot) {
         for (String name : names) {
             if (FileNames.isSuperseded(name, snapshot) || name.equals(FileNames.unfinished())) {

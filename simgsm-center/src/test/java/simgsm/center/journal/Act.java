@@ -33,8 +33,10 @@ enum Act {
     /** Every operation of the disk may fail from now on. */
     DISK_FAILS(0.3),
     DISK_RECOVERS(1.5),
-    /** The machine loses its power in the middle of what the disk does. */
-    POWER_CUT(0.6),
+    /** The machine loses its power between two operations of the disk, or within a write. */
+    POWER_CUT(0.5),
+    /** The process is killed there; the machine goes on. */
+    KILL_IN_DISK(0.5),
     /** The process is killed between two steps; the machine goes on. */
     KILL(0.3);
 

@@ -114,7 +114,7 @@ class JournalThreadTest {
 
     @Test
     void aCompactionThatCannotListTheDirectoryIsOverAndTheJournalGoesOn() throws Exception {
-        Journal journal = Journal.open(diskWhoseNamesCannotBeListed(), 200, 20);
+        Journal journal = Journal.open(diskWhoseNamesCannotBeListed(), new Journal.Limits(200, 20));
         boolean hasBegun = false;
         for (int id = 1; !hasBegun || journal.isCompacting(); id++) {
             journal.commit(List.of(new StoreEntry.Numbered(id)));

@@ -10,6 +10,8 @@ import java.time.Instant;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.SplittableRandom;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import javax.crypto.Cipher;
 import javax.crypto.spec.SecretKeySpec;
 import simgsm.octets.OctetString;
@@ -26,43 +28,59 @@ final class SeedRun {
     private static final int REPORT_EVERY = 1_000;
     private static final int CHECKED_INPUTS = 2_000;
 
+    /** {@code -Dseeds.end=true}: the first broken seed ends the run. */
+    private static final boolean ENDS_AT_FIRST = Boolean.getBoolean("seeds.end");
+
     private static final PrintStream OUT = System.out;
+
+    private static long acknowledged;
+    private static long deaths;
 
     private SeedRun() {}
 
     public static void main(String[] arguments) {
+        Logger.getLogger("").setLevel(Level.OFF);
         long first = Long.parseLong(arguments[0]);
         long count = Long.parseLong(arguments[1]);
         long step = arguments.length > 2 ? Long.parseLong(arguments[2]) : 1;
         Instant start = Instant.now();
         OUT.println(start + " Java " + System.getProperty("java.runtime.version") + ", seeds from " + first + ", step "
-                + step + "; self-check: " + selfCheck(first));
+                + step + (ENDS_AT_FIRST ? "" : "; self-check: " + selfCheck(first)));
         long broken = 0;
         for (long i = 0; i < count; i++) {
             long seed = first + i * step;
             Throwable cause = failure(seed);
             if (cause != null) {
-                report(seed, cause, ++broken == 1);
+                broken++;
+                OUT.println(Instant.now() + " seed " + seed + " broke: " + cause);
+                if (ENDS_AT_FIRST) {
+                    System.exit(1);
+                }
+                report(seed, cause, broken == 1);
             }
             if ((i + 1) % REPORT_EVERY == 0 || i + 1 == count) {
                 OUT.println(Instant.now() + " " + (i + 1) + " seeds in "
-                        + Duration.between(start, Instant.now()).toSeconds() + " s, " + broken + " broken");
+                        + Duration.between(start, Instant.now()).toSeconds() + " s, " + broken + " broken, "
+                        + acknowledged + " messages acknowledged, " + deaths + " deaths");
             }
         }
         System.exit(broken == 0 ? 0 : 1);
     }
 
     private static Throwable failure(long seed) {
+        Simulation simulation = new Simulation(seed);
         try {
-            new Simulation(seed).run();
+            simulation.run();
             return null;
         } catch (Throwable cause) {
             return cause;
+        } finally {
+            acknowledged += simulation.acknowledgedCount();
+            deaths += simulation.deaths();
         }
     }
 
     private static void report(long seed, Throwable cause, boolean isFirst) {
-        OUT.println(Instant.now() + " seed " + seed + " broke: " + cause);
         OUT.println("self-check: " + selfCheck(seed));
         Throwable again = failure(seed);
         OUT.println("once more: " + (again == null ? "clean" : again.toString()));

@@ -12,11 +12,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage.RpData;
@@ -24,7 +27,9 @@ import simgsm.air.ShortMessageControl.CpData;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.msc.link.Link;
 import simgsm.center.smpp.SmppServer;
+import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.StoreEntry;
@@ -39,10 +44,9 @@ import simgsm.sms.TpduCodec;
  */
 final class SimulatedCenter {
     private static final Instant START = Instant.parse("2026-11-21T12:00:00Z");
-    /** Small, so that every seed sees compactions. */
-    private static final int COMPACTED_OCTETS = 2_000;
+    /** Small, so that every seed sees compactions, of several segments. */
+    private static final Journal.Limits LIMITS = new Journal.Limits(1_500, 2_000, 1, 4, 200);
 
-    private static final int MAX_RECENT = 200;
     /** TP-MMS may change from one attempt to the next. */
     private static final int MORE_MESSAGES = 0x04;
 
@@ -63,6 +67,9 @@ final class SimulatedCenter {
     private final Map<String, OctetString> octetsOfText = new HashMap<>();
     private final HomeRegister home;
     private final Set<Msisdn> attached = new HashSet<>();
+    /** By the frame that arrives now. */
+    private final Set<Msisdn> attachedNow = new HashSet<>();
+
     private final Deque<Order> orders = new ArrayDeque<>();
     private final Deque<Answer> answers = new ArrayDeque<>();
     private long bornNanos;
@@ -105,10 +112,10 @@ final class SimulatedCenter {
     void live() throws IOException {
         while (true) {
             try {
-                journal = Journal.open(disk, COMPACTED_OCTETS, MAX_RECENT);
+                journal = Journal.open(disk, LIMITS);
                 break;
             } catch (SimulatedDisk.MachineDied death) {
-                disk.crash();
+                disk.comeBack();
             } catch (IOException failure) {
                 // Nobody can begin on a disk that fails; somebody mends it and starts the centre again.
                 disk.failureRate = 0;
@@ -126,16 +133,19 @@ final class SimulatedCenter {
         exchange.restore(journal.stored());
     }
 
-    /** @param isPowerCut what the disk has not synchronised is lost in part; else only the process dies */
-    void die(boolean isPowerCut) throws IOException {
+    /** Dies as the disk was told; the next life may die while it reads the journal. */
+    void die() throws IOException {
         deaths++;
         orders.clear();
         answers.clear();
         attached.clear();
-        if (isPowerCut) {
-            disk.crash();
-        } else {
-            disk.restart();
+        disk.comeBack();
+        switch (random.nextInt(6)) {
+            case 0 -> disk.dieAfter(random.nextInt(20));
+            case 1 -> disk.killAfter(random.nextInt(20));
+            default -> {
+                // Lives on.
+            }
         }
         live();
     }
@@ -156,6 +166,7 @@ final class SimulatedCenter {
     private void happened(ExchangeEvent event) {
         if (event instanceof ExchangeEvent.Attached there) {
             Invariant.holds(attached.add(there.number()), () -> there.number() + " is held twice");
+            attachedNow.add(there.number());
         } else if (event instanceof ExchangeEvent.Detached gone) {
             Invariant.holds(attached.remove(gone.number()), () -> gone.number() + " was not there");
         }
@@ -184,21 +195,33 @@ final class SimulatedCenter {
         idOfText.put(key.text(), message.id());
     }
 
-    /** A message goes down: it must not have ended on the disk, and must be the same octets as before. */
-    void watch(IpaFrame frame) {
+    /** Watches the frames that go down on one connection. */
+    Consumer<IpaFrame> watch() {
+        ReleaseWatch releases = new ReleaseWatch();
+        return frame -> watch(frame, releases);
+    }
+
+    private void watch(IpaFrame frame, ReleaseWatch releases) {
         if (frame.stream() != IpaFrame.RSL) {
             return;
         }
         try {
-            if (RslCodec.decode(frame.payload()) instanceof RslMessage.DataRequest request
-                    && request.sapi() == RslMessage.Sapi.SHORT_MESSAGES
-                    && Layer3Codec.decode(request.layer3().toArray(), Direction.DOWNLINK) instanceof CpData data
-                    && data.relay() instanceof RpData relayed
-                    && TpduCodec.decode(relayed.tpdu(), Direction.DOWNLINK) instanceof DeliverTpdu deliver) {
-                watch(deliver.userData().text(), relayed.tpdu());
+            if (RslCodec.decode(frame.payload()) instanceof RslMessage.DataRequest request) {
+                watch(Layer3Codec.decode(request.layer3().toArray(), Direction.DOWNLINK), releases);
             }
         } catch (ProtocolViolation violation) {
             throw new AssertionError("the exchange sends " + violation.getMessage(), violation);
+        }
+    }
+
+    /** A short message that goes down must not have ended on the disk, and must be the same octets as before. */
+    private void watch(Layer3Message message, ReleaseWatch releases) throws ProtocolViolation {
+        if (message instanceof CallControl call) {
+            releases.sent(call);
+        } else if (message instanceof CpData data
+                && data.relay() instanceof RpData relayed
+                && TpduCodec.decode(relayed.tpdu(), Direction.DOWNLINK) instanceof DeliverTpdu deliver) {
+            watch(deliver.userData().text(), relayed.tpdu());
         }
     }
 
@@ -214,6 +237,20 @@ final class SimulatedCenter {
         OctetString now = OctetString.of(octets);
         OctetString before = octetsOfText.putIfAbsent(text, now);
         Invariant.holds(before == null || before.equals(now), () -> "message " + id + " comes again changed");
+    }
+
+    /** A frame arrives. A receiver that registers by it is tried at once: none of its messages waits for its schedule. */
+    void receive(Link link, IpaFrame frame) {
+        attachedNow.clear();
+        exchange.frameReceived(ownNanos(), link, frame);
+        if (attachedNow.isEmpty()) {
+            return;
+        }
+        for (MessageHistory each : exchange.shortMessages().messages().waitingHistories(Integer.MAX_VALUE)) {
+            Invariant.holds(
+                    !attachedNow.contains(each.message().to()) || each.nextTry().isEmpty(),
+                    () -> "message " + each.message().id() + " waits for its schedule though its receiver is there");
+        }
     }
 
     // The disk's work.
@@ -276,10 +313,6 @@ final class SimulatedCenter {
         Invariant.holds(attached.isEmpty(), () -> attached + " are attached without a link");
         Invariant.holds(exchange.nextDeadlineNanos().isEmpty(), () -> "a timer is forgotten");
         Invariant.holds(
-                Journal.open(disk, COMPACTED_OCTETS, MAX_RECENT)
-                        .stored()
-                        .waiting()
-                        .isEmpty(),
-                () -> "the journal still holds a message");
+                Journal.open(disk, LIMITS).stored().waiting().isEmpty(), () -> "the journal still holds a message");
     }
 }

@@ -14,15 +14,16 @@ import java.util.random.RandomGenerator;
 
 /**
  * A disk with a cache that dies with the machine: what was not synchronised survives a crash in part, torn anywhere, or
- * not at all; the same for names. It may be told to fail, or to lose its machine in the middle of what it is doing.
+ * not at all; the same for names. It may be told to fail, and to end its machine or its process between any two operations or
+ * within a write.
  */
 public final class SimulatedDisk implements Disk {
-    /** The machine has died; nothing that the process does any more has an effect. */
+    /** The machine or the process has died; nothing that the process does any more has an effect. */
     public static final class MachineDied extends Error {
         private static final long serialVersionUID = 1;
 
-        MachineDied() {
-            super("the simulated machine has died");
+        MachineDied(boolean isPowerCut) {
+            super(isPowerCut ? "the simulated machine has died" : "the simulated process has died");
         }
     }
 
@@ -36,6 +37,7 @@ public final class SimulatedDisk implements Disk {
     private final Map<String, Contents> durableFiles = new HashMap<>();
     private final List<Runnable> unsyncedNames = new ArrayList<>();
     private int operationsToLive = Integer.MAX_VALUE;
+    private boolean isPowerCut;
     private boolean isDead;
     private long operations;
     /** Each operation that writes fails with this probability. */
@@ -45,9 +47,25 @@ public final class SimulatedDisk implements Disk {
         this.random = random;
     }
 
-    /** The machine dies at the disk operation after so many further ones. */
+    /** The power is cut at the disk operation after this number of further ones. */
     public void dieAfter(int count) {
         operationsToLive = count;
+        isPowerCut = true;
+    }
+
+    /** The process is killed at the disk operation after this number of further ones; the machine and its cache go on. */
+    public void killAfter(int count) {
+        operationsToLive = count;
+        isPowerCut = false;
+    }
+
+    /** Another process begins after {@link MachineDied}, with what the kind of death has left. */
+    public void comeBack() {
+        if (isPowerCut) {
+            crash();
+        } else {
+            restart();
+        }
     }
 
     public long operations() {
@@ -105,7 +123,7 @@ public final class SimulatedDisk implements Disk {
         operations++;
         if (isDead || operationsToLive-- <= 0) {
             isDead = true;
-            throw new MachineDied();
+            throw new MachineDied(isPowerCut);
         }
     }
 
@@ -193,19 +211,25 @@ public final class SimulatedDisk implements Disk {
             into.put(contents.octets, start, Math.min(into.remaining(), contents.octets.length - start));
         }
 
-        /** A failing write may have written a part. */
+        /** A failing write, and one within which the process dies, may have written a part. */
         @Override
         public void write(ByteBuffer octets, long position) throws IOException {
             boolean isWhole = random.nextDouble() >= failureRate;
-            int count = isWhole ? octets.remaining() : random.nextInt(octets.remaining() + 1);
-            int start = (int) position;
-            byte[] written = Arrays.copyOf(contents.octets, Math.max(contents.octets.length, start + count));
-            octets.get(written, start, count);
+            boolean isLast = !isDead && operationsToLive <= 0;
+            int count = isWhole && !isLast ? octets.remaining() : random.nextInt(octets.remaining() + 1);
+            if (!isDead) {
+                write(octets, (int) position, count);
+            }
             operate();
-            contents.octets = written;
             if (!isWhole) {
                 throw new IOException("no space left on the simulated disk");
             }
+        }
+
+        private void write(ByteBuffer octets, int start, int count) {
+            byte[] written = Arrays.copyOf(contents.octets, Math.max(contents.octets.length, start + count));
+            octets.get(written, start, count);
+            contents.octets = written;
         }
 
         @Override

@@ -112,7 +112,7 @@ final class Simulation {
             try {
                 step(acts.next(random));
             } catch (SimulatedDisk.MachineDied death) {
-                die(true);
+                die();
             }
         }
         comeToRest();
@@ -149,8 +149,12 @@ final class Simulation {
             case APPLICATION_LEAVES -> application.leave(center.exchange(), center.ownNanos());
             case DISK_FAILS -> center.disk.failureRate = random.nextBoolean() ? 0.3 : 1;
             case DISK_RECOVERS -> center.disk.failureRate = 0;
-            case POWER_CUT -> center.disk.dieAfter(random.nextInt(12));
-            case KILL -> die(false);
+            case POWER_CUT -> center.disk.dieAfter(random.nextInt(20));
+            case KILL_IN_DISK -> center.disk.killAfter(random.nextInt(20));
+            case KILL -> {
+                center.disk.killAfter(0);
+                die();
+            }
         }
         dropBroken();
     }
@@ -178,7 +182,7 @@ final class Simulation {
         center.exchange().broadcast(center.ownNanos(), order);
     }
 
-    private void die(boolean isPowerCut) throws IOException {
+    private void die() throws IOException {
         for (SimulatedPhone phone : phones) {
             if (phone.isConnected()) {
                 phone.disconnected(nowNanos);
@@ -186,7 +190,7 @@ final class Simulation {
         }
         unnoticed.clear();
         application.disconnected();
-        center.die(isPowerCut);
+        center.die();
     }
 
     private void pass(long millis) {
@@ -199,7 +203,7 @@ final class Simulation {
 
     private void connect(SimulatedPhone phone) {
         if (!phone.isConnected()) {
-            SimulatedPhone.Wire wire = new SimulatedPhone.Wire(center::watch);
+            SimulatedPhone.Wire wire = new SimulatedPhone.Wire(center.watch());
             phone.wire = wire;
             wire.link = center.exchange().linkOpened(center.ownNanos(), wire.downlink(), phone.number.digits());
             phone.station.linkUp(wire, nowNanos);
@@ -230,7 +234,7 @@ final class Simulation {
         if (!unnoticed.isEmpty()) {
             SimulatedPhone.Wire wire = unnoticed.remove(random.nextInt(unnoticed.size()));
             for (int i = random.nextInt(wire.up.size() + 1); i > 0 && !wire.isDropped; i--) {
-                center.exchange().frameReceived(center.ownNanos(), wire.link, wire.up.remove());
+                center.receive(wire.link, wire.up.remove());
             }
             closed(wire);
         }
@@ -258,7 +262,7 @@ final class Simulation {
             Invariant.tell(() ->
                     phone.number + (isUp ? " up " : " down ") + HexFormat.of().formatHex(frame.payload()));
             if (isUp) {
-                center.exchange().frameReceived(center.ownNanos(), wire.link, frame);
+                center.receive(wire.link, frame);
             } else {
                 phone.station.frameArrived(frame, nowNanos);
             }

@@ -1,0 +1,71 @@
+package simgsm.center.journal;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What a recovery has found wrong, in the order of the files. */
+final class RecoveryReport {
+    private final List<Damage> damages = new ArrayList<>();
+    private final List<String> remarks = new ArrayList<>();
+    private long lostRecords;
+    private boolean isLossUnknown;
+
+    /** Octets without a valid record. */
+    void damaged(Damage damage) {
+        damages.add(damage);
+    }
+
+    List<Damage> damagesOf(String file) {
+        return damages.stream().filter(damage -> damage.file().equals(file)).toList();
+    }
+
+    /** Records that were written and are not there; a count of 0 or less says nothing. */
+    void lost(String where, long records) {
+        if (records > 0) {
+            lostRecords += records;
+            remarks.add(where + ": " + records + (records == 1 ? " record is lost" : " records are lost"));
+        }
+    }
+
+    /** A number of records that nothing tells is lost. */
+    void lostUnknown(String remark) {
+        isLossUnknown = true;
+        remarks.add(remark);
+    }
+
+    /** Records that are known to be lost. */
+    long lostRecords() {
+        return lostRecords;
+    }
+
+    /** Whether records are lost, of known number or not. */
+    boolean isLossy() {
+        return lostRecords > 0 || isLossUnknown;
+    }
+
+    /** Logs the damages, and at the level ERROR what is lost. @param saved messages that the journal holds */
+    void log(Logger log, long saved) {
+        damages.forEach(damage -> log.log(Level.WARNING, damage + "; kept in " + keptIn(damage)));
+        if (isLossy()) {
+            remarks.forEach(remark -> log.log(Level.ERROR, remark));
+            log.log(
+                    Level.ERROR,
+                    "the journal is damaged: messages saved: {0}, records lost: {1}",
+                    Long.toString(saved),
+                    lostText());
+        } else if (saved > 0 || !damages.isEmpty()) {
+            log.log(Level.INFO, "messages in the journal: {0}; none is lost", Long.toString(saved));
+        }
+    }
+
+    private String lostText() {
+        String atLeast = lostRecords == 0 ? "unknown" : "at least " + lostRecords;
+        return isLossUnknown ? atLeast : Long.toString(lostRecords);
+    }
+
+    private static String keptIn(Damage damage) {
+        return FileNames.damaged(damage.file(), damage.from());
+    }
+}

@@ -1,0 +1,165 @@
+package simgsm.center.journal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Known faults, put into the source one at a time: the simulation must break within {@link #MOST_SEEDS} seeds. Each mutant
+ * is compiled and run in processes of its own.
+ */
+class MutantsTest {
+    private static final int MOST_SEEDS = 400;
+
+    private static final Path SOURCES = Path.of("src", "main", "java", "simgsm", "center");
+
+    /**
+     * A fault.
+     *
+     * @param file below the centre's sources
+     * @param right stands there once
+     * @param wrong replaces it
+     */
+    record Mutant(String fault, String file, String right, String wrong) {
+        @Override
+        public String toString() {
+            return fault;
+        }
+    }
+
+    static List<Mutant> mutants() {
+        return List.of(
+                new Mutant(
+                        "compaction deletes before the rename",
+                        "journal/Compaction.java",
+                        "        disk.rename(FileNames.unfinished(), FileNames.snapshot(number));\n"
+                                + "        disk.sync();\n"
+                                + "        removeSuperseded();",
+                        "        removeSuperseded();\n"
+                                + "        disk.rename(FileNames.unfinished(), FileNames.snapshot(number));\n"
+                                + "        disk.sync();"),
+                new Mutant(
+                        "compaction deletes before the new name is durable",
+                        "journal/Compaction.java",
+                        "        disk.sync();\n        removeSuperseded();",
+                        "        removeSuperseded();"),
+                new Mutant(
+                        "T308 never ends",
+                        "msc/call/CallLeg.java",
+                        "boolean isAgain = timer == NetworkTimer.T308 && isReleaseRepeated;",
+                        "boolean isAgain = false;"),
+                new Mutant(
+                        "available() does not cancel the pause",
+                        "smsc/ReceiverQueue.java",
+                        "        availabilities++;\n        endPause();",
+                        "        availabilities++;"),
+                new Mutant(
+                        "a message is acknowledged before it is stored",
+                        "smsc/ShortMessageCenter.java",
+                        "submissions.put(ticket, new Submission(messages, answer));",
+                        "answer.accept(Optional.empty()); submissions.put(ticket, new Submission(messages, any -> {}));"),
+                new Mutant(
+                        "a group is not synchronised",
+                        "journal/JournalSegment.java",
+                        "octets.toByteArray()), size);\n        file.sync();",
+                        "octets.toByteArray()), size);"),
+                new Mutant(
+                        "a new segment's name is not synchronised",
+                        "journal/Journal.java",
+                        "            disk.sync();",
+                        "            if (lastNumber < 0) { disk.sync(); }"),
+                new Mutant(
+                        "what an earlier process left in the cache counts as durable",
+                        "journal/Recovery.java",
+                        "            file.sync();\n            return contents;",
+                        "            return contents;"),
+                new Mutant(
+                        "the end of a message is not stored",
+                        "smsc/ShortMessageCenter.java",
+                        "store(new StoreEntry.Ended(message.id(), state, now(), false));",
+                        ""),
+                new Mutant(
+                        "what a failing disk did not take is forgotten",
+                        "journal/Journal.java",
+                        "owed.add(entry);",
+                        ""),
+                new Mutant("ids begin anew", "smsc/ShortMessageCenter.java", "nextId = stored.lastId() + 1;", ""),
+                new Mutant(
+                        "repetitions are not recognised",
+                        "smsc/ShortMessageCenter.java",
+                        "Optional<Long> original = isRepeated || unit.rejectDuplicates()",
+                        "Optional<Long> original = false"),
+                new Mutant(
+                        "a report is sent before its message's end is stored",
+                        "smsc/ShortMessageCenter.java",
+                        "            storeEnd(reportOf(message, state, now()));",
+                        "            report(reportOf(message, state, now()));\n"
+                                + "            storeEnd(reportOf(message, state, now()));"));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("mutants")
+    void theSimulationCatches(Mutant mutant, @TempDir Path directory) throws Exception {
+        String source = Files.readString(SOURCES.resolve(mutant.file));
+        assertEquals(2, source.split(Pattern.quote(mutant.right), -1).length, "the right text stands there once");
+        Path file = directory.resolve(Path.of(mutant.file).getFileName());
+        Files.writeString(file, source.replace(mutant.right, mutant.wrong));
+        Path classes = Files.createDirectory(directory.resolve("classes"));
+        String compiled = output("javac", "-nowarn", "-d", classes.toString(), "-cp", classPath(), file.toString());
+        assertTrue(compiled.endsWith("exit 0"), compiled);
+        String run = seeds(classes + File.pathSeparator + classPath(), MOST_SEEDS);
+        assertTrue(run.contains(" broke: ") && run.endsWith("exit 1"), run);
+    }
+
+    @Test
+    void theSimulationOfTheRightSourceRunsInAProcessOfItsOwn() throws Exception {
+        assertTrue(seeds(classPath(), 2).endsWith("exit 0"));
+    }
+
+    private static String seeds(String classPath, int count) throws Exception {
+        return output(
+                "java",
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
+                "-Xmx256m",
+                "-Dseeds.end=true",
+                "-cp",
+                classPath,
+                SeedRun.class.getName(),
+                "1",
+                Integer.toString(count));
+    }
+
+    /** Test classes, classes and the modules that they use. */
+    private static String classPath() {
+        return Stream.of(
+                        Path.of("target", "test-classes").toString(),
+                        Path.of("target", "classes").toString(),
+                        System.getProperty("jdk.module.path", ""),
+                        System.getProperty("java.class.path", ""))
+                .filter(path -> !path.isEmpty())
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static String output(String program, String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", program).toString());
+        command.addAll(List.of(arguments));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String text = new String(process.getInputStream().readAllBytes());
+        return text + "exit " + process.waitFor();
+    }
+}
