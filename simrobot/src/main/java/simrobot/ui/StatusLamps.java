@@ -22,7 +22,7 @@ public final class StatusLamps extends JPanel {
         setOpaque(false);
         setName("statuses");
         for (RobotStatus status : RobotStatus.values()) {
-            Lamp lamp = new Lamp(texts.of("status.name"));
+            Lamp lamp = new Lamp(texts.of("status.name")).saysWhenUnlit(texts.of("status.unlit"));
             lamp.setName("status." + status.name().toLowerCase(Locale.ROOT));
             lamp.show(StatusLook.mark(status), StatusLook.ink(status), word(texts, status));
             lamp.setLit(false);

@@ -82,6 +82,13 @@ class MonitorPanelTest {
         assertFalse(network.getToolTipText().isEmpty());
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyControlHasANameWithoutTheMarkOfItsMnemonic(String language) {
+        panel = build(language);
+        assertEquals(List.of(), ComponentNames.unnamed(panel));
+    }
+
     @Test
     void anEmptyExchangeShowsZeros() {
         panel.show(Scene.empty());

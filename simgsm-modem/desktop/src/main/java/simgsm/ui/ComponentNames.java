@@ -2,6 +2,8 @@ package simgsm.ui;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
 
@@ -13,13 +15,35 @@ public final class ComponentNames {
      * Sets both names of a component.
      *
      * @param componentName for tests, as {@code key.5}
-     * @param accessibleName read by a screen reader
+     * @param accessibleName read by a screen reader; a mark of a mnemonic ({@code &} before a letter) is left out
      * @return the component
      */
     public static <T extends JComponent> T name(T component, String componentName, String accessibleName) {
         component.setName(componentName);
-        component.getAccessibleContext().setAccessibleName(accessibleName);
+        component.getAccessibleContext().setAccessibleName(accessibleName.replaceFirst("&(?=\\p{L})", ""));
         return component;
+    }
+
+    /** The components of a tree that take the keyboard focus and have no accessible name, or one with a mnemonic's mark. */
+    public static List<Component> unnamed(Component root) {
+        List<Component> found = new ArrayList<>();
+        if (root.isFocusable() && root instanceof JComponent component && hasKeys(component)) {
+            String name = component.getAccessibleContext().getAccessibleName();
+            if (name == null || name.isBlank() || name.contains("&")) {
+                found.add(root);
+            }
+        }
+        if (root instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                found.addAll(unnamed(child));
+            }
+        }
+        return found;
+    }
+
+    /** Panels and labels are focusable by default, but have no keys. */
+    private static boolean hasKeys(JComponent component) {
+        return component.getInputMap(JComponent.WHEN_FOCUSED).size() > 0;
     }
 
     /** Finds a component in a tree by its name. */

@@ -18,6 +18,7 @@ public final class Lamp extends PaintedComponent {
     private Ink ink = Ink.QUIET;
     private String word = "";
     private boolean lit = true;
+    private String unlitWord = "";
 
     /** @param subject for assistive technology: "Link to the centre" */
     public Lamp(String subject) {
@@ -57,9 +58,15 @@ public final class Lamp extends PaintedComponent {
     /** Lights the lamp or makes its mark grey; of a row of lamps one is lit. */
     public void setLit(boolean nowLit) {
         if (lit != nowLit) {
-            lit = nowLit;
+            change(() -> lit = nowLit);
             repaint();
         }
+    }
+
+    /** @param word said after the lamp's own word while it is not lit: "off" */
+    public Lamp saysWhenUnlit(String word) {
+        unlitWord = word;
+        return this;
     }
 
     public boolean isLit() {
@@ -73,7 +80,8 @@ public final class Lamp extends PaintedComponent {
 
     @Override
     protected String spoken() {
-        return word.isEmpty() ? subject : subject + ": " + word;
+        String state = lit || unlitWord.isEmpty() ? word : word + ", " + unlitWord;
+        return state.isEmpty() ? subject : subject + ": " + state;
     }
 
     @Override

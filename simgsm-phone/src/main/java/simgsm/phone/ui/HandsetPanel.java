@@ -52,6 +52,7 @@ public final class HandsetPanel extends JPanel {
         this.texts = texts;
         this.language = language;
         setLayout(layout);
+        ComponentNames.name(this, "handset", texts.of("window.title"));
         lcd = new Lcd(texts, language, clock, first);
         add(lcd, HandsetLayout.LCD);
         link = Lamp.ofLink(language);

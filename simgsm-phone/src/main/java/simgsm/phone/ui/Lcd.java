@@ -24,6 +24,7 @@ final class Lcd extends PaintedComponent {
         this.clock = clock;
         this.phone = first;
         setName("lcd");
+        makeFocusable();
     }
 
     void show(HandsetSnapshot snapshot) {

@@ -24,6 +24,7 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.PhoneKey;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
 /** The handset's panel, built and painted without a display. */
@@ -51,6 +52,14 @@ class HandsetPanelTest {
         ButtonModel model = ((AbstractButton) bench.find(name)).getModel();
         model.setPressed(false);
         model.setArmed(false);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyControlHasANameAndTheDisplayCanBeReached(String language) {
+        PanelBench bench = new PanelBench(Locale.forLanguageTag(language));
+        assertEquals(List.of(), ComponentNames.unnamed(bench.panel));
+        assertTrue(bench.find("lcd").isFocusable());
     }
 
     @Test

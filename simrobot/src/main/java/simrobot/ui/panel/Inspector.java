@@ -15,6 +15,8 @@ import javax.swing.JToggleButton;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.PaintedComponent;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -69,7 +71,8 @@ final class Inspector extends JPanel {
         Card rose = new Card(texts.of("sonar.title"), sonar);
         Card picture = new Card(texts.of("camera.title"), camera);
         sheet.setOpaque(false);
-        sheet.add(scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels)), ROBOT);
+        JScrollPane state = scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels));
+        sheet.add(ComponentNames.name(state, "inspector", texts.of("tab.robot")), ROBOT);
         sheet.add(events, EVENTS);
         JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
@@ -81,6 +84,9 @@ final class Inspector extends JPanel {
             pane.setBorder(null);
             pane.setViewportBorder(null);
         });
+        // The arrow and page keys scroll it.
+        all.setFocusable(true);
+        PaintedComponent.repaintOnFocus(all);
         all.setOpaque(false);
         all.getViewport().setOpaque(false);
         all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);

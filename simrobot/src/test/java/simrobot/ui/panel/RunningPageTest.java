@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import vericommand.VeriCommandSnapshot;
 
@@ -129,5 +130,20 @@ class RunningPageTest {
 
     private static void press(WindowBench bench) {
         bench.panel.getActionMap().get("presentation").actionPerformed(new ActionEvent(bench.panel, 0, ""));
+    }
+
+    @Test
+    void everyControlHasAName() throws Exception {
+        for (Locale language : List.of(Locale.ENGLISH, new Locale("es"))) {
+            WindowBench bench = bench(language, 1100, 800);
+            assertEquals(List.of(), ComponentNames.unnamed(bench.panel));
+        }
+    }
+
+    @Test
+    void onlyTheLitStatusReadsAsTrue() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
+        assertEquals("Status: Stopped", bench.spoken("status.stopped"));
+        assertEquals("Status: Collision, no", bench.spoken("status.collision"));
     }
 }

@@ -88,7 +88,8 @@ final class ToneExperimentBar extends JPanel {
         Theme.styled(label, it -> it.setPreferredSize(new Dimension(longestLabel() + 2, Theme.px(20))));
         label.setLabelFor(slider);
         slider.setToolTipText(texts.of(key + ".tip"));
-        ComponentNames.name(slider, key, texts.of(key + ".tip"));
+        ComponentNames.name(slider, key, texts.of(key));
+        slider.getAccessibleContext().setAccessibleDescription(texts.of(key + ".tip"));
         return Arrange.row(6, label, Arrange.growing(slider), value);
     }
 
