@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
@@ -18,8 +19,14 @@ import simrobot.process.BehaviourKind;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
+import simrobot.route.Destinations;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Goal;
+import simrobot.world.Home;
+import simrobot.world.Position;
+import simrobot.world.World;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
@@ -30,6 +37,7 @@ import vericommand.RobotStatus;
 final class RobotCommands {
     private static final double MAX_METERS = 1e6;
     private static final double MAX_DEGREES = 1e6;
+    private static final int MAX_NAMES = 20;
 
     private final RobotConsole console;
     private final TelephoneRobot telephone;
@@ -128,26 +136,66 @@ final class RobotCommands {
 
     /** Prints an unchanged or queried process; a change is printed by the robot's own event. */
     void behaviour(ConsoleCommand command) throws CommandException {
-        SimulatedRobot simulated = telephone
-                .simulated()
-                .orElseThrow(
-                        () -> new CommandException("behaviour: " + robot.name() + " is a real robot and runs none"));
+        SimulatedRobot simulated = simulated(command);
         if (command.rest().isEmpty()) {
             onSimulation(() ->
                     answer(new RobotEvent.BehaviourChanged(simulated.autonomy().kind())));
             return;
         }
         BehaviourKind kind = kind(command.text());
+        onSimulation(() -> begin(command, simulated, kind));
+    }
+
+    private void begin(ConsoleCommand command, SimulatedRobot simulated, BehaviourKind kind) throws CommandException {
+        BehaviourKind before = simulated.autonomy().kind();
+        if (!simulated.autonomy().begin(kind)) {
+            throw new CommandException(command.name() + " " + command.rest() + ": not possible in "
+                    + robot.status().text());
+        }
+        if (before.equals(kind)) {
+            answer(new RobotEvent.BehaviourChanged(kind));
+        }
+    }
+
+    private SimulatedRobot simulated(ConsoleCommand command) throws CommandException {
+        return telephone
+                .simulated()
+                .orElseThrow(() ->
+                        new CommandException(command.name() + ": " + robot.name() + " is a real robot and runs none"));
+    }
+
+    /** Drives to a named place or to coordinates. */
+    void goTo(ConsoleCommand command) throws CommandException {
+        SimulatedRobot simulated = simulated(command);
+        String place = command.text();
+        List<String> words = List.of(place.split(" +"));
+        boolean isPlace = words.size() == 2
+                && words.stream().allMatch(word -> word.matches("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)"));
+        Position there = isPlace
+                ? new Position(
+                        number(command.name(), "X", words.get(0), MAX_METERS),
+                        number(command.name(), "Y", words.get(1), MAX_METERS))
+                : null;
         onSimulation(() -> {
-            BehaviourKind before = simulated.autonomy().kind();
-            if (!simulated.autonomy().begin(kind)) {
-                throw new CommandException("behaviour " + kind.text() + ": not possible in "
-                        + robot.status().text());
-            }
-            if (before.equals(kind)) {
-                answer(new RobotEvent.BehaviourChanged(kind));
-            }
+            Simulation owned = console.simRobot().simulation().owned();
+            Destinations destinations = owned.destinations();
+            BehaviourKind kind = isPlace
+                    ? destinations.to(place, there)
+                    : destinations.to(owned.world(), place).orElseThrow(() -> noPlace(owned.world(), place));
+            begin(command, simulated, kind);
         });
+    }
+
+    private static CommandException noPlace(World world, String found) {
+        String names = Stream.concat(
+                        world.goals().stream().map(Goal::name),
+                        world.homes().stream().map(Home::name))
+                .filter(name -> !name.isBlank())
+                .distinct()
+                .limit(MAX_NAMES)
+                .collect(Collectors.joining(", "));
+        return new CommandException("goto: expected X Y in metres" + (names.isEmpty() ? "" : " or one of " + names)
+                + ", found " + (found.isEmpty() ? "nothing after it" : found));
     }
 
     private BehaviourKind kind(String word) throws CommandException {

@@ -68,6 +68,11 @@ public final class RobotConsole implements Console.Commands {
                     "prints the autonomous process, or begins one; none ends it",
                     (to, command) -> to.robot().behaviour(command))
             .add(
+                    "goto",
+                    "NAME|X Y",
+                    "drives to a goal, dock or home, or to a place in metres, round obstacles and forbidden areas",
+                    (to, command) -> to.robot().goTo(command))
+            .add(
                     "behaviours",
                     "",
                     "lists the processes by the numbers that orders start them with",

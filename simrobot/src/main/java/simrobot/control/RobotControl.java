@@ -126,7 +126,7 @@ final class RobotControl {
     private void processEnded(BehaviourKind kind, Decision.End how) {
         ProcessEnding ending = ProcessEnding.REPLACED;
         String why = "";
-        if (how instanceof Decision.Done) {
+        if (how instanceof Decision.Done || how instanceof Decision.Arrived) {
             ending = ProcessEnding.DONE;
         } else if (how instanceof Decision.Collided) {
             ending = ProcessEnding.COLLISION;
@@ -137,6 +137,9 @@ final class RobotControl {
             ending = ProcessEnding.FAILED;
             why = failed.where() + failed.text();
             tell(new RobotEvent.BehaviourFailed(kind.text(), failed.line(), failed.text()));
+        }
+        if (how instanceof Decision.Arrived) {
+            tell(new RobotEvent.Arrived(robot.pose()));
         }
         veriCommand.processEnded(ending, kind.text(), why);
     }

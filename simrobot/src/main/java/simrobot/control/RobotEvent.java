@@ -156,6 +156,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** The robot has come to the place to which a process drove it. */
+    record Arrived(Pose pose) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "arrived").with("x", pose.xText(4)).with("y", pose.yText(4));
+        }
+    }
+
     /** The pose after an instruction, or when queried. */
     record PoseReported(Pose pose) implements RobotEvent {
         @Override

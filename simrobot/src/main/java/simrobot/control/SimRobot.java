@@ -11,6 +11,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -65,6 +67,11 @@ public final class SimRobot implements AutoCloseable {
     private final List<Runnable> goodbyes = new CopyOnWriteArrayList<>();
     private final CallMonitor callMonitor;
     private final TrackLog tracks;
+    private final ExecutorService planning = Executors.newSingleThreadExecutor(plans -> {
+        Thread thread = new Thread(plans, "route planner");
+        thread.setDaemon(true);
+        return thread;
+    });
     private volatile boolean started;
 
     /**
@@ -88,6 +95,7 @@ public final class SimRobot implements AutoCloseable {
         this.patience = patience;
         this.simulation = simulation;
         simulationThread = new SimulationThread(simulation);
+        simulation.destinations().setExecutor(planning);
         tracks = new TrackLog(simulation);
         drivers = new ControlThreads(stationThread::execute, simulationThread, System::nanoTime);
     }
@@ -313,5 +321,6 @@ public final class SimRobot implements AutoCloseable {
         connections.values().forEach(ModemConnection::close);
         callMonitor.close();
         simulationThread.close();
+        planning.shutdownNow();
     }
 }

@@ -1,6 +1,7 @@
 package simrobot.drawing;
 
 import java.util.Arrays;
+import java.util.List;
 import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
@@ -11,6 +12,7 @@ import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SonarRing;
 import simrobot.robot.Trail;
 import simrobot.simulation.RobotSnapshot;
+import simrobot.world.Position;
 import vericommand.RobotStatus;
 
 /** Paints a robot: its trail, its sonar echoes, its body. */
@@ -63,6 +65,30 @@ public final class RobotPainter {
             path.move(view.screenX(xy[i]), view.screenY(xy[i + 1]));
             path.line(view.screenX(xy[i + 2]), view.screenY(xy[i + 3]));
         }
+    }
+
+    // ---- path ------------------------------------------------------------------------------------------------------
+
+    /** The way that its process is about to take, with a ring at its end. */
+    void path(RobotSnapshot robot) {
+        List<Position> path = robot.path();
+        if (path.isEmpty()) {
+            return;
+        }
+        Outline line = new Outline();
+        line.move(view.screenX(robot.xMeters()), view.screenY(robot.yMeters()));
+        path.forEach(place -> line.line(view.screenX(place.xMeters()), view.screenY(place.yMeters())));
+        Position goal = path.get(path.size() - 1);
+        g.ink(Ink.ACCENT, 0.8);
+        g.pen(2.4);
+        g.draw(line);
+        double radius = 0.25 * scale;
+        g.draw(Outline.round(
+                view.screenX(goal.xMeters()) - radius,
+                view.screenY(goal.yMeters()) - radius,
+                2 * radius,
+                2 * radius,
+                radius));
     }
 
     // ---- sonar -----------------------------------------------------------------------------------------------------

@@ -40,6 +40,7 @@ public final class WorldPainter {
         new FloorPainter(g, view).treadmills(scene.world(), scene.timeNanos());
         RobotPainter painter = new RobotPainter(g, view);
         boolean alone = scene.robots().size() == 1;
+        scene.robots().forEach(painter::path);
         for (RobotSnapshot robot : scene.robots()) {
             if (layers.trail()) {
                 painter.trail(robot, scene.timeNanos());

@@ -18,6 +18,9 @@ public sealed interface Decision {
     /** The process has reached what it was for. */
     record Done() implements End {}
 
+    /** The robot has come to the place to which the process drove it. */
+    record Arrived() implements End {}
+
     /** The process cannot reach what it was for. @param text why, in English */
     record GivenUp(String text) implements End {}
 

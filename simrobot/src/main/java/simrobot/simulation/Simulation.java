@@ -18,6 +18,7 @@ import simrobot.robot.Noise;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
+import simrobot.route.Destinations;
 import simrobot.world.Home;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
@@ -39,6 +40,7 @@ public final class Simulation {
     private final List<Supplier<RobotSnapshot>> guests = new ArrayList<>();
     private final Random random;
     private final BehaviourList behaviours = new BehaviourList();
+    private final Destinations destinations = new Destinations();
     private final SimulatedFloor floor;
     /** In the order in which they were added; a new list at every change, so robots may be added while it is iterated. */
     private List<SimulatedRobot> robots = List.of();
@@ -55,6 +57,7 @@ public final class Simulation {
         this.world = world;
         floor = new SimulatedFloor(world);
         random = new Random(seed);
+        behaviours.setGoals(destinations.kinds(world));
         this.seed = seed;
     }
 
@@ -65,6 +68,11 @@ public final class Simulation {
     /** The processes that its robots can run; any thread may change them. */
     public BehaviourList behaviours() {
         return behaviours;
+    }
+
+    /** Makes processes that drive to a place of the world. */
+    public Destinations destinations() {
+        return destinations;
     }
 
     /** Simulated time since the start. */
@@ -193,6 +201,7 @@ public final class Simulation {
         robots.forEach(SimulatedRobot::halt);
         displaced.forEach(floor::remove);
         world = next;
+        behaviours.setGoals(destinations.kinds(next));
         floor.load(next, obstacles);
         for (int i = 0; i < homes.size(); i++) {
             Home home = homes.get(i);

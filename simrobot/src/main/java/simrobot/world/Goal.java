@@ -3,7 +3,7 @@ package simrobot.world;
 import java.util.Objects;
 
 /**
- * A named place; drawn only.
+ * A named place to which robots can be sent.
  *
  * @param type Goal, GoalWithHeading or Dock, as the map spells it
  * @param headingRadians anticlockwise from +X; without meaning for the type Goal

@@ -13,10 +13,10 @@ import java.util.Objects;
  * @param points small obstacles, each of {@link #pointDiameterMeters} to a single ray; they stop robots and sonar
  * @param boxes furniture; its sides stop robots and sonar
  * @param homes where robots start, in the file's order
- * @param forbiddenLines drawn only: they bind planners, not wheels
- * @param forbiddenAreas drawn only
+ * @param forbiddenLines they bind planners, not wheels
+ * @param forbiddenAreas they bind planners, not wheels
  * @param treadmills belts that carry robots
- * @param goals drawn only
+ * @param goals places to which robots can be sent
  */
 public record World(
         String name,

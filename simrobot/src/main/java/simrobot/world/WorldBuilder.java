@@ -47,6 +47,26 @@ public final class WorldBuilder {
         return this;
     }
 
+    public WorldBuilder addPoint(Position point) {
+        points.add(point);
+        return this;
+    }
+
+    public WorldBuilder addGoal(Goal goal) {
+        goals.add(goal);
+        return this;
+    }
+
+    public WorldBuilder addForbidden(Segment line) {
+        forbiddenLines.add(line);
+        return this;
+    }
+
+    public WorldBuilder addForbidden(Area area) {
+        forbiddenAreas.add(area);
+        return this;
+    }
+
     /** Puts an item in the place of another of its type. @param index among the items of the type */
     public WorldBuilder set(int index, WorldItem item) {
         list(item.getClass()).set(index, item);
