@@ -33,5 +33,6 @@ if [ ${#packages[@]} -gt 0 ]; then
 fi
 
 mkdir -p target/peers
+[ -d target/peers/python/prometheus_client ] || python3 -m pip install -q --target target/peers/python prometheus-client
 [ -d target/peers/python/smpplib ] || python3 -m pip install -q --target target/peers/python smpplib
 [ -d target/peers/node_modules/smpp ] || npm install --silent --no-fund --no-audit --prefix target/peers smpp

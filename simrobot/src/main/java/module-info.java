@@ -9,7 +9,6 @@ module simrobot {
     requires vericommand;
     requires java.compiler;
     requires java.management;
-    requires jdk.httpserver;
     // absent from a Java without a compiler: only sources of students need it
     requires static jdk.compiler;
 

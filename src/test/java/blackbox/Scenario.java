@@ -84,6 +84,11 @@ public final class Scenario implements AutoCloseable {
         return Integer.parseInt(ready.field("smpp"));
     }
 
+    /** Where the centre, started with {@code --http}, answers by HTTP. */
+    public String centerUrl() {
+        return "http://127.0.0.1:" + ready.field("http") + "/";
+    }
+
     /** Starts a phone and waits until it is registered. */
     public RunningProgram phone(String number, String... options) {
         RunningProgram phone = unregisteredPhone(number, options);

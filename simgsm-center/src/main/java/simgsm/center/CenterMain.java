@@ -2,6 +2,7 @@ package simgsm.center;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalInt;
 import simgsm.center.app.Center;
 import simgsm.center.app.CenterCommands;
 import simgsm.center.app.CenterEventPrinter;
@@ -87,6 +88,12 @@ public final class CenterMain {
                 .value("barred-imeis", "IMEI,...", "terminals that may not register (cause 6)")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
                 .value(
+                        "http",
+                        "PORT",
+                        "serve metrics for Prometheus and lists as JSON by HTTP, read-only, on this TCP port, 0 for any"
+                                + "\nfree one")
+                .value("cdr", "DIR", "write a record of each call and each short message, as CSV, one file a day")
+                .value(
                         "capture",
                         "FILE.pcap",
                         "write what crosses the wire, speech too, for Wireshark; port 3003 there whatever --port says")
@@ -122,12 +129,13 @@ public final class CenterMain {
         try (Console console = Console.onStandardOutput()) {
             center.start(event -> console.emit(CenterEventPrinter.of(event)));
             Event ready = Event.of("ready").with("port", center.port());
-            console.ready(
-                    center.smppPort().isPresent()
-                            ? ready.with("smpp", center.smppPort().getAsInt())
-                            : ready);
+            console.ready(withPort(withPort(ready, "smpp", center.smppPort()), "http", center.httpPort()));
             Program.runConsole(console, arguments, new CenterCommands(center, console));
             return console.exitStatus();
         }
+    }
+
+    private static Event withPort(Event event, String name, OptionalInt port) {
+        return port.isPresent() ? event.with(name, port.getAsInt()) : event;
     }
 }

@@ -10,6 +10,8 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simgsm.web.RequestException;
+import simgsm.web.WebResponse;
 
 /** The camera streams of all clients, at most 16, each on its own thread, so that a slow client does not delay others. */
 final class CameraStreams implements AutoCloseable {

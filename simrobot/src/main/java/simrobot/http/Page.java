@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
+import simgsm.web.UrlPaths;
 import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;

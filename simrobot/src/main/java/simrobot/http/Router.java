@@ -1,21 +1,18 @@
 package simrobot.http;
 
-import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
-import com.sun.net.httpserver.HttpHandler;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.util.List;
-import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import simgsm.web.RequestException;
+import simgsm.web.WebPages;
+import simgsm.web.WebResponse;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
 /** Answers requests by their path. */
-final class Router implements HttpHandler {
-    private static final Logger LOG = System.getLogger(Router.class.getName());
+final class Router extends WebPages {
     private static final int MOST_NAMES = 20;
     private static final String CAMERA = "camera.jpg";
     private static final String STREAM = "camera.mjpg";
@@ -27,6 +24,7 @@ final class Router implements HttpHandler {
     private final Page page;
 
     Router(WebSource source, SceneCache scenes, CameraPictureCache cameras, CameraStreams streams, Page page) {
+        super(Page.POLICY);
         this.source = source;
         this.scenes = scenes;
         this.cameras = cameras;
@@ -35,41 +33,17 @@ final class Router implements HttpHandler {
     }
 
     @Override
-    public void handle(HttpExchange exchange) throws IOException {
-        String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
-        try {
-            requireGetOrHead(exchange);
-            List<String> parts = UrlPaths.parts(path);
-            if (parts.size() == 3
-                    && parts.get(0).equals("robots")
-                    && parts.get(2).equals(STREAM)) {
-                RobotSnapshot robot = withCamera(robot(scenes.now(), parts.get(1)));
-                streams.begin(exchange, robot.name());
-            } else {
-                send(exchange, answer(parts, path));
-            }
-        } catch (RequestException refusal) {
-            send(exchange, refusal.answer());
-        } catch (IllegalStateException noAnswer) {
-            send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage()));
-        } catch (IllegalArgumentException malformed) {
-            send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + path));
-        } catch (InterruptedException e) {
-            exchange.close();
-            Thread.currentThread().interrupt();
-        } catch (RuntimeException fault) {
-            LOG.log(Level.ERROR, "answering " + path + " failed", fault);
-            exchange.close();
+    protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
+            throws IOException, InterruptedException, RequestException {
+        boolean isStream = parts.size() == 3
+                && parts.get(0).equals("robots")
+                && parts.get(2).equals(STREAM);
+        if (!isStream) {
+            return Optional.of(answer(parts, path));
         }
-    }
-
-    private static void requireGetOrHead(HttpExchange exchange) throws RequestException {
-        String method = exchange.getRequestMethod();
-        if (!method.equals("GET") && !method.equals("HEAD")) {
-            exchange.getResponseHeaders().set("Allow", "GET, HEAD");
-            throw new RequestException(
-                    WebResponse.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
-        }
+        RobotSnapshot robot = withCamera(robot(scenes.now(), parts.get(1)));
+        streams.begin(exchange, robot.name());
+        return Optional.empty();
     }
 
     private WebResponse answer(List<String> parts, String path)
@@ -90,10 +64,8 @@ final class Router implements HttpHandler {
                 return WebResponse.jpeg(cameras.shot(scene, withCamera(robot)).jpeg());
             }
         }
-        throw new RequestException(
-                WebResponse.NOT_FOUND,
-                "nothing at " + path + ", expected /, /robots, /robots/NAME, /robots/NAME/" + CAMERA
-                        + " or /robots/NAME/" + STREAM);
+        throw RequestException.notFound(
+                path, "/, /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
     }
 
     private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RequestException {
@@ -113,25 +85,5 @@ final class Router implements HttpHandler {
                     WebResponse.NOT_FOUND, robot.name() + " is a real robot, its camera is not served here");
         }
         return robot;
-    }
-
-    private static void send(HttpExchange exchange, WebResponse answer) throws IOException {
-        boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
-        Headers headers = exchange.getResponseHeaders();
-        headers.set("Content-Type", answer.type());
-        headers.set("Cache-Control", "no-store");
-        headers.set("X-Content-Type-Options", "nosniff");
-        headers.set("Content-Security-Policy", Page.POLICY);
-        try (exchange) {
-            if (headersOnly) {
-                headers.set("Content-Length", Integer.toString(answer.body().length));
-                exchange.sendResponseHeaders(answer.status(), -1);
-            } else {
-                exchange.sendResponseHeaders(answer.status(), answer.body().length);
-                try (OutputStream body = exchange.getResponseBody()) {
-                    body.write(answer.body());
-                }
-            }
-        }
     }
 }

@@ -1,5 +1,7 @@
 package simrobot.http;
 
+import simgsm.web.JsonText;
+import simgsm.web.UrlPaths;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Condition;
 import simrobot.simulation.RobotSnapshot;
@@ -19,10 +21,6 @@ final class StatusJson {
         JsonText json = new JsonText();
         write(json, scene, robot, source);
         return json.toString();
-    }
-
-    static String error(String text) {
-        return new JsonText().open('{').name("error").value(text).close('}').toString();
     }
 
     private static void write(JsonText json, SimulationSnapshot scene, RobotSnapshot robot, WebSource source) {

@@ -22,9 +22,14 @@ import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.net.CenterLoop;
+import simgsm.center.records.DetailRecords;
+import simgsm.center.records.RecordFiles;
 import simgsm.center.smpp.SmppServer;
+import simgsm.center.web.CenterPages;
+import simgsm.center.web.EventCounts;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
+import simgsm.web.WebPort;
 
 /** A running centre: its data directory, its port, its thread. */
 public final class Center implements AutoCloseable {
@@ -46,6 +51,9 @@ public final class Center implements AutoCloseable {
     private final OptionalInt smppPort;
     private final SmppServer smpp = new SmppServer();
     private final Optional<Capture> capture;
+    private final EventCounts counts = new EventCounts();
+    private final Optional<WebPort> web;
+    private final Optional<RecordFiles> records;
 
     private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
         this.data = data;
@@ -62,6 +70,15 @@ public final class Center implements AutoCloseable {
                 ? Optional.of(Capture.start(settings.capture().get()))
                 : Optional.empty();
         capture.ifPresent(loop::captureTo);
+        records = settings.records().isPresent()
+                ? Optional.of(RecordFiles.in(settings.records().get()))
+                : Optional.empty();
+        web = settings.httpPort().isPresent()
+                ? Optional.of(new WebPort(
+                        address,
+                        settings.httpPort().getAsInt(),
+                        new CenterPages(loop::ask, counts, smpp::boundSessions)))
+                : Optional.empty();
     }
 
     /**
@@ -143,27 +160,44 @@ public final class Center implements AutoCloseable {
         return smppPort;
     }
 
+    /** The port for HTTP, if it is served. */
+    public OptionalInt httpPort() {
+        return web.map(port -> OptionalInt.of(port.port())).orElse(OptionalInt.empty());
+    }
+
     public HomeSettings home() {
         return settings.home();
     }
 
     public void start(Consumer<ExchangeEvent> listener) {
+        Instant startedAt = Instant.now().minusNanos(loop.nowNanos());
+        Optional<DetailRecords> details =
+                records.map(files -> new DetailRecords(() -> startedAt.plusNanos(loop.nowNanos()), files));
         Exchange exchange = new Exchange(
                 new ExchangeSettings(
                         ExchangeSettings.DEFAULT_NETWORK_NAME,
                         settings.random(),
-                        Instant.now(),
+                        startedAt,
                         settings.home().register(),
                         settings.tones(),
                         settings.callWaiting(),
                         settings.language()),
                 store,
                 smpp.routes(),
-                listener);
+                event -> {
+                    counts.accept(event);
+                    details.ifPresent(each -> each.accept(event));
+                    listener.accept(event);
+                });
+        details.ifPresent(each -> exchange.shortMessages().addListener(each::accept));
         smpp.serve(exchange.shortMessages(), exchange.timers());
         exchange.restore(journal.stored());
         store.start(cause -> FatalError.end(NAME, cause));
         loop.start(exchange, cause -> FatalError.end(NAME, cause));
+        web.ifPresent(port -> {
+            port.start();
+            LOG.log(Level.INFO, "metrics on {0}metrics", port.url());
+        });
     }
 
     /**
@@ -196,8 +230,10 @@ public final class Center implements AutoCloseable {
 
     @Override
     public void close() {
+        web.ifPresent(WebPort::close);
         loop.close();
         capture.ifPresent(Capture::close);
+        records.ifPresent(RecordFiles::close);
         store.close();
         data.close();
     }

@@ -23,6 +23,8 @@ import simgsm.dtmf.ToneSet;
  * @param smppPort empty for no SMPP
  * @param data empty for the default directory
  * @param capture empty for none
+ * @param httpPort empty for no HTTP
+ * @param records folder of call and message records; empty for none
  * @param home the SIMs that may register
  * @param tones made by the network; empty when phones make them
  * @param limits of connections
@@ -34,6 +36,8 @@ public record CenterSettings(
         OptionalInt smppPort,
         Optional<Path> data,
         Optional<CapturePlan> capture,
+        OptionalInt httpPort,
+        Optional<Path> records,
         HomeSettings home,
         RandomGenerator random,
         Locale language,
@@ -51,6 +55,8 @@ public record CenterSettings(
                 port(arguments, "smpp"),
                 arguments.path("data"),
                 capture(arguments),
+                port(arguments, "http"),
+                arguments.path("cdr"),
                 HomeSettings.read(arguments),
                 random(arguments),
                 arguments.language(),

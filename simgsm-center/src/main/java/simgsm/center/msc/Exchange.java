@@ -117,7 +117,9 @@ public final class Exchange {
             snapshots.callBegan(CallView.of(call));
             calls.keyTap().follow(call);
         }
-        call.to().ifPresent(to -> listener.accept(new ExchangeEvent.CallChanged(call.from(), to, call.state())));
+        call.to()
+                .ifPresent(to -> listener.accept(
+                        new ExchangeEvent.CallChanged(call.id(), call.from(), to, call.state(), call.cause())));
     }
 
     private void messageChanged(ShortMessage message, MessageState state) {
@@ -285,6 +287,16 @@ public final class Exchange {
     /** Calls under way, oldest first. */
     public List<CallView> calls() {
         return calls.calls().stream().map(CallView::of).toList();
+    }
+
+    /** Speech frames passed on since the start. */
+    public long speechFrames() {
+        return calls.speechFramesSwitched();
+    }
+
+    /** Attached subscribers. */
+    public int attachedCount() {
+        return register.attachedCount();
     }
 
     CallSwitch callSwitch() {

@@ -46,6 +46,8 @@ class CenterConsoleTest {
                 OptionalInt.empty(),
                 Optional.empty(),
                 Optional.empty(),
+                OptionalInt.empty(),
+                Optional.empty(),
                 new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of()),
                 new SplittableRandom(1),
                 Locale.ENGLISH,

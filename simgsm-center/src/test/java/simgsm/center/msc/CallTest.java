@@ -531,7 +531,8 @@ class CallTest {
     void theCallEventsNameBothParties() {
         network.activeCall("5550100", "5550200");
         assertEquals(
-                new ExchangeEvent.CallChanged(new Msisdn("5550100"), new Msisdn("5550200"), CallProgress.ACTIVE),
+                new ExchangeEvent.CallChanged(
+                        1, new Msisdn("5550100"), new Msisdn("5550200"), CallProgress.ACTIVE, Optional.empty()),
                 network.events.get(network.events.size() - 1));
     }
 }

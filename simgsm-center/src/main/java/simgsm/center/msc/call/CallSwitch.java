@@ -35,6 +35,7 @@ public final class CallSwitch implements LinkUser {
     private final Map<Link, LinkCalls> links = new HashMap<>();
     private final Optional<ToneSet> tones;
     private final KeyTap keyTap = new KeyTap();
+    private long lastCallId;
     private long speechFramesSwitched;
 
     /**
@@ -174,6 +175,10 @@ public final class CallSwitch implements LinkUser {
                 }
             });
         }
+    }
+
+    long nextCallId() {
+        return ++lastCallId;
     }
 
     /** To be called by a call that has entered a state. */

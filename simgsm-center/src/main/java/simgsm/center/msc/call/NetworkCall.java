@@ -9,6 +9,7 @@ import simgsm.air.TransactionIdentifier;
 /** A call from SETUP to its clearing: passes the events of one leg on to the other. */
 public final class NetworkCall {
     private final CallSwitch exchange;
+    private final long id;
     private final Msisdn from;
     private final Optional<Msisdn> to;
     private final CallLeg originating;
@@ -17,13 +18,25 @@ public final class NetworkCall {
     private LinkCalls heldFor;
 
     private CallProgress state = CallProgress.INITIATED;
+    private Optional<Cause> cause = Optional.empty();
     private long activeSinceNanos;
 
     NetworkCall(CallSwitch exchange, LinkCalls caller, TransactionIdentifier transaction, Optional<Msisdn> to) {
         this.exchange = exchange;
+        this.id = exchange.nextCallId();
         this.from = caller.link().subscriber().number();
         this.to = to;
         this.originating = new CallLeg(this, caller, transaction, Optional.empty(), exchange.tones());
+    }
+
+    /** Unique, rising from 1 in the order of SETUP. */
+    public long id() {
+        return id;
+    }
+
+    /** Why the call was cleared; empty before. */
+    public Optional<Cause> cause() {
+        return cause;
     }
 
     public Msisdn from() {
@@ -108,14 +121,15 @@ public final class NetworkCall {
         end(other(leg), cause);
     }
 
-    private void end(CallLeg rest, Cause cause) {
+    private void end(CallLeg rest, Cause why) {
         if (state != CallProgress.RELEASED) {
+            cause = Optional.of(why);
             if (heldFor != null) {
                 heldFor.forget(this);
             }
             enter(CallProgress.RELEASED);
             if (rest != null) {
-                rest.clear(cause);
+                rest.clear(why);
             }
         }
     }

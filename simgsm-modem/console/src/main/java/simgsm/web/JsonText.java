@@ -1,33 +1,39 @@
-package simrobot.http;
+package simgsm.web;
 
 import java.util.Locale;
 
 /** Writes JSON (RFC 8259) field by field. */
-final class JsonText {
+public final class JsonText {
     private final StringBuilder text = new StringBuilder();
     private boolean first = true;
 
-    JsonText open(char bracket) {
+    /** Nothing yet. */
+    public JsonText() {}
+
+    /** Begins an array or object. */
+    public JsonText open(char bracket) {
         separate();
         text.append(bracket);
         first = true;
         return this;
     }
 
-    JsonText close(char bracket) {
+    /** Ends an array or object. */
+    public JsonText close(char bracket) {
         text.append(bracket);
         first = false;
         return this;
     }
 
-    JsonText name(String name) {
+    /** The name of the next value. */
+    public JsonText name(String name) {
         value(name);
         text.append(':');
         first = true;
         return this;
     }
 
-    JsonText value(String value) {
+    public JsonText value(String value) {
         separate();
         text.append('"');
         value.chars().forEach(this::character);
@@ -35,20 +41,20 @@ final class JsonText {
         return this;
     }
 
-    JsonText value(boolean value) {
+    public JsonText value(boolean value) {
         separate();
         text.append(value);
         return this;
     }
 
-    JsonText value(long value) {
+    public JsonText value(long value) {
         separate();
         text.append(value);
         return this;
     }
 
     /** A number with the given number of decimals, without exponent and without minus zero. */
-    JsonText value(double value, int decimals) {
+    public JsonText value(double value, int decimals) {
         separate();
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);
         text.append(number.matches("-0\\.?0*") ? number.substring(1) : number);

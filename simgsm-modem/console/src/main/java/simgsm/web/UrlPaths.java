@@ -1,4 +1,4 @@
-package simrobot.http;
+package simgsm.web;
 
 import java.net.URLDecoder;
 import java.net.URLEncoder;
@@ -7,11 +7,11 @@ import java.util.Arrays;
 import java.util.List;
 
 /** Encodes and decodes the segments of a URL's path. */
-final class UrlPaths {
+public final class UrlPaths {
     private UrlPaths() {}
 
     /** A segment, percent-encoded. */
-    static String encoded(String part) {
+    public static String encoded(String part) {
         return URLEncoder.encode(part, StandardCharsets.UTF_8).replace("+", "%20");
     }
 

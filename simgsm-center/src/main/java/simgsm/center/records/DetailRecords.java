@@ -1,0 +1,85 @@
+package simgsm.center.records;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.air.Cause;
+import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.smsc.EsmeOrigin;
+import simgsm.center.smsc.MessageState;
+import simgsm.center.smsc.ShortMessage;
+
+/** Makes a record of each call that has been cleared and of each message that has ended. Owned by the exchange's thread. */
+public final class DetailRecords implements Consumer<ExchangeEvent> {
+    private final InstantSource clock;
+    private final Consumer<DetailRecord> writer;
+    private final Map<Long, Course> calls = new HashMap<>();
+
+    /** The times of a call under way. */
+    private static final class Course {
+        final Instant began;
+        Optional<Instant> answered = Optional.empty();
+
+        Course(Instant began) {
+            this.began = began;
+        }
+    }
+
+    DetailRecords(InstantSource clock, Consumer<DetailRecord> writer) {
+        this.clock = clock;
+        this.writer = writer;
+    }
+
+    /** Records that go to files. @param clock the exchange's civil time */
+    public DetailRecords(InstantSource clock, RecordFiles files) {
+        this(clock, files::add);
+    }
+
+    @Override
+    public void accept(ExchangeEvent event) {
+        if (event instanceof ExchangeEvent.CallChanged call) {
+            Course course = calls.computeIfAbsent(call.id(), id -> new Course(clock.instant()));
+            switch (call.state()) {
+                case ACTIVE -> course.answered = Optional.of(clock.instant());
+                case RELEASED -> ended(call, course);
+                default -> {}
+            }
+        }
+    }
+
+    private void ended(ExchangeEvent.CallChanged call, Course course) {
+        calls.remove(call.id());
+        writer.accept(new DetailRecord(
+                DetailRecord.Type.CALL,
+                call.id(),
+                call.from().digits(),
+                call.to().digits(),
+                "",
+                course.began,
+                course.answered,
+                clock.instant(),
+                course.answered.isPresent() ? "answered" : "refused",
+                call.cause().map(Cause::code)));
+    }
+
+    /** A message has entered a state. */
+    public void accept(ShortMessage message, MessageState state) {
+        if (state != MessageState.ACCEPTED) {
+            writer.accept(new DetailRecord(
+                    DetailRecord.Type.MESSAGE,
+                    message.id(),
+                    message.sender().value(),
+                    message.to().digits(),
+                    message.esme().map(EsmeOrigin::systemId).orElse(""),
+                    message.acceptedAt(),
+                    Optional.empty(),
+                    clock.instant(),
+                    state.name().toLowerCase(Locale.ROOT),
+                    Optional.empty()));
+        }
+    }
+}

@@ -1,0 +1,75 @@
+package simgsm.web;
+
+import com.sun.net.httpserver.HttpHandler;
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** A port for HTTP, with a pool of at most 32 threads that end after 10 s without work. */
+public final class WebPort implements AutoCloseable {
+    private static final int BACKLOG = 64;
+    private static final int WORKERS = 32;
+    private static final int MOST_QUEUED = 1024;
+    private static final int IDLE_SECONDS = 10;
+
+    static {
+        // The JDK's server takes these from system properties only: a connection without a complete request after 10 s
+        // is
+        // closed, and small responses are sent without delay.
+        System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
+        System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
+    }
+
+    private final HttpServer server;
+    private final ThreadPoolExecutor workers;
+
+    /**
+     * Opens the port; requests are answered after {@link #start}.
+     *
+     * @param port 0 for any free port
+     * @throws IOException with the port's number if it cannot be opened
+     */
+    public WebPort(InetAddress address, int port, HttpHandler pages) throws IOException {
+        try {
+            server = HttpServer.create(new InetSocketAddress(address, port), BACKLOG);
+        } catch (IOException e) {
+            throw new IOException("HTTP port " + port + ": " + e.getMessage(), e);
+        }
+        AtomicInteger count = new AtomicInteger();
+        workers = new ThreadPoolExecutor(
+                WORKERS, WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new LinkedBlockingQueue<>(MOST_QUEUED), work -> {
+                    Thread thread = new Thread(work, "http " + count.incrementAndGet());
+                    thread.setDaemon(true);
+                    return thread;
+                });
+        workers.allowCoreThreadTimeOut(true);
+        server.setExecutor(workers);
+        server.createContext("/", pages);
+    }
+
+    public int port() {
+        return server.getAddress().getPort();
+    }
+
+    /** Where the port is: {@code http://127.0.0.1:8080/}. */
+    public String url() {
+        InetAddress address = server.getAddress().getAddress();
+        String host = address.getHostAddress();
+        return "http://" + (host.contains(":") ? "[" + host + "]" : host) + ":" + port() + "/";
+    }
+
+    public void start() {
+        server.start();
+    }
+
+    @Override
+    public void close() {
+        server.stop(0);
+        workers.shutdownNow();
+    }
+}
