@@ -38,6 +38,7 @@ public final class MonitorWindow {
         seconds.start();
         return new ProgramWindow.Content(
                 texts.of("window.title"),
+                texts.of("window.help"),
                 WindowIcon.images(Symbol.BROADCAST),
                 panel,
                 Optional.empty(),

@@ -90,8 +90,10 @@ public final class Program {
         }
     }
 
-    private static String version(Class<?> main) {
-        return Optional.ofNullable(main.getPackage().getImplementationVersion()).orElse("(not packaged)");
+    /** The version of the jar that a class lies in. */
+    public static String version(Class<?> member) {
+        return Optional.ofNullable(member.getPackage().getImplementationVersion())
+                .orElse("(not packaged)");
     }
 
     /** The text of an exception for a user. */

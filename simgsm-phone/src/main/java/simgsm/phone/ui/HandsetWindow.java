@@ -32,6 +32,7 @@ public final class HandsetWindow {
         clock.start();
         return new ProgramWindow.Content(
                 texts.of("window.title") + " " + number,
+                texts.of("window.help"),
                 WindowIcon.images(Symbol.PHONE),
                 panel,
                 Optional.empty(),

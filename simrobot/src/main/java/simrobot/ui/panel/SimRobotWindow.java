@@ -10,6 +10,7 @@ import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.SimRobotTexts;
 import simrobot.ui.WindowSnapshot;
 
 /** The content of SimRobot's window: {@link SimRobotPanel} with a poller of snapshots. */
@@ -30,6 +31,7 @@ public final class SimRobotWindow {
         newest.start();
         return new ProgramWindow.Content(
                 title,
+                SimRobotTexts.in(language).of("help"),
                 WindowIcon.images(Symbol.ROBOT),
                 panel,
                 Optional.of(SIZE),

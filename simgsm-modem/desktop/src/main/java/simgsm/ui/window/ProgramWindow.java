@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
@@ -17,19 +18,24 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.Arguments;
+import simgsm.console.Program;
+import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 
 /** A program's window: reads the options of windows, opens a frame around the program's panel, and waits for its end. */
 public final class ProgramWindow {
     /**
      * The content of a window, made on the event thread.
      *
+     * @param help what the window is for, shown by F1 above its keys
      * @param size at first, unless {@code --window} gives another; empty for the panel's preferred size
      * @param closing called when the user closes the window, with the action that does it; asks about what is unsaved
      * @param shown run when the window is on the screen
@@ -37,6 +43,7 @@ public final class ProgramWindow {
      */
     public record Content(
             String title,
+            String help,
             List<Image> icons,
             JComponent panel,
             Optional<Dimension> size,
@@ -138,6 +145,13 @@ public final class ProgramWindow {
         frame.setIconImages(content.icons());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
+        TextBundle texts = DesktopTexts.in(language);
+        String version = Program.version(content.panel().getClass());
+        new UserAction(
+                        "window.help",
+                        texts.of("window.help"),
+                        () -> HelpDialog.open(frame, content.help(), version, texts))
+                .bindInWindow(frame.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override

@@ -1,0 +1,122 @@
+package simgsm.ui.window;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.table.DefaultTableModel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
+final class HelpDialog {
+    private static final Dimension SIZE_UNITS = new Dimension(560, 480);
+    private static final int KEY_COLUMN_UNITS = 150;
+
+    private HelpDialog() {}
+
+    /** A key and what it does. */
+    record ShownKey(String key, String action) {}
+
+    /** The keys that work everywhere in the window, and the mnemonics of its buttons, in the order of the keys' names. */
+    static List<ShownKey> keysOf(Component root) {
+        return components(root)
+                .filter(JComponent.class::isInstance)
+                .map(JComponent.class::cast)
+                .flatMap(component -> Stream.concat(bindings(component), mnemonic(component).stream()))
+                .distinct()
+                .sorted(Comparator.comparing(ShownKey::key))
+                .toList();
+    }
+
+    private static Stream<Component> components(Component root) {
+        Stream<Component> own = Stream.of(root);
+        return root instanceof Container container
+                ? Stream.concat(own, Stream.of(container.getComponents()).flatMap(HelpDialog::components))
+                : own;
+    }
+
+    private static Stream<ShownKey> bindings(JComponent component) {
+        KeyStroke[] strokes =
+                component.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).keys();
+        return Stream.of(strokes == null ? new KeyStroke[0] : strokes).flatMap(stroke -> {
+            Object id = component.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(stroke);
+            return component.getActionMap().get(id) instanceof UserAction action
+                            && !action.name().isBlank()
+                    ? Stream.of(new ShownKey(text(stroke.getModifiers(), stroke.getKeyCode()), action.name()))
+                    : Stream.empty();
+        });
+    }
+
+    private static Optional<ShownKey> mnemonic(JComponent component) {
+        return component instanceof AbstractButton button && button.getMnemonic() != 0
+                ? Optional.of(new ShownKey(
+                        text(InputEvent.ALT_DOWN_MASK, button.getMnemonic()),
+                        button.getAccessibleContext().getAccessibleName()))
+                : Optional.empty();
+    }
+
+    private static String text(int modifiers, int keyCode) {
+        String held = InputEvent.getModifiersExText(modifiers);
+        String key = KeyEvent.getKeyText(keyCode);
+        return held.isEmpty() ? key : held + "+" + key;
+    }
+
+    /** @param about what the window is for; @param version of the program */
+    static void open(JFrame frame, String about, String version, TextBundle texts) {
+        JDialog dialog = new JDialog(frame, texts.of("window.help"));
+        dialog.setContentPane(content(frame.getRootPane(), about, version, texts));
+        UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
+        close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+        dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
+        dialog.setLocationRelativeTo(frame);
+        dialog.setVisible(true);
+    }
+
+    static JPanel content(Component root, String about, String version, TextBundle texts) {
+        JTextArea text = new JTextArea(about);
+        text.setEditable(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setFont(Theme.base());
+        text.setOpaque(false);
+        DefaultTableModel rows =
+                new DefaultTableModel(new Object[] {texts.of("window.help.key"), texts.of("window.help.action")}, 0);
+        keysOf(root).forEach(key -> rows.addRow(new Object[] {key.key(), key.action()}));
+        JTable table = new JTable(rows);
+        table.setDefaultEditor(Object.class, null);
+        table.setRowHeight(Theme.px(24));
+        table.getColumnModel().getColumn(0).setMaxWidth(Theme.px(KEY_COLUMN_UNITS));
+        table.getColumnModel().getColumn(0).setPreferredWidth(Theme.px(KEY_COLUMN_UNITS));
+        JPanel column = Arrange.column(
+                Theme.GRID,
+                ComponentNames.name(text, "help.about", texts.of("window.help")),
+                Arrange.growing(new JScrollPane(ComponentNames.name(table, "help.keys", texts.of("window.help.keys")))),
+                Theme.label(texts.of("window.help.version", version), Theme::small, Ink.QUIET));
+        JPanel content = new JPanel(new BorderLayout());
+        content.setBorder(Theme.padding(12));
+        content.setBackground(Theme.color(Ink.SURFACE));
+        content.add(column);
+        return content;
+    }
+}

@@ -1,0 +1,52 @@
+package simgsm.ui.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.draw.Appearance;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+class HelpDialogTest {
+    private final JPanel window = new JPanel();
+
+    @BeforeEach
+    void keys() {
+        Theme.install(Appearance.LIGHT);
+        new UserAction("power", "Switch the robot on", () -> {})
+                .onKey(window, KeyEvent.VK_P, InputEvent.CTRL_DOWN_MASK);
+        new UserAction("hidden", "", () -> {}).onKey(window, KeyEvent.VK_Q, InputEvent.CTRL_DOWN_MASK);
+        window.add(new JButton(new UserAction("new", "New &phone", () -> {})));
+    }
+
+    @Test
+    void allNamedKeysAndMnemonicsAreListed() {
+        assertEquals(
+                List.of(
+                        new HelpDialog.ShownKey("Alt+P", "New phone"),
+                        new HelpDialog.ShownKey("Ctrl+P", "Switch the robot on")),
+                HelpDialog.keysOf(window));
+    }
+
+    @Test
+    void theTextTheKeysAndTheVersionAreShown() {
+        JPanel content = HelpDialog.content(window, "A robot.", "1.0.0", DesktopTexts.in(Locale.ENGLISH));
+        JTextArea about = (JTextArea) ComponentNames.find(content, "help.about").orElseThrow();
+        JTable keys = (JTable) ComponentNames.find(content, "help.keys").orElseThrow();
+        assertEquals("A robot.", about.getText());
+        assertEquals(2, keys.getRowCount());
+        assertTrue(ComponentNames.unnamed(content).isEmpty());
+    }
+}
