@@ -319,7 +319,7 @@ class RealModemTest {
         scene.ready();
         Random random = new Random(11);
         int executed = 0;
-        for (int round = 0; round < 150; round++) {
+        for (int round = 0; round < 100; round++) {
             scene.robot.place(0, 0, 0);
             scene.inCall();
             int[] octetsLeft = {random.nextInt(260)};
@@ -337,7 +337,7 @@ class RealModemTest {
             modem.callerHangsUp();
             scene.seconds(2);
         }
-        assertTrue(executed > 10 && executed < 150, executed + " executed");
+        assertTrue(executed > 10 && executed < 100, executed + " executed");
     }
 
     private static byte[] disturbed(byte[] octets, int[] left, boolean loses) {

@@ -8,9 +8,13 @@ import org.junit.jupiter.api.Test;
 
 /** Every reply tone, heard by the phone in the audio that arrives. */
 class ReplyTonesTest {
+    Scenario scenario(String title) {
+        return new Scenario(title);
+    }
+
     @Test
     void acceptedExecutingExecutedCollisionAndRefused() throws Exception {
-        try (Scenario scenario = new Scenario("tones 1, 6, 3, 4 and 8 in one call")) {
+        try (Scenario scenario = scenario("tones 1, 6, 3, 4 and 8 in one call")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map", "--speed", "4");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -42,7 +46,7 @@ class ReplyTonesTest {
 
     @Test
     void aBrokenOrderGetsOneSevenAtTheOffendingKeyAndTheNextOrderIsReadRight() throws Exception {
-        try (Scenario scenario = new Scenario("tone 7")) {
+        try (Scenario scenario = scenario("tone 7")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map", "--speed", "10");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -61,7 +65,7 @@ class ReplyTonesTest {
 
     @Test
     void keysBeforeAnOrderAndEmptyOrdersGetNoReply() throws Exception {
-        try (Scenario scenario = new Scenario("silence")) {
+        try (Scenario scenario = scenario("silence")) {
             scenario.center();
             scenario.robot("empty.map", "--speed", "10");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -75,7 +79,7 @@ class ReplyTonesTest {
 
     @Test
     void aTreadmillMakesAnInfiniteLoop() throws Exception {
-        try (Scenario scenario = new Scenario("tone 5")) {
+        try (Scenario scenario = scenario("tone 5")) {
             scenario.center();
             RunningProgram robot = scenario.robot("treadmill.map", "--speed", "8");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -89,7 +93,7 @@ class ReplyTonesTest {
 
     @Test
     void anotherOrderWhileMovingGetsSixAndStopGetsThreeWhenTheRobotStands() throws Exception {
-        try (Scenario scenario = new Scenario("orders while moving")) {
+        try (Scenario scenario = scenario("orders while moving")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -108,7 +112,7 @@ class ReplyTonesTest {
 
     @Test
     void aCallerWhoIsNoOperatorIsDenied() throws Exception {
-        try (Scenario scenario = new Scenario("tone 2")) {
+        try (Scenario scenario = scenario("tone 2")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map", "--operators", "5550101,5550102");
             RunningProgram stranger = scenario.phone(Scenario.PHONE);

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
  * A story with a centre, phones and robots, each a process of its own. It is told on standard output; closing it ends
  * all processes and clears its folder.
  */
-public final class Scenario implements AutoCloseable {
+public class Scenario implements AutoCloseable {
     public static final String ROBOT = "5550200";
     public static final String PHONE = "5550100";
 
@@ -53,7 +53,7 @@ public final class Scenario implements AutoCloseable {
         }
     }
 
-    private RunningProgram headless(String name, String program, List<String> first, String... more) {
+    RunningProgram headless(String name, String program, List<String> first, String... more) {
         List<String> arguments = new ArrayList<>(List.of("--headless", "--lang", "en", "--no-sound"));
         arguments.addAll(first);
         arguments.addAll(List.of(more));

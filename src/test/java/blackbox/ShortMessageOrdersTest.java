@@ -13,13 +13,17 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Orders by SMS: the same language, one reply each, faults named with their position. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class ShortMessageOrdersTest {
+    Scenario scenario(String title) {
+        return new Scenario(title);
+    }
+
     private Scenario scenario;
     private RunningProgram robot;
     private RunningProgram phone;
 
     @BeforeAll
     void oneRobotOnePhone() {
-        scenario = new Scenario("orders by SMS");
+        scenario = scenario("orders by SMS");
         scenario.center();
         robot = scenario.robot("empty.map", "--speed", "20");
         phone = scenario.phone(Scenario.PHONE);

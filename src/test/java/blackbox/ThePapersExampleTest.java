@@ -6,9 +6,13 @@ import org.junit.jupiter.api.Test;
 
 /** Section 4.1 of the paper: dial the robot, key {@code ** #**20 **}, and it moves 20 cm. */
 class ThePapersExampleTest {
+    Scenario scenario(String title) {
+        return new Scenario(title);
+    }
+
     @Test
     void theRobotMovesTwentyCentimetresAndAnswers() throws Exception {
-        try (Scenario scenario = new Scenario("the paper's example")) {
+        try (Scenario scenario = scenario("the paper's example")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map");
             RunningProgram phone = scenario.phone(Scenario.PHONE);

@@ -1,0 +1,63 @@
+package blackbox;
+
+import java.util.List;
+import org.junit.jupiter.api.Nested;
+
+/**
+ * The scenarios of M2 with a modem in its place: SimRobot sits behind the AT port of a phone, which has the robot's number.
+ */
+class OrdersOverRealModemTest {
+    private static final class BehindThePort extends Scenario {
+        BehindThePort(String title) {
+            super(title + ", behind the port of a phone");
+        }
+
+        @Override
+        public RunningProgram robot(String world, String... options) {
+            RunningProgram modem = headless(
+                    "modem", "simgsm-phone", List.of("--center", centerAddress(), "--number", ROBOT, "--at", "0"));
+            String port = modem.expect("ready").field("at");
+            modem.expect("registered");
+            RunningProgram robot = headless(
+                    "robot",
+                    "simrobot",
+                    List.of(
+                            "--modem",
+                            "127.0.0.1:" + port,
+                            "--number",
+                            ROBOT,
+                            "--world",
+                            world(world).toString(),
+                            "--answer-after",
+                            "0"),
+                    options);
+            robot.expect("ready");
+            robot.expect("registered");
+            return robot;
+        }
+    }
+
+    @Nested
+    class TheExample extends ThePapersExampleTest {
+        @Override
+        Scenario scenario(String title) {
+            return new BehindThePort(title);
+        }
+    }
+
+    @Nested
+    class Tones extends ReplyTonesTest {
+        @Override
+        Scenario scenario(String title) {
+            return new BehindThePort(title);
+        }
+    }
+
+    @Nested
+    class Messages extends ShortMessageOrdersTest {
+        @Override
+        Scenario scenario(String title) {
+            return new BehindThePort(title);
+        }
+    }
+}
