@@ -34,9 +34,10 @@ class UiBundleTest {
     @Test
     void theCodecIsNamedOnceWhereBothEndsAgreeAndTwiceWhereNot() {
         Optional<SpeechCodec.Kind> full = Optional.of(SpeechCodec.Kind.GSM_FULL_RATE);
-        assertEquals("A-law", CodecText.of(SpeechCodec.Kind.A_LAW, Optional.empty(), Locale.ENGLISH));
-        assertEquals("GSM 06.10", CodecText.of(SpeechCodec.Kind.GSM_FULL_RATE, full, Locale.ENGLISH));
-        assertEquals("A-law out, GSM 06.10 in", CodecText.of(SpeechCodec.Kind.A_LAW, full, Locale.ENGLISH));
+        assertEquals("A-law", CodecText.of(Optional.of(SpeechCodec.Kind.A_LAW), Optional.empty(), Locale.ENGLISH));
+        assertEquals("GSM 06.10", CodecText.of(Optional.of(SpeechCodec.Kind.GSM_FULL_RATE), full, Locale.ENGLISH));
+        assertEquals(
+                "A-law out, GSM 06.10 in", CodecText.of(Optional.of(SpeechCodec.Kind.A_LAW), full, Locale.ENGLISH));
     }
 
     @Test

@@ -1,6 +1,7 @@
 package simgsm.station;
 
 import java.lang.System.Logger.Level;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.abis.IpaFrame;
@@ -313,7 +314,7 @@ public final class MobileStation implements StationCommands {
                 mobility.networkName(),
                 call.state(),
                 call.peer(),
-                speech.codec(),
+                Optional.of(speech.codec()),
                 speech.heardCodec());
     }
 }

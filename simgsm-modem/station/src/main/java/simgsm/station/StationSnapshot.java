@@ -14,7 +14,7 @@ import simgsm.station.call.MobileCallState;
  * @param cardRefused whether it refused because the SIM failed authentication
  * @param networkName the operator's name for the display, empty until the network sends it
  * @param peer the other party of the current call, if its number is known
- * @param codec of the speech sent
+ * @param codec of the speech sent; empty where a real modem does not name it
  * @param heardCodec of the newest speech frame received in the current call
  */
 public record StationSnapshot(
@@ -26,5 +26,5 @@ public record StationSnapshot(
         String networkName,
         MobileCallState callState,
         Optional<Msisdn> peer,
-        SpeechCodec.Kind codec,
+        Optional<SpeechCodec.Kind> codec,
         Optional<SpeechCodec.Kind> heardCodec) {}

@@ -171,7 +171,8 @@ class SpeechTest {
     @Test
     void everyFrameIsDecodedByItsOwnPayloadTypeAndTheSnapshotNamesTheNewest() {
         assertEquals(Optional.empty(), scene.station.snapshot().heardCodec());
-        assertEquals(SpeechCodec.Kind.A_LAW, scene.station.snapshot().codec());
+        assertEquals(
+                Optional.of(SpeechCodec.Kind.A_LAW), scene.station.snapshot().codec());
         byte[] fullRate = SpeechCodec.Kind.GSM_FULL_RATE.open().encode(new short[160]);
         speak(10, LOUD);
         assertEquals(

@@ -162,7 +162,7 @@ public final class FakeStation implements StationCommands {
                 "SIMGSM",
                 MobileCallState.NULL,
                 Optional.empty(),
-                SpeechCodec.Kind.A_LAW,
+                Optional.of(SpeechCodec.Kind.A_LAW),
                 heardCodec);
     }
 }

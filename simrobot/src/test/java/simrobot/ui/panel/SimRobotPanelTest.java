@@ -277,7 +277,7 @@ class SimRobotPanelTest {
                 "",
                 MobileCallState.NULL,
                 Optional.empty(),
-                SpeechCodec.Kind.A_LAW,
+                Optional.of(SpeechCodec.Kind.A_LAW),
                 Optional.empty());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
@@ -297,7 +297,7 @@ class SimRobotPanelTest {
                 "SimGSM",
                 MobileCallState.CALL_RECEIVED,
                 line.modem().peer(),
-                SpeechCodec.Kind.A_LAW,
+                Optional.of(SpeechCodec.Kind.A_LAW),
                 Optional.empty());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), line.audible()));

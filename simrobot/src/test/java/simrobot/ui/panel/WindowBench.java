@@ -187,7 +187,7 @@ public final class WindowBench implements OperatorActions {
                 "SimGSM",
                 inCall ? MobileCallState.ACTIVE : MobileCallState.NULL,
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
-                SpeechCodec.Kind.A_LAW,
+                Optional.of(SpeechCodec.Kind.A_LAW),
                 heardCodec);
         return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
     }

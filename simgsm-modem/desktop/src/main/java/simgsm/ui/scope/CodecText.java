@@ -11,16 +11,14 @@ public final class CodecText {
     private CodecText() {}
 
     /**
-     * As "A-law", or "GSM 06.10 out, A-law in" when the two directions differ.
+     * As "A-law", or "GSM 06.10 out, A-law in" when the two directions differ; empty where nothing is known.
      *
      * @param heard empty until speech has been received
      */
-    public static String of(SpeechCodec.Kind sent, Optional<SpeechCodec.Kind> heard, Locale language) {
+    public static String of(Optional<SpeechCodec.Kind> sent, Optional<SpeechCodec.Kind> heard, Locale language) {
         TextBundle texts = DesktopTexts.in(language);
-        String own = name(texts, sent);
-        return heard.isEmpty() || heard.get() == sent
-                ? own
-                : texts.of("codec.different", own, name(texts, heard.get()));
+        String own = sent.map(kind -> name(texts, kind)).orElse("");
+        return heard.isEmpty() || heard.equals(sent) ? own : texts.of("codec.different", own, name(texts, heard.get()));
     }
 
     private static String name(TextBundle texts, SpeechCodec.Kind kind) {

@@ -16,7 +16,6 @@ import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
 import simgsm.modem.client.ModemServiceTable.ServiceAction;
 import simgsm.modem.client.ModemServiceTable.ServiceEvent;
 import simgsm.modem.client.ModemServiceTable.ServiceState;
-import simgsm.speech.SpeechCodec;
 import simgsm.state.StateMachine;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallState;
@@ -389,7 +388,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 operatorName(),
                 callState(),
                 call.caller(),
-                SpeechCodec.Kind.A_LAW,
+                Optional.empty(),
                 Optional.empty());
     }
 

@@ -37,7 +37,7 @@ record ModemAnswer(Ending ending, List<String> lines, String result) {
     /** All lines in one, as a report shows them; without an answer, what happened. */
     String text() {
         return switch (ending) {
-            case TIMED_OUT -> "no answer";
+            case TIMED_OUT -> lines.isEmpty() ? "no answer" : String.join(" ", lines) + " without a result";
             case LOST -> "connection lost";
             default -> Stream.concat(lines.stream(), Stream.of(result)).collect(Collectors.joining(" "));
         };

@@ -106,14 +106,14 @@ final class ModemSetup {
         answers.put(asked, answer);
         verdicts.put(asked, verdict);
         if (answer.ending() == ModemAnswer.Ending.TIMED_OUT) {
-            askWhetherItAnswers();
+            askWhetherItAnswers(command, verdict);
         } else {
             goOn(asked, command, verdict);
         }
     }
 
     /** A modem that answers nothing at all need not be asked the rest. */
-    private void askWhetherItAnswers() {
+    private void askWhetherItAnswers(ModemCommand command, SetupVerdict verdict) {
         SetupStep late = step;
         Consumer<ModemSetup> run = done;
         dialogue.send(ATTENTION, answer -> {
@@ -121,7 +121,7 @@ final class ModemSetup {
                 return;
             }
             if (answer.isOk()) {
-                goOn(late, ATTENTION, SetupVerdict.MISSING);
+                goOn(late, command, verdict);
             } else {
                 steps.clear();
                 nextStep();
