@@ -4,7 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.channels.ByteChannel;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +28,35 @@ class LineAddressTest {
     void aFileThatIsThereIsASerialLine(@TempDir Path folder) throws Exception {
         Path device = Files.createFile(folder.resolve("ttyUSB0"));
         assertEquals(new LineAddress.Device(device), LineAddress.parse(device.toString()));
+    }
+
+    @Test
+    void aTcpLineIsOpened() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                ByteChannel line =
+                        LineAddress.parse("127.0.0.1:" + server.getLocalPort()).open();
+                Socket peer = server.accept()) {
+            peer.getOutputStream().write('A');
+            ByteBuffer octet = ByteBuffer.allocate(1);
+            assertEquals(1, line.read(octet));
+            assertEquals('A', octet.get(0));
+        }
+    }
+
+    @Test
+    void aDeviceIsReadAndWrittenByTheSameName(@TempDir Path folder) throws Exception {
+        Path device = Files.writeString(folder.resolve("ttyUSB0"), "OK");
+        LineAddress address = LineAddress.parse(device.toString());
+        assertEquals(device.toString(), address.toString());
+        try (ByteChannel line = address.open()) {
+            ByteBuffer octets = ByteBuffer.allocate(2);
+            assertEquals(2, line.read(octets));
+            assertEquals(2, line.write(ByteBuffer.wrap(new byte[] {'A', 'T'})));
+            assertTrue(line.isOpen());
+        }
+        assertEquals("AT", Files.readString(device));
+        Files.delete(device);
+        assertThrows(NoSuchFileException.class, address::open);
     }
 
     @ParameterizedTest

@@ -16,7 +16,10 @@ enum SetupStep {
     ERROR_NUMBERS(Need.USEFUL, "", command("AT+CMEE=1")),
     MANUFACTURER(Need.USEFUL, ".+", ModemCommand.free("AT+CGMI")),
     MODEL(Need.USEFUL, ".+", ModemCommand.free("AT+CGMM")),
-    CARD(Need.AWAITED, "\\+CPIN: ?READY", ModemCommand.query("AT+CPIN?", "+CPIN:").within(2_000)),
+    CARD(
+            Need.AWAITED,
+            "\\+CPIN: ?READY",
+            ModemCommand.query("AT+CPIN?", "+CPIN:").within(2_000)),
     /** {@code ATH} ends voice calls, too. */
     VOICE_HANG_UP(Need.USEFUL, "", command("AT+CVHU=0")),
     CALLER(Need.USEFUL, "", command("AT+CLIP=1")),
