@@ -44,7 +44,7 @@ public record ShortMessage(
         return esme.map(EsmeOrigin::source).orElseGet(() -> SmsAddress.of(from));
     }
 
-    /** The text; for 8-bit data, the octets in hexadecimal. */
+    /** The text as a user is shown it. */
     public String text() {
         return TransferUnits.text(this);
     }

@@ -8,14 +8,12 @@ import simgsm.air.Direction;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
-import simgsm.sms.Alphabet;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.Timestamp;
 import simgsm.sms.TpduCodec;
-import simgsm.sms.UserData;
 
 /** Converts accepted messages to transfer protocol data units and back (TS 23.040, 9.2.2). */
 final class TransferUnits {
@@ -92,10 +90,8 @@ final class TransferUnits {
         };
     }
 
-    /** The text; for 8-bit data, the octets in hexadecimal. */
     static String text(ShortMessage message) {
-        UserData data = submitOf(message).userData();
-        return data.coding().alphabet() == Alphabet.OCTETS ? data.body().toString() : data.text();
+        return submitOf(message).userData().shownText();
     }
 
     /** In UTC; the zone octet is 0. */

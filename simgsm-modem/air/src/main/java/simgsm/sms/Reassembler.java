@@ -43,7 +43,7 @@ public final class Reassembler {
         String text() {
             StringBuilder text = new StringBuilder();
             for (UserData part : parts) {
-                text.append(part.text());
+                text.append(part.shownText());
             }
             return text.toString();
         }
@@ -54,11 +54,11 @@ public final class Reassembler {
     /** An empty reassembler. */
     public Reassembler() {}
 
-    /** The whole text if this part was the last one missing. */
+    /** The whole text if this part was the last one missing; {@link UserData#shownText} of each part. */
     public Optional<String> accept(SmsAddress sender, UserData data, long nowNanos) {
         Optional<Concatenation> place = data.concatenation();
         if (place.isEmpty() || place.get().total() == 1) {
-            return Optional.of(data.text());
+            return Optional.of(data.shownText());
         }
         dropExpired(nowNanos);
         Key key = new Key(sender, place.get().reference(), place.get().total());

@@ -81,6 +81,20 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
         };
     }
 
+    /**
+     * The text as a user is shown it: {@link #text}, but for octets that are no printable characters {@code 0x} and their
+     * hexadecimal digits.
+     */
+    public String shownText() {
+        boolean isBinary =
+                coding.alphabet() == Alphabet.OCTETS && !text().chars().allMatch(UserData::isPrintable);
+        return isBinary ? "0x" + body() : text();
+    }
+
+    private static boolean isPrintable(int c) {
+        return c >= ' ' && c < 0x7f || c >= 0xa0 || c == '\n' || c == '\r';
+    }
+
     /** The octets after the header, for {@link Alphabet#OCTETS} and {@link Alphabet#UCS2}. */
     public OctetString body() {
         byte[] all = octets.toArray();

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Msisdn;
+import simgsm.octets.OctetString;
 
 class ReassemblerTest {
     private static final SmsAddress ALICE = SmsAddress.of(new Msisdn("5550100"));
@@ -83,5 +86,13 @@ class ReassemblerTest {
 
         assertEquals(Optional.empty(), reassembler.accept(ALICE, parts.get(1), 6 + Reassembler.EXPIRY_NANOS));
         assertEquals(1, reassembler.unfinishedCount());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"000102,0x000102", "62696e,bin", "0a0d41,'\n\rA'", "80,0x80", "e9,é", "'',''"})
+    void octetsThatAreNoTextAreShownAsSuch(String octets, String shown) {
+        OctetString body = OctetString.ofHex(octets);
+        UserData data = new UserData(false, DataCodingScheme.OCTETS, body.length(), body);
+        assertEquals(Optional.of(shown), new Reassembler().accept(SmsAddress.ofLetters("App"), data, 0));
     }
 }

@@ -14,8 +14,8 @@ import simgsm.console.HostPort;
  * @param seconds duration of the calls, and least time that the stations stay attached
  */
 public record LoadPlan(HostPort center, long firstNumber, int phones, int calls, int messages, int seconds) {
-    /** The terminals that a centre accepts. */
-    public static final int MOST_PHONES = 20_000;
+    /** A centre accepts 20 000 terminals unless its options say otherwise. */
+    public static final int MOST_PHONES = 100_000;
 
     public static final int MOST_MESSAGES = 1_000_000;
     /** 24 h. */
