@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -54,8 +55,8 @@ final class VirtualCenter {
 
     /** A new process: everything that is not in the journal is lost. */
     void start() {
-        ExchangeSettings settings =
-                new ExchangeSettings("SimGSM", new SplittableRandom(1), STARTED_AT, home, Optional.empty());
+        ExchangeSettings settings = new ExchangeSettings(
+                "SimGSM", new SplittableRandom(1), STARTED_AT, home, Optional.empty(), true, Locale.ENGLISH);
         if (folder.isEmpty()) {
             exchange = new Exchange(settings, (ticket, entries) -> committed(exchange, ticket), event -> {});
             return;

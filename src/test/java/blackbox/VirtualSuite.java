@@ -42,6 +42,7 @@ public final class VirtualSuite {
     private final Deque<Runnable> underWay = new ArrayDeque<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     private final List<VirtualLink> links = new ArrayList<>();
+    private final List<VirtualModem> modems = new ArrayList<>();
     private final Simulation simulation = new Simulation(World.bare(), 1);
     private final VirtualCenter center;
     private final SuiteTrace trace;
@@ -132,6 +133,14 @@ public final class VirtualSuite {
         return phone;
     }
 
+    /** A modem with its AT commands that has registered. It rings until it is told to answer. */
+    VirtualModem modem(String number) {
+        VirtualModem modem = new VirtualModem(this, identity(number, "SimGSM modem"));
+        modems.add(modem);
+        modem.link = connect(modem.station());
+        return modem;
+    }
+
     /** A phone in a call with the robot that has heard the first tone. */
     VirtualPhone inCall() {
         VirtualPhone phone = phone(PHONE);
@@ -152,6 +161,7 @@ public final class VirtualSuite {
                 simulation.step();
             }
             links.forEach(link -> link.station.timePassed(nowNanos));
+            modems.forEach(modem -> modem.timePassed(nowNanos));
             exchange().advance(nowNanos);
             settle();
             trace.frameTimeOver();

@@ -51,7 +51,7 @@ public final class SimFiles {
         transparent(ICCID, digits(iccid, 10));
         transparent(LANGUAGES, new byte[] {1});
         OctetWriter subscriber = new OctetWriter().octet(8);
-        subscriber.bytes(digits(0x9 + imsi, 8));
+        subscriber.bytes(digits("9" + imsi, 8));
         transparent(IMSI, subscriber.toOctetString().toArray());
         transparent(SERVICES, new byte[] {(byte) 0xff, (byte) 0x33, 0x0f, 0, 0});
         linear(MSISDN, number(identity.number().digits(), 14));
