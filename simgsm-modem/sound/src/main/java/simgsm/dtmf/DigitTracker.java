@@ -20,7 +20,17 @@ final class DigitTracker {
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
     private static final double END = 4.5;
 
+    /** Delays of echoes in networks without echo control, in hops: 400 ms, and 220 ms, more than from key to key. */
+    private static final int LATEST_ECHO = 160;
+
+    private static final int EARLIEST_ECHO = 88;
+    /** So much weaker, in both tones, a late echo is at least. */
+    private static final double ECHO_DB = 15;
+    /** Its frequencies differ by less, as a fraction. */
+    private static final double ECHO_ERROR = 0.005;
+
     private final ToneBank bank;
+    private final ToneGate gate;
     private final short[] recent;
     private final DtmfListener listener;
     /** Null where nothing listens. */
@@ -29,6 +39,9 @@ final class DigitTracker {
     private final ToneFit fit = new ToneFit();
     private final KeyMeasures measures = new KeyMeasures();
     private final Judge judge;
+
+    /** The key that stood out at the gate's last look, or -1. */
+    private int gateKey = -1;
 
     private int runKey;
     private int run;
@@ -46,6 +59,10 @@ final class DigitTracker {
     private KeyCandidate candidate;
 
     private DtmfDigit current;
+    /** Those decided last, in a ring. */
+    private final DtmfDigit[] newest = new DtmfDigit[4];
+
+    private int decided;
     /** One over the likeness of the tone itself. */
     private double perLevel;
 
@@ -60,7 +77,14 @@ final class DigitTracker {
         double logOdds(long hop, int key, ToneFit fit, KeyMeasures measures, short[] samples, int end);
     }
 
-    DigitTracker(ToneBank bank, short[] recent, DtmfListener listener, Consumer<KeyCandidate> candidates, Judge judge) {
+    DigitTracker(
+            ToneBank bank,
+            ToneGate gate,
+            short[] recent,
+            DtmfListener listener,
+            Consumer<KeyCandidate> candidates,
+            Judge judge) {
+        this.gate = gate;
         this.judge = judge;
         this.candidates = candidates;
         this.bank = bank;
@@ -69,32 +93,34 @@ final class DigitTracker {
     }
 
     /**
-     * The newest hops of the bank, which the gate has seen.
+     * The newest hops of the bank.
      *
      * @param firstHop the first of them, counted from the stream's start
      * @param start index of its first sample
      */
-    void accept(ToneGate gate, long firstHop, int hops, int start) {
-        int b = advance(gate, firstHop, 0, hops);
+    void accept(long firstHop, int hops, int start) {
+        int b = advance(firstHop, 0, hops);
         while (b < hops) {
             consider(firstHop + b, ToneBank.HISTORY + b, start + ToneBank.HOP * (b + 1));
-            b = advance(gate, firstHop, b + 1, hops);
+            b = advance(firstHop, b + 1, hops);
         }
     }
 
     /** Goes on to the next hop that is worth a closer look, apart from that look, so that most hops run in a small loop. */
-    private int advance(ToneGate gate, long firstHop, int from, int hops) {
+    private int advance(long firstHop, int from, int hops) {
         for (int b = from; b < hops; b++) {
-            int key = gate.key(b);
+            if ((firstHop + b) % ToneGate.EVERY == 0) {
+                gateKey = gate.look(bank, ToneBank.HISTORY + b);
+            }
             if (current != null) {
                 follow(firstHop + b, ToneBank.HISTORY + b);
-            } else if (key < 0 && run == 0) {
+            } else if (gateKey < 0 && run == 0) {
                 continue;
             }
-            if (key < 0) {
+            if (gateKey < 0) {
                 miss();
             } else {
-                standsOut(key, gate.loudness(b));
+                standsOut(gateKey, gate.loudness());
             }
             if (run >= LEAST_RUN && isDue(firstHop + b)) {
                 return b;
@@ -157,7 +183,7 @@ final class DigitTracker {
             }
             return fit.sinceOnset < LEAST_HOPS ? KeyCandidate.Finding.TOO_SHORT : KeyCandidate.Finding.UNSTEADY;
         }
-        if (isTail(hop)) {
+        if (isTail(hop) || isEcho(hop)) {
             return KeyCandidate.Finding.ECHO;
         }
         if (Math.abs(fit.twist()) >= ToneFit.MOST_TWIST_DB) {
@@ -233,6 +259,30 @@ final class DigitTracker {
                 && hop - barrier <= ToneFit.SPAN;
     }
 
+    /**
+     * A late echo: a key of the last 400 ms once more and much weaker, which follows another without a pause, or comes later
+     * than a dialler's next key would.
+     */
+    private boolean isEcho(long hop) {
+        double onset = hop - fit.sinceOnset;
+        for (int i = 0; i < Math.min(newest.length, decided); i++) {
+            DtmfDigit each = newest[i];
+            double later = onset - each.startedAtSample() / (double) ToneBank.HOP;
+            if (each.key().ordinal() == runKey
+                    && later < LATEST_ECHO
+                    && (later > EARLIEST_ECHO || onset - barrier < ToneBank.HOPS_PER_SECOND / 100)
+                    && isCopy(0, each.rowDbm0(), each.rowError())
+                    && isCopy(1, each.columnDbm0(), each.columnError())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isCopy(int tone, double dbm0, double error) {
+        return dbm0 - ToneLevel.dbm0(fit.amplitude[tone]) > ECHO_DB && Math.abs(error - fit.error[tone]) < ECHO_ERROR;
+    }
+
     private void decide(long hop) {
         if (current != null) {
             lastSounding = Math.min(hop, Math.round(hop - fit.sinceOnset));
@@ -254,6 +304,7 @@ final class DigitTracker {
         perLevel = 1 / (both * both * Math.pow(1 - leak * leak, 4));
         silence = 0;
         lastSounding = hop;
+        newest[decided++ % newest.length] = current;
         listener.keyDecided(current);
     }
 
@@ -296,6 +347,8 @@ final class DigitTracker {
     void reset() {
         current = null;
         ended = null;
+        decided = 0;
+        gateKey = -1;
         run = 0;
         candidate = null;
         missed = 0;

@@ -36,7 +36,7 @@ public final class DtmfReceiver implements KeyReceiver {
 
     /** One that judges otherwise, for the fit of the likelihood. */
     DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, DigitTracker.Judge judge) {
-        tracker = new DigitTracker(bank, recent, listener, candidates, judge);
+        tracker = new DigitTracker(bank, gate, recent, listener, candidates, judge);
     }
 
     @Override
@@ -55,8 +55,7 @@ public final class DtmfReceiver implements KeyReceiver {
 
     private void hear(int hops) {
         bank.accept(recent, KEPT, hops);
-        gate.accept(bank, hopsDone, hops);
-        tracker.accept(gate, hopsDone, hops, KEPT);
+        tracker.accept(hopsDone, hops, KEPT);
         bank.shift(hops);
         hopsDone += hops;
         int used = hops * ToneBank.HOP;
@@ -71,7 +70,7 @@ public final class DtmfReceiver implements KeyReceiver {
 
     @Override
     public ToneLevels levels() {
-        return gate.levels();
+        return gate.levels(bank, ToneBank.HISTORY - 1);
     }
 
     @Override
@@ -82,7 +81,6 @@ public final class DtmfReceiver implements KeyReceiver {
     @Override
     public void reset() {
         bank.clear();
-        gate.clear();
         Arrays.fill(recent, (short) 0);
         tracker.reset();
         waiting = 0;

@@ -24,11 +24,6 @@ final class KeyMeasures {
         BEFORE,
         /** The strongest other line between 560 and 3500 Hz against the weaker tone, dB. */
         LINE,
-        /**
-         * The strongest other harmonic of the voice of which the tones would be two, dB against the weaker tone; -120 if they
-         * are no harmonics.
-         */
-        FAMILY,
         /** Geometric over arithmetic mean of the spectrum apart from the tones, 0.6 for noise. */
         EVENNESS,
         /** log10 of the other sound before the tones began over the other sound now; unknown as for BEFORE. */
@@ -48,13 +43,6 @@ final class KeyMeasures {
     private static final int ONSET_MARGIN_SAMPLES = 8;
     /** Ratios below this count as this. */
     private static final double LEAST = 1e-4;
-    /** FAMILY where the tones are no harmonics of one voice. */
-    private static final double NO_FAMILY_DB = -120;
-    /** Two harmonics' frequency ratio, as measured, misses that of their numbers by less than this share. */
-    private static final double SAME_VOICE = 0.002;
-    /** Of a voice the row's tone is looked for up to this harmonic: higher ones lie too close together. */
-    private static final int HIGHEST_ROW_HARMONIC = 6;
-
     /** By {@link Kind#ordinal}; NaN for unknown. */
     final double[] values = new double[COUNT];
 
@@ -90,7 +78,6 @@ final class KeyMeasures {
                 Math.max(LEAST * (row + column), residue.restBefore) / Math.max(LEAST * (row + column), residue.rest);
         put(Kind.BEFORE, fit.open ? Double.NaN : log(before));
         put(Kind.LINE, decibels(residue.line / weaker));
-        put(Kind.FAMILY, family(fit, weaker));
         put(Kind.EVENNESS, residue.evenness());
         put(Kind.BACKGROUND, fit.open ? Double.NaN : Math.log10(background));
         put(Kind.LINE_SHARE, log(residue.line / residue.rest));
@@ -99,19 +86,6 @@ final class KeyMeasures {
 
     private void put(Kind kind, double value) {
         values[kind.ordinal()] = value;
-    }
-
-    /** The third and seventh harmonic of a voice at 232 Hz are only 0.4 % from A, the fourth and seventh 0.9 % from 1, 5, 9 and D. */
-    private double family(ToneFit fit, double weaker) {
-        double ratio = fit.hertz[1] / fit.hertz[0];
-        for (int rowHarmonic = HIGHEST_ROW_HARMONIC; rowHarmonic > 0; rowHarmonic--) {
-            int columnHarmonic = (int) Math.round(ratio * rowHarmonic);
-            if (Math.abs(ratio * rowHarmonic / columnHarmonic - 1) < SAME_VOICE) {
-                double voiceHertz = (fit.hertz[0] + fit.hertz[1]) / (rowHarmonic + columnHarmonic);
-                return decibels(residue.family(voiceHertz, rowHarmonic, columnHarmonic) / weaker);
-            }
-        }
-        return NO_FAMILY_DB;
     }
 
     /** Mean square of {@code samples[from..to)}. */
@@ -133,6 +107,6 @@ final class KeyMeasures {
     }
 
     private static double decibels(double ratio) {
-        return Math.max(NO_FAMILY_DB, 10 * Math.log10(Math.max(1e-12, ratio)));
+        return 10 * Math.log10(Math.max(1e-12, ratio));
     }
 }

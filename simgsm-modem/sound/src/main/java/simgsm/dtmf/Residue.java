@@ -155,18 +155,6 @@ final class Residue {
         return Math.exp(logarithms / bins);
     }
 
-    /** The strongest line now near any multiple but the row's and the column's of a fundamental. */
-    double family(double hertz, int rowMultiple, int columnMultiple) {
-        double most = 0;
-        for (int multiple = 1; multiple * hertz < BIN_HERTZ * HIGHEST; multiple++) {
-            int k = (int) Math.round(multiple * hertz / BIN_HERTZ);
-            if (multiple != rowMultiple && multiple != columnMultiple && k >= LOWEST && !isTones(k)) {
-                most = Math.max(most, LINE_OVER_PEAK * during[k]);
-            }
-        }
-        return most;
-    }
-
     private boolean isTones(int k) {
         double hertz = k * BIN_HERTZ;
         return Math.abs(hertz - row) < HALF_LINE_HERTZ || Math.abs(hertz - column) < HALF_LINE_HERTZ;

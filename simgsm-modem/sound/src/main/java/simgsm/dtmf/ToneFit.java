@@ -77,7 +77,13 @@ final class ToneFit {
     boolean offFrequency;
 
     private int hops;
+    private int seen;
     private int louder;
+    /** Evidence that the tones sound, summed from the newest hop back, and the most that it came to. */
+    private double evidence;
+
+    private double most;
+    private double perReference;
     private final double[][] re = new double[2][SPAN];
     private final double[][] im = new double[2][SPAN];
     private final double[][] power = new double[2][SPAN];
@@ -107,10 +113,10 @@ final class ToneFit {
         column = key % 4;
         leak = ToneBank.leakBetween(row, 4 + column);
         scale = 1 / (1 - leak * leak);
-        int most = Math.min(SPAN, reach);
+        int span = Math.min(SPAN, reach);
         offFrequency = false;
         sinceOnset = 0;
-        if (most < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
+        if (span < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
             return 1;
         }
         for (int i = 0; i < REFERENCE; i++) {
@@ -120,7 +126,8 @@ final class ToneFit {
             offFrequency = true;
             return 1;
         }
-        findOnset(bank, newest, most, rival, reference());
+        beginWith(reference());
+        goBack(bank, newest, Math.min(span, LISTENED), rival);
         if (sinceOnset < leastHops) {
             return (int) Math.max(1, leastHops - sinceOnset);
         }
@@ -130,6 +137,10 @@ final class ToneFit {
         boolean tuned = tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
                 && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
         offFrequency = !tuned;
+        if (tuned) {
+            goBack(bank, newest, span, rival);
+            open = hops >= span - 1;
+        }
         return tuned ? 0 : OFF_FREQUENCY_WAIT;
     }
 
@@ -189,32 +200,35 @@ final class ToneFit {
         power[tone][i] = x * x + y * y;
     }
 
-    /**
-     * The tones belong to the run of newest hops in which they sound more than they do not, by as much as can be had.
-     * Short interruptions are bridged so, if more of the tone lies before them.
-     */
-    private void findOnset(ToneBank bank, int newest, int most, DtmfKey rival, double reference) {
-        double perReference = 1 / reference;
-        double sum = 0;
-        double best = 0;
+    private void beginWith(double reference) {
+        perReference = 1 / reference;
+        evidence = 0;
+        most = 0;
         hops = 0;
+        seen = 0;
         louder = 0;
-        int i = 0;
-        for (; i < most && sum > best - PAUSE; i++) {
+    }
+
+    /**
+     * Looks back up to a hop. The tones belong to the run of newest hops in which they sound more than they do not, by as
+     * much as can be had. Short interruptions are bridged so, if more of the tone lies before them.
+     */
+    private void goBack(ToneBank bank, int newest, int until, DtmfKey rival) {
+        for (; seen < until && evidence > most - PAUSE; seen++) {
+            int i = seen;
             if (i >= REFERENCE) {
                 separate(bank, newest - i, i);
             }
             likeness[i] = isRivals(bank, newest - i, rival) ? 0 : power[ROW][i] * power[COLUMN][i] * perReference;
             louder += likeness[i] > FAR_LOUDER ? 1 : 0;
-            sum += sounding(likeness[i]) - 0.5;
-            if (sum > best) {
-                best = sum;
+            evidence += sounding(likeness[i]) - 0.5;
+            if (evidence > most) {
+                most = evidence;
                 hops = i + 1;
             }
         }
-        open = hops >= most - 1;
         double fraction = 0.5;
-        if (hops > 0 && hops < i && likeness[hops] < likeness[hops - 1]) {
+        if (hops > 0 && hops < seen && likeness[hops] < likeness[hops - 1]) {
             double inside = amplitudeRatio(likeness[hops - 1]);
             fraction = (inside - 0.5) / (inside - amplitudeRatio(likeness[hops]));
         }

@@ -3,6 +3,7 @@ package simgsm.dtmf;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiConsumer;
 
 /**
  * Tries the receiver with {@link DisturbedTapes} and with files of speech and music (raw, 8 kHz, 16 bit), and prints a row
@@ -40,21 +41,15 @@ final class DisturbedBench {
         int count = Integer.parseInt(args[0]);
         long seed = Long.parseLong(args[1]);
         Map<String, Count> counts = new LinkedHashMap<>();
-        DisturbedTapes.all(
-                seed,
-                count,
-                (name, tape) -> counts.computeIfAbsent(name, kind -> new Count())
-                        .add(tape.expected.toString(), Bench.text(Bench.hear(tape.samples()))));
+        BiConsumer<String, Tape> tried = (name, tape) -> counts.computeIfAbsent(name, kind -> new Count())
+                .add(tape.expected.toString(), Bench.text(Bench.hear(tape.samples())));
+        DisturbedTapes.all(seed, count, tried);
+        DisturbedTapes.others(seed, count, tried);
         double hours = 0;
         int falseKeys = 0;
         for (int i = 2; i < args.length; i++) {
             short[] speech = LikelihoodFit.read(args[i]);
-            DisturbedTapes.over(
-                    seed,
-                    count / 4,
-                    speech,
-                    (name, tape) -> counts.computeIfAbsent(name, kind -> new Count())
-                            .add(tape.expected.toString(), Bench.text(Bench.hear(tape.samples()))));
+            DisturbedTapes.over(seed, count / 4, speech, tried);
             List<DtmfDigit> heard = Bench.hear(speech);
             hours += speech.length / 28.8e6;
             falseKeys += heard.size();

@@ -39,6 +39,21 @@ final class DisturbedTapes {
         }
     }
 
+    /** What no curve is fitted to: tones that are no keys, late echoes, and tones of the exchange under the keys. */
+    static void others(long seed, int count, BiConsumer<String, Tape> receiver) {
+        Random seeds = new Random(seed);
+        for (int i = 0; i < count; i++) {
+            for (int k = 0; k < 32; k++) {
+                receiver.accept("not compliant", notCompliant(seeds.nextLong()));
+            }
+            receiver.accept("echo after 250 ms, 20 dB weaker", lateEcho(seeds.nextLong()));
+            for (int decibels : new int[] {0, 6}) {
+                receiver.accept(
+                        "busy tone " + decibels + " dB louder than the keys", busyTone(seeds.nextLong(), decibels));
+            }
+        }
+    }
+
     /** Level, twist and frequency anywhere within what Q.24 accepts, for every other recording; else as keys mostly come. */
     private static void anywhere(Tape tape) {
         if (tape.random.nextBoolean()) {
@@ -122,6 +137,54 @@ final class DisturbedTapes {
             tape.noise(level - 8 - tape.uniform(15, 30));
         }
         return tape;
+    }
+
+    /** Eight pairs of tones that Q.24 rejects: too short, too weak, twisted, off frequency, one tone, two of a group. */
+    static Tape notCompliant(long seed) {
+        Tape tape = new Tape(seed);
+        tape.silence(tape.uniform(100, 300));
+        double level = tape.uniform(-25, 0);
+        for (char key : Catalogue.someKeys(tape, 8).toCharArray()) {
+            Catalogue.timing(tape, tape.uniform(40, 120), tape.uniform(40, 120));
+            Catalogue.level(tape, level);
+            Catalogue.twist(tape, tape.uniform(-8, 4));
+            tape.rowError = tape.uniform(-0.015, 0.015);
+            tape.columnError = tape.uniform(-0.015, 0.015);
+            switch (tape.random.nextInt(7)) {
+                case 0 -> tape.toneMillis = tape.uniform(8, 23);
+                case 1 -> Catalogue.level(tape, tape.uniform(-70, -56));
+                case 2 -> Catalogue.twist(tape, 16 * Catalogue.sign(tape));
+                case 3 -> tape.rowError = 0.035 * Catalogue.sign(tape);
+                case 4 -> tape.columnError = 0.035 * Catalogue.sign(tape);
+                case 5 -> tape.rowDbm0 = -100;
+                default -> tape.columnError = 852.0 / DtmfKey.of(key).columnHertz() - 1;
+            }
+            tape.decoys("" + key);
+        }
+        tape.silence(100);
+        if (tape.random.nextBoolean()) {
+            tape.noise(level - 8 - tape.uniform(15, 50));
+        }
+        return tape;
+    }
+
+    static Tape lateEcho(long seed) {
+        Tape tape = held(seed, 100);
+        for (char key : Catalogue.someKeys(tape, 8).toCharArray()) {
+            Catalogue.timing(tape, tape.uniform(50, 150), tape.uniform(50, 300));
+            tape.digits("" + key);
+        }
+        tape.silence(400);
+        return tape.echo(250, 20);
+    }
+
+    /** 480 and 620 Hz, North America's busy tone, under all keys. */
+    static Tape busyTone(long seed, int decibels) {
+        Tape tape = held(seed, 100);
+        Catalogue.timing(tape, 100, 100);
+        tape.digits(Catalogue.someKeys(tape, 8));
+        double level = Math.max(tape.rowDbm0, tape.columnDbm0) + decibels;
+        return tape.hum(480, level).hum(620, level);
     }
 
     /** Keys over speech that is 20 to 3 dB weaker, and held keys into which a voice still speaks. */

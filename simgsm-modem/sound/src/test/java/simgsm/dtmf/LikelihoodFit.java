@@ -11,7 +11,8 @@ import java.util.Locale;
 /**
  * Fits the curves of {@link KeyLikelihood} to labelled recordings: additive logistic regression by boosting, one step of one
  * curve at a time. Arguments: the table to write, the seed of the synthetic recordings, and files of speech and music
- * without keys (raw, 8 kHz, 16 bit, little-endian). docs/TONES.md says which files were used.
+ * without keys (raw, 8 kHz, 16 bit, little-endian). docs/TONES.md says which files were used. {@code -Dskip=KIND} leaves one
+ * measure out, to see what it carries.
  */
 final class LikelihoodFit {
     private static final int ROUNDS = 1000;
@@ -145,6 +146,15 @@ final class LikelihoodFit {
         }
     }
 
+    /** What is left to explain: the less the better. */
+    private double loss() {
+        double loss = 0;
+        for (int i = 0; i < count; i++) {
+            loss += isKey[i] ? Math.log1p(Math.exp(-score[i])) : WEIGHT_OF_OTHERS * Math.log1p(Math.exp(score[i]));
+        }
+        return loss;
+    }
+
     private static double gain(double g, double h) {
         return g * g / (h + REGULARISATION);
     }
@@ -188,9 +198,9 @@ final class LikelihoodFit {
             looks.collect(speech);
             DisturbedTapes.over(seed + i, 4, speech, (name, tape) -> looks.collect(tape));
         }
-        System.out.println(looks.count() + " looks");
         LikelihoodFit fit = new LikelihoodFit(looks);
         fit.fit();
+        System.out.printf("%d looks, loss %.0f%n", looks.count(), fit.loss());
         fit.write(Path.of(args[0]));
     }
 }

@@ -18,9 +18,14 @@ class ToneGateTest {
         ToneBank bank = new ToneBank();
         ToneGate gate = new ToneGate();
         bank.accept(samples, 20, HOPS);
-        gate.accept(bank, 0, HOPS);
-        assertTrue(gate.key(HOPS - 1) < 0 || gate.loudness(HOPS - 1) > 0);
-        return gate.key(HOPS - 1);
+        int key = gate.look(bank, ToneBank.HISTORY + HOPS - 1);
+        ToneLevels levels = gate.levels(bank, ToneBank.HISTORY + HOPS - 1);
+        for (DtmfKey each : DtmfKey.values()) {
+            boolean counts = levels.counts(each.row()) && levels.counts(4 + each.column());
+            assertEquals(counts, each.ordinal() == key, "the levels tell of " + each);
+        }
+        assertTrue(key < 0 || gate.loudness() > 0);
+        return key;
     }
 
     @Test
@@ -40,18 +45,5 @@ class ToneGateTest {
         assertEquals(-1, look(770, -55, 1336, -55), "too weak");
         assertEquals(-1, look(770, -10, 1336, -30), "far too twisted");
         assertEquals(-1, look(350, -10, 440, -10), "dial tone");
-    }
-
-    @Test
-    void aLookLastsUntilTheNext() {
-        ToneGate gate = new ToneGate();
-        ToneBank bank = new ToneBank();
-        bank.accept(new short[20 + 20 * 3], 20, 3);
-        gate.accept(bank, 0, 3);
-        assertEquals(-1, gate.key(0));
-        assertEquals(-1, gate.key(2));
-        gate.clear();
-        gate.accept(bank, 3, 3);
-        assertEquals(-1, gate.key(0));
     }
 }
