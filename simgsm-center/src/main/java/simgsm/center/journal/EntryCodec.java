@@ -107,21 +107,24 @@ final class EntryCodec {
         to.writeInt(instant.getNano());
     }
 
-    /** @throws IOException if the octets are not an entry in this format */
-    static StoreEntry decode(byte[] octets) throws IOException {
+    /**
+     * @param shared holds the numbers and origins of earlier entries
+     * @throws IOException if the octets are not an entry in this format
+     */
+    static StoreEntry decode(byte[] octets, SharedValues shared) throws IOException {
         DataInputStream from = new DataInputStream(new ByteArrayInputStream(octets));
         try {
-            return read(from);
+            return read(from, shared);
         } catch (IllegalArgumentException | DateTimeException e) {
             throw new IOException("an invalid entry: " + e.getMessage(), e);
         }
     }
 
-    private static StoreEntry read(DataInputStream from) throws IOException {
+    private static StoreEntry read(DataInputStream from, SharedValues shared) throws IOException {
         int kind = from.readUnsignedByte();
         return switch (kind) {
-            case ACCEPTED -> new StoreEntry.Accepted(readMessage(from));
-            case ACCEPTED_WITH_PLACE -> new StoreEntry.Accepted(readPlace(readMessage(from), from));
+            case ACCEPTED -> new StoreEntry.Accepted(readMessage(from, shared));
+            case ACCEPTED_WITH_PLACE -> new StoreEntry.Accepted(readPlace(readMessage(from, shared), from, shared));
             case ENDED ->
                 new StoreEntry.Ended(
                         from.readLong(), MessageState.valueOf(from.readUTF()), readInstant(from), from.readBoolean());
@@ -132,18 +135,19 @@ final class EntryCodec {
         };
     }
 
-    private static ShortMessage readMessage(DataInputStream from) throws IOException {
+    private static ShortMessage readMessage(DataInputStream from, SharedValues shared) throws IOException {
         return new ShortMessage(
                 from.readLong(),
-                new Msisdn(from.readUTF()),
-                new Msisdn(from.readUTF()),
+                shared.of(new Msisdn(from.readUTF())),
+                shared.of(new Msisdn(from.readUTF())),
                 OctetString.of(from.readNBytes(from.readUnsignedShort())),
                 readInstant(from),
                 readInstant(from),
-                from.readBoolean() ? Optional.of(readOrigin(from)) : Optional.empty());
+                from.readBoolean() ? shared.of(Optional.of(readOrigin(from))) : Optional.empty());
     }
 
-    private static ShortMessage readPlace(ShortMessage message, DataInputStream from) throws IOException {
+    private static ShortMessage readPlace(ShortMessage message, DataInputStream from, SharedValues shared)
+            throws IOException {
         EsmeOrigin origin =
                 message.esme().orElseThrow(() -> new IOException("a place in a submission, but no application"));
         EsmeOrigin.Group place = new EsmeOrigin.Group(from.readInt(), from.readInt());
@@ -155,8 +159,13 @@ final class EntryCodec {
                 message.submit(),
                 message.acceptedAt(),
                 message.expiresAt(),
-                Optional.of(new EsmeOrigin(
-                        origin.systemId(), origin.source(), origin.dataCoding(), origin.receipts(), place, deliverAt)));
+                shared.of(Optional.of(new EsmeOrigin(
+                        origin.systemId(),
+                        origin.source(),
+                        origin.dataCoding(),
+                        origin.receipts(),
+                        place,
+                        deliverAt))));
     }
 
     private static EsmeOrigin readOrigin(DataInputStream from) throws IOException {

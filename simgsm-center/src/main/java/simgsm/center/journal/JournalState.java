@@ -8,6 +8,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
@@ -27,14 +28,10 @@ final class JournalState {
     /** Approximate octets of an accepted message on disk besides its SUBMIT. */
     private static final int MESSAGE_OCTETS = 100;
 
-    private record Kept(ShortMessage message, StoreEntry.Ended ended) {
-        Stream<StoreEntry> entries() {
-            StoreEntry accepted = new StoreEntry.Accepted(message);
-            return ended == null ? Stream.of(accepted) : Stream.of(accepted, ended);
-        }
-    }
+    private final SortedMap<Long, ShortMessage> waiting = new TreeMap<>();
+    /** Messages that have ended and whose report is due. */
+    private final SortedMap<Long, StoredState.Unreported> unreported = new TreeMap<>();
 
-    private final Map<Long, Kept> kept = new TreeMap<>();
     private final Deque<ShortMessage> recent = new ArrayDeque<>();
     private final Map<Msisdn, StoreEntry.Known> known = new LinkedHashMap<>();
     private final int maxRecent;
@@ -61,8 +58,9 @@ final class JournalState {
 
     private void accept(ShortMessage message) {
         lastId = Math.max(lastId, message.id());
-        Kept replaced = kept.put(message.id(), new Kept(message, null));
-        octets += octetsOf(message) - (replaced == null ? 0 : octetsOf(replaced.message()));
+        forget(message.id());
+        waiting.put(message.id(), message);
+        octets += octetsOf(message);
         recent.addLast(message);
         while (recent.size() > maxRecent
                 || recent.peekFirst().acceptedAt().plus(RECENT).isBefore(message.acceptedAt())) {
@@ -71,17 +69,19 @@ final class JournalState {
     }
 
     private void end(StoreEntry.Ended ended) {
-        Kept ending = kept.get(ended.id());
-        if (ending == null || !ended.reportFollows()) {
-            forget(ended.id());
-        } else {
-            kept.put(ended.id(), new Kept(ending.message(), ended));
+        ShortMessage message = forget(ended.id());
+        if (message != null && ended.reportFollows()) {
+            unreported.put(ended.id(), new StoredState.Unreported(message, ended));
+            octets += octetsOf(message);
         }
     }
 
-    private void forget(long id) {
-        Kept gone = kept.remove(id);
-        octets -= gone == null ? 0 : octetsOf(gone.message());
+    /** Removes a message in whatever state. @return null if it is unknown */
+    private ShortMessage forget(long id) {
+        StoredState.Unreported hasEnded = unreported.remove(id);
+        ShortMessage gone = hasEnded == null ? waiting.remove(id) : hasEnded.message();
+        octets -= gone == null ? 0 : octetsOf(gone);
+        return gone;
     }
 
     private static int octetsOf(ShortMessage message) {
@@ -95,19 +95,22 @@ final class JournalState {
 
     /** Messages that wait or whose report is due. */
     int messages() {
-        return kept.size();
+        return waiting.size() + unreported.size();
     }
 
     /** The shortest sequence of entries with the same sum, as it is now; made one by one while it is read. */
     Iterator<StoreEntry> image() {
         List<ShortMessage> endedLately = recent.stream()
-                .filter(message -> !kept.containsKey(message.id()))
+                .filter(message -> !waiting.containsKey(message.id()) && !unreported.containsKey(message.id()))
                 .toList();
         List<StoreEntry> few = new ArrayList<>(known.values());
         few.add(new StoreEntry.Numbered(lastId));
         Stream<StoreEntry> ended = endedLately.stream().flatMap(JournalState::accepted);
-        Stream<StoreEntry> others = List.copyOf(kept.values()).stream().flatMap(Kept::entries);
-        return Stream.concat(few.stream(), Stream.concat(ended, others)).iterator();
+        Stream<StoreEntry> due = List.copyOf(unreported.values()).stream()
+                .flatMap(each -> Stream.of(new StoreEntry.Accepted(each.message()), each.ended()));
+        Stream<StoreEntry> open = List.copyOf(waiting.values()).stream().map(StoreEntry.Accepted::new);
+        return Stream.concat(Stream.concat(few.stream(), ended), Stream.concat(due, open))
+                .iterator();
     }
 
     private static Stream<StoreEntry> accepted(ShortMessage message) {
@@ -117,15 +120,11 @@ final class JournalState {
     }
 
     StoredState stored() {
-        List<ShortMessage> waiting = new ArrayList<>();
-        List<StoredState.Unreported> unreported = new ArrayList<>();
-        for (Kept each : kept.values()) {
-            if (each.ended() == null) {
-                waiting.add(each.message());
-            } else {
-                unreported.add(new StoredState.Unreported(each.message(), each.ended()));
-            }
-        }
-        return new StoredState(lastId, waiting, unreported, List.copyOf(recent), List.copyOf(known.values()));
+        return new StoredState(
+                lastId,
+                List.copyOf(waiting.values()),
+                List.copyOf(unreported.values()),
+                List.copyOf(recent),
+                List.copyOf(known.values()));
     }
 }

@@ -28,6 +28,7 @@ final class Recovery {
 
     private final Disk disk;
     private final JournalState state;
+    private final SharedValues shared = new SharedValues();
     private final RecoveryReport report = new RecoveryReport();
     private long lastNumber;
     /** The segment read last; null if none was. */
@@ -179,7 +180,7 @@ final class Recovery {
 
     private void apply(String name, byte[] record) {
         try {
-            state.apply(EntryCodec.decode(record));
+            state.apply(EntryCodec.decode(record, shared));
         } catch (IOException e) {
             report.lost(name + ": " + e.getMessage(), 1);
         }

@@ -51,6 +51,9 @@ public final class EsmeSession {
     private MessageRequests.Requester requester;
     private int refusedBinds;
     private Timer pendingBind;
+    /** Runs from the end until the peer has read it. */
+    private Timer closing;
+
     private int sequence;
     private long heardNanos;
     private Timer silence;
@@ -306,7 +309,7 @@ public final class EsmeSession {
     private void endWhenSent() {
         end();
         port.closeWhenSent();
-        timers.start(ANSWER_NANOS, () -> port.close("does not read"));
+        closing = timers.start(ANSWER_NANOS, () -> port.close("does not read"));
     }
 
     /** The connection was closed by the peer, or is broken. */
@@ -316,6 +319,7 @@ public final class EsmeSession {
     }
 
     private void closed() {
+        timers.cancel(closing);
         end();
         isClosed = true;
     }

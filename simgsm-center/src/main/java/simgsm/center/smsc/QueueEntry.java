@@ -49,11 +49,14 @@ final class QueueEntry {
         this.place = place;
     }
 
-    void attempted(Instant at, DeliveryOutcome outcome) {
+    /** @return by how many the remembered attempts have grown */
+    int attempted(Instant at, DeliveryOutcome outcome) {
+        int before = attempts.size();
         attemptCount++;
         attempts = Stream.concat(
                         attempts.stream().skip(attempts.size() / MessageHistory.MAX_ATTEMPTS),
                         Stream.of(new DeliveryAttempt(at, outcome)))
                 .toList();
+        return attempts.size() - before;
     }
 }

@@ -19,6 +19,7 @@ final class ReceiverQueue {
      * What all queues share.
      *
      * @param startedAt the civil time at which {@code timers} stood at 0
+     * @param held counts the octets of the entries
      * @param ended is called with each entry that leaves its queue and its final state
      */
     record Context(
@@ -26,6 +27,7 @@ final class ReceiverQueue {
             Timers timers,
             DeliveryPort port,
             ShortMessageCenter.Containers containers,
+            HeldOctets held,
             BiConsumer<QueueEntry, MessageState> ended) {
         Instant now() {
             return timeOf(timers.nowNanos());
@@ -202,7 +204,7 @@ final class ReceiverQueue {
     private void attempted(QueueEntry entry, DeliveryOutcome outcome) {
         inFlight--;
         entry.isInFlight = false;
-        entry.attempted(context.now(), outcome);
+        context.held.attempted(entry.attempted(context.now(), outcome));
         switch (outcome) {
             case DELIVERED -> answered(entry, MessageState.DELIVERED);
             case REFUSED -> answered(entry, MessageState.REJECTED);

@@ -31,7 +31,8 @@ public final class ShortMessageCenter {
     public static final Msisdn ADDRESS = new Msisdn("3003");
 
     public static final int MAX_WAITING_PER_RECEIVER = 200_000;
-    public static final int MAX_WAITING = 500_000;
+    /** In all; a heap below 2 GB sets a lower limit: {@link HeldOctets}. */
+    public static final int MAX_WAITING = 1_000_000;
     /** Receipts for one application. */
     public static final int MAX_WAITING_RECEIPTS = 100_000;
     /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
@@ -59,6 +60,7 @@ public final class ShortMessageCenter {
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
+    private final HeldOctets held;
     private int waitingCount;
     private int uncommitted;
     private long nextId = 1;
@@ -90,7 +92,14 @@ public final class ShortMessageCenter {
             MessageStore store,
             DeliveryPort port,
             BiConsumer<ShortMessage, MessageState> listener) {
-        this(startedAt, timers, store, port, listener, Containers.STANDARD);
+        this(
+                startedAt,
+                timers,
+                store,
+                port,
+                listener,
+                Containers.STANDARD,
+                HeldOctets.in(Runtime.getRuntime().maxMemory()));
     }
 
     ShortMessageCenter(
@@ -99,13 +108,16 @@ public final class ShortMessageCenter {
             MessageStore store,
             DeliveryPort port,
             BiConsumer<ShortMessage, MessageState> listener,
-            Containers containers) {
+            Containers containers,
+            HeldOctets held) {
         this.startedAt = startedAt;
         this.timers = timers;
         this.store = store;
         this.port = port;
         this.listener = listener;
-        this.queues = new ReceiverQueues(new ReceiverQueue.Context(startedAt, timers, port, containers, this::ended));
+        this.held = held;
+        this.queues =
+                new ReceiverQueues(new ReceiverQueue.Context(startedAt, timers, port, containers, held, this::ended));
         this.messages = new MessageRegister(containers.inOrderOfInsertion());
     }
 
@@ -211,6 +223,7 @@ public final class ShortMessageCenter {
     private void commit(List<ShortMessage> accepted, Consumer<Optional<RpCause>> answer) {
         nextId += accepted.size();
         uncommitted += accepted.size();
+        accepted.forEach(held::add);
         accepted.forEach(message -> reserve(message, 1));
         long ticket = nextTicket++;
         submissions.put(ticket, new Submission(accepted, answer));
@@ -230,7 +243,8 @@ public final class ShortMessageCenter {
         }
         boolean hasRoom = uncommitted + count <= MAX_UNCOMMITTED
                 && waitingCount + uncommitted + count <= MAX_WAITING
-                && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER;
+                && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER
+                && held.hasRoomFor((long) count * HeldOctets.ENVELOPE);
         return hasRoom ? Optional.empty() : Optional.of(RpCause.CONGESTION);
     }
 
@@ -248,6 +262,7 @@ public final class ShortMessageCenter {
     private void submissionStored(Submission submission, boolean isDurable) {
         List<ShortMessage> stored = submission.messages;
         uncommitted -= stored.size();
+        stored.forEach(held::remove);
         stored.forEach(message -> reserve(message, -1));
         if (isDurable) {
             submission.answer.accept(Optional.empty());
@@ -281,6 +296,10 @@ public final class ShortMessageCenter {
         }
         commit(new StoreEntry.Accepted(changed), isDurable -> {
             answer.accept(isDurable);
+            if (isDurable) {
+                held.remove(entry.envelope.message());
+                held.add(changed);
+            }
             entry.queue.release(entry, isDurable ? new Envelope.Delivery(changed) : entry.envelope);
         });
         return true;
@@ -328,6 +347,7 @@ public final class ShortMessageCenter {
 
     private void enqueue(Envelope envelope) {
         waitingCount++;
+        held.add(envelope.message());
         ReceiverQueue queue = queues.of(envelope.destination());
         QueueEntry entry = queue.add(envelope);
         if (envelope instanceof Envelope.Delivery) {
@@ -338,6 +358,8 @@ public final class ShortMessageCenter {
 
     private void ended(QueueEntry entry, MessageState state) {
         waitingCount--;
+        held.remove(entry.envelope.message());
+        held.attempted(-entry.attempts.size());
         queues.removeIfEmpty(entry.envelope.destination());
         ShortMessage message = entry.envelope.message();
         if (entry.envelope instanceof Envelope.Delivery) {

@@ -86,7 +86,7 @@ class JournalTest {
                 new StoreEntry.Reported(1),
                 new StoreEntry.Known(new Msisdn("5550100"), Imsi.ofOpenNumber(new Msisdn("5550100"))),
                 new StoreEntry.Numbered(7))) {
-            assertEquals(entry, EntryCodec.decode(EntryCodec.encode(entry)));
+            assertEquals(entry, EntryCodec.decode(EntryCodec.encode(entry), new SharedValues()));
         }
     }
 

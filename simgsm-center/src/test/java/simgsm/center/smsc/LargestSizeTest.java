@@ -35,7 +35,11 @@ class LargestSizeTest {
     private static final long FEW = 20;
 
     private static final Msisdn SENDER = new Msisdn("5550100");
+    private static final int RECEIVERS = 500_000;
+
     private static final Msisdn RECEIVER = new Msisdn("5550200");
+    private static final OctetString SUBMIT =
+            TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(RECEIVER), UserData.of("x")));
     private static final Destination QUEUE = new Destination.Number(RECEIVER);
 
     private final CountingContainers containers = new CountingContainers();
@@ -66,7 +70,13 @@ class LargestSizeTest {
     };
 
     private final ShortMessageCenter center = new ShortMessageCenter(
-            Instant.EPOCH, timers, (ticket, entries) -> tickets.add(ticket), port, (message, state) -> {}, containers);
+            Instant.EPOCH,
+            timers,
+            (ticket, entries) -> tickets.add(ticket),
+            port,
+            (message, state) -> {},
+            containers,
+            new HeldOctets((long) RECEIVERS * (HeldOctets.ENVELOPE + SUBMIT.length())));
 
     /** Submits and stores; returns the message's id. */
     private long submit(Msisdn to, Optional<ValidityPeriod> validity) {
@@ -90,10 +100,9 @@ class LargestSizeTest {
 
     /** Messages that wait from the start, with ids from 1 on. */
     private void fill(int count, IntFunction<Msisdn> receiver) {
-        OctetString submit = TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(RECEIVER), UserData.of("x")));
         Instant aWeekLater = Instant.EPOCH.plus(Duration.ofDays(7));
         List<ShortMessage> messages = IntStream.rangeClosed(1, count)
-                .mapToObj(id -> new ShortMessage(id, SENDER, receiver.apply(id), submit, Instant.EPOCH, aWeekLater))
+                .mapToObj(id -> new ShortMessage(id, SENDER, receiver.apply(id), SUBMIT, Instant.EPOCH, aWeekLater))
                 .toList();
         center.restore(new StoredState(count, messages, List.of(), List.of(), List.of()));
     }
@@ -224,7 +233,7 @@ class LargestSizeTest {
 
     @Test
     void halfAMillionReceiversBecomeAvailableAThousandAtATime() {
-        fill(ShortMessageCenter.MAX_WAITING, id -> new Msisdn(Integer.toString(5_600_000 + id)));
+        fill(RECEIVERS, id -> new Msisdn(Integer.toString(5_600_000 + id)));
         submit(RECEIVER);
         assertEquals(Optional.of(RpCause.CONGESTION), answer, "half a million wait");
         assertFew("history", () -> center.messages().history(250_000));
@@ -232,9 +241,9 @@ class LargestSizeTest {
         long most = 4L * ReceiverQueues.SCANNED_AT_ONCE;
         assertTrue(containers.stepsOf(() -> center.available(each -> true)) <= most);
         assertTrue(containers.stepsOf(() -> center.available(each -> false)) <= FEW, "one scan at a time");
-        for (int i = 0; i < ShortMessageCenter.MAX_WAITING / ReceiverQueues.SCANNED_AT_ONCE; i++) {
+        for (int i = 0; i < RECEIVERS / ReceiverQueues.SCANNED_AT_ONCE; i++) {
             assertTrue(containers.stepsOf(() -> timers.advance(timers.nowNanos() + 1_000_000)) <= most);
         }
-        assertEquals(ShortMessageCenter.MAX_WAITING, asked.size(), "all were asked for");
+        assertEquals(RECEIVERS, asked.size(), "all were asked for");
     }
 }
