@@ -54,6 +54,7 @@ public final class BatchRun {
         BehaviourKind behaviour =
                 RequestedBehaviours.of(arguments, simulation.behaviours()).chosen(arguments);
         simulation.setNoise(noise);
+        simulation.setTrails(false);
         simulation.addRobots(names);
         // without a thread that performs acts, records are written when they are full
         Optional<SessionRecorder> recorder = file.isPresent()

@@ -5,12 +5,17 @@ final class Arc {
     /** At the robot's top speed in a step, a chord over this angle deviates from its arc by at most 0.05 mm. */
     private static final double CHORD_RADIANS = 0.015;
 
-    private Arc() {}
+    private double radians;
+    private double share = 1;
 
-    /** The chord's length divided by the arc's; 1 for a straight line. */
-    static double chordShare(double radians) {
-        double half = radians / 2;
-        return Math.abs(half) < 1e-6 ? 1 : StrictMath.sin(half) / half;
+    /** The chord's length divided by the arc's; 1 for a straight line. Computed again only when the angle changes. */
+    double chordShare(double turnRadians) {
+        if (turnRadians != radians) {
+            radians = turnRadians;
+            double half = turnRadians / 2;
+            share = Math.abs(half) < 1e-6 ? 1 : StrictMath.sin(half) / half;
+        }
+        return share;
     }
 
     /** The number of chords that replace an arc. */

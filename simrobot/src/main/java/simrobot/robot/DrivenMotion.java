@@ -16,6 +16,7 @@ final class DrivenMotion {
     private final Floor floor;
     private final Drive drive = new Drive();
     private final Rotation direction = new Rotation();
+    private final Arc arc = new Arc();
     private boolean begunInCollision;
 
     DrivenMotion(SimulatedRobot robot, Floor floor) {
@@ -81,7 +82,7 @@ final class DrivenMotion {
         double wheelDistance = meters / chords;
         double turn = wheelTurn * robot.noise().turnFactor();
         double distance = wheelDistance * robot.noise().distanceFactor();
-        double chord = distance * Arc.chordShare(turn);
+        double chord = distance * arc.chordShare(turn);
         for (int i = 0; i < chords; i++) {
             direction.to(robot.headingRadians() + turn / 2);
             double wheelX = chord * direction.cos();

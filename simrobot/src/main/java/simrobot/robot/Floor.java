@@ -50,6 +50,16 @@ public interface Floor {
     /** The places of the robots other than this one. */
     List<Position> others(SimulatedRobot robot);
 
+    /**
+     * To be called at the end of a robot's step.
+     *
+     * @param dx with dy how far the robot has moved in it, metres
+     */
+    void stepped(double dx, double dy);
+
+    /** To be called when a robot was put elsewhere, and not by a step; else as {@link #moved}. */
+    void placed(SimulatedRobot robot);
+
     /** To be called when the robot's place has changed. */
     void moved(SimulatedRobot robot);
 }

@@ -9,6 +9,7 @@ public final class Odometry {
     private double y;
     private double heading;
     private final Rotation direction = new Rotation();
+    private final Arc arc = new Arc();
     private double left;
     private double right;
 
@@ -16,7 +17,7 @@ public final class Odometry {
 
     /** Adds an arc: a distance ahead, and the turn made meanwhile. */
     void roll(double meters, double radians) {
-        double chord = meters * Arc.chordShare(radians);
+        double chord = meters * arc.chordShare(radians);
         direction.to(heading + radians / 2);
         x += chord * direction.cos();
         y += chord * direction.sin();

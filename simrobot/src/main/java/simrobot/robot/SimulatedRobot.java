@@ -191,6 +191,8 @@ public final class SimulatedRobot implements Pioneer {
         if (isPowered()) {
             battery.drain(seconds, speed, turnSpeed);
         }
+        double startX = x;
+        double startY = y;
         double beltX = floor.beltVelocityX(x, y) * seconds;
         double beltY = floor.beltVelocityY(x, y) * seconds;
         if (ordered.isUnderWay()) {
@@ -198,6 +200,7 @@ public final class SimulatedRobot implements Pioneer {
         } else {
             driven.step(seconds, beltX, beltY);
         }
+        floor.stepped(x - startX, y - startY);
     }
 
     /** Moves the robot with a belt until an obstacle stops it; that is no collision of the robot. */
@@ -300,7 +303,7 @@ public final class SimulatedRobot implements Pioneer {
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
-        floor.moved(this);
+        floor.placed(this);
         trail.lift();
         if (status() == RobotStatus.COLLISION && !isPathBlocked()) {
             machine.apply(StatusEvent.MOTION_STARTED);
@@ -323,7 +326,7 @@ public final class SimulatedRobot implements Pioneer {
         machine = new StatusMachine(state.status());
         autonomy.show(state.behaviour());
         odometry.restore(state.odometryXMeters(), state.odometryYMeters(), state.odometryHeadingRadians());
-        floor.moved(this);
+        floor.placed(this);
         return this;
     }
 

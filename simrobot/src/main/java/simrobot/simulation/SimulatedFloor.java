@@ -11,6 +11,7 @@ import simrobot.world.Contact;
 import simrobot.world.DiscGrid;
 import simrobot.world.Distances;
 import simrobot.world.MovingDisc;
+import simrobot.world.NearbyObstacles;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.Treadmill;
@@ -28,6 +29,12 @@ final class SimulatedFloor implements Floor {
     /** Sonars' mouths are at most this far from the centre of rotation. */
     private static final double MOUTH_REACH = 0.26;
 
+    /** Walls and robots farther away are not looked for. */
+    private static final double LOOK_METERS = 2.5;
+
+    /** How far a robot moves before the list of obstacles around it is made anew. */
+    private static final double LIST_SPARE_METERS = 1;
+
     private final DiscGrid places = new DiscGrid();
 
     /** By their numbers; null where none is. */
@@ -43,6 +50,18 @@ final class SimulatedFloor implements Floor {
 
     private int neighbourCount;
     private SimulatedRobot seer;
+
+    /** By the robots' numbers. */
+    private FreeSpace[] spaces = {};
+
+    private long steps;
+
+    /** Begins anew when a robot was put elsewhere, or has moved farther in a step than any before. */
+    private long epoch;
+
+    /** What a robot moves in a step at most, with a reserve for accelerations; from the top speed of orders on. */
+    private double mostPerStep = 0.006;
+
     private double reach;
 
     SimulatedFloor(World world) {
@@ -55,6 +74,9 @@ final class SimulatedFloor implements Floor {
         obstacles = grid;
         treadmills = world.treadmills();
         ground = world.ground();
+        for (FreeSpace space : spaces) {
+            space.forgetWalls();
+        }
     }
 
     @Override
@@ -81,6 +103,11 @@ final class SimulatedFloor implements Floor {
         int number = robot.number();
         if (number >= robots.length) {
             robots = Arrays.copyOf(robots, Math.max(2 * robots.length, number + 1));
+            int known = spaces.length;
+            spaces = Arrays.copyOf(spaces, robots.length);
+            for (int i = known; i < spaces.length; i++) {
+                spaces[i] = new FreeSpace();
+            }
         }
         robots[number] = robot;
         places.put(number, robot.xMeters(), robot.yMeters());
@@ -88,11 +115,63 @@ final class SimulatedFloor implements Floor {
     }
 
     @Override
+    public void placed(SimulatedRobot robot) {
+        moved(robot);
+        epoch++;
+    }
+
+    /** A step of time begins. */
+    void beginStep() {
+        steps++;
+    }
+
+    @Override
+    public void stepped(double dx, double dy) {
+        double square = dx * dx + dy * dy;
+        if (square > mostPerStep * mostPerStep) {
+            mostPerStep = 1.25 * Math.sqrt(square);
+            epoch++;
+        }
+    }
+
+    @Override
     public Encounter sweep(SimulatedRobot robot, double dx, double dy) {
         double x = robot.xMeters();
         double y = robot.yMeters();
-        Contact wall = obstacles.sweep(x, y, dx, dy, RADIUS);
+        FreeSpace space = spaces[robot.number()];
+        Contact wall = isClearOfWalls(space, x, y, dx, dy) ? Contact.NONE : obstacles.sweep(x, y, dx, dy, RADIUS);
         Encounter first = wall.touches() ? new Encounter(wall, null) : Encounter.NONE;
+        return isClearOfRobots(space, robot, dx, dy) ? first : sweepRobots(first, robot, dx, dy);
+    }
+
+    private boolean isClearOfWalls(FreeSpace space, double x, double y, double dx, double dy) {
+        if (space.isClearOfWalls(x, y, dx, dy)) {
+            return true;
+        }
+        if (!space.mayLookForWalls(steps)) {
+            return false;
+        }
+        space.setWalls(x, y, obstacles.clearance(x, y, LOOK_METERS), steps);
+        return space.isClearOfWalls(x, y, dx, dy);
+    }
+
+    private boolean isClearOfRobots(FreeSpace space, SimulatedRobot robot, double dx, double dy) {
+        double x = robot.xMeters();
+        double y = robot.yMeters();
+        if (space.isClearOfRobots(x, y, dx, dy, steps, epoch, mostPerStep)) {
+            return true;
+        }
+        if (!space.mayLookForRobots(steps)) {
+            return false;
+        }
+        space.setRobots(x, y, places.clearance(robot.number(), x, y, LOOK_METERS), steps, epoch);
+        return space.isClearOfRobots(x, y, dx, dy, steps, epoch, mostPerStep);
+    }
+
+    private Encounter sweepRobots(Encounter before, SimulatedRobot robot, double dx, double dy) {
+        double x = robot.xMeters();
+        double y = robot.yMeters();
+        Encounter first = before;
         double reach = 2 * RADIUS + 2 * MovingDisc.SKIN_METERS;
         int others = places.near(
                 Math.min(x, x + dx) - reach,
@@ -162,7 +241,7 @@ final class SimulatedFloor implements Floor {
 
     @Override
     public double coneRange(SimulatedRobot robot, Cone cone, double range) {
-        double nearest = obstacles.coneRange(cone, range);
+        double nearest = around(robot, range).coneRange(cone, range);
         lookUpNeighbours(robot, range);
         for (int i = 0; i < neighbourCount; i++) {
             SimulatedRobot other = neighbours[i];
@@ -171,6 +250,18 @@ final class SimulatedFloor implements Floor {
             }
         }
         return nearest;
+    }
+
+    /** The obstacles in reach of the robot's sonars, looked up anew after each metre. */
+    private NearbyObstacles around(SimulatedRobot robot, double range) {
+        FreeSpace space = spaces[robot.number()];
+        NearbyObstacles nearby = space.obstacles();
+        double reach = range + MOUTH_REACH;
+        if (nearby == null || !nearby.covers(obstacles, robot.xMeters(), robot.yMeters(), reach)) {
+            nearby = obstacles.near(robot.xMeters(), robot.yMeters(), reach + LIST_SPARE_METERS);
+            space.setObstacles(nearby);
+        }
+        return nearby;
     }
 
     /** @param range of a sensor; the robots found may be farther away */

@@ -49,6 +49,7 @@ public final class Simulation {
     private double noise;
     private World world;
     private SimulatedRobot watched;
+    private boolean trails = true;
     private long timeNanos;
     private int nextNumber;
 
@@ -88,6 +89,11 @@ public final class Simulation {
     /** Sets the errors of wheels and sonars of robots added from now on: 0 none, 1 MobileSim's, at most 10. */
     public void setNoise(double scale) {
         noise = scale;
+    }
+
+    /** Sets whether robots leave trails; needless where none is ever drawn. */
+    public void setTrails(boolean wanted) {
+        trails = wanted;
     }
 
     // ---- robots --------------------------------------------------------------------------------------------------
@@ -150,7 +156,7 @@ public final class Simulation {
         robot.setNoise(new Noise(noise, seed * 31 + name.hashCode()));
         robot.autonomy().setChoice(behaviours);
         byName.put(name, robot);
-        floor.moved(robot);
+        floor.placed(robot);
         return robot;
     }
 
@@ -230,10 +236,13 @@ public final class Simulation {
     /** Advances time by 10 ms. */
     public void step() {
         timeNanos += STEP_NANOS;
+        floor.beginStep();
         for (SimulatedRobot robot : robots) {
             robot.step(STEP_NANOS);
         }
-        layTrails();
+        if (trails) {
+            layTrails();
+        }
         stepListeners.forEach(listener -> listener.accept(timeNanos));
     }
 

@@ -53,6 +53,13 @@ public final class Cone {
         this.rightY = rightY;
     }
 
+    /** The distance of the apex from a place. */
+    double apexDistance(double px, double py) {
+        double fx = px - x;
+        double fy = py - y;
+        return Math.sqrt(fx * fx + fy * fy);
+    }
+
     /** Quick test: false if the disc is certainly outside or farther than {@code within}. */
     public boolean mayHold(double px, double py, double radius, double within) {
         double fx = px - x;
@@ -110,22 +117,5 @@ public final class Cone {
             return 1;
         }
         return from >= 0 ? from / (from - to) : -1;
-    }
-
-    /** The least x of the cone cut off at this reach; the next three likewise. */
-    public double minX(double reach) {
-        return x + reach * (leftY <= 0 && rightY >= 0 ? -1 : Math.min(0, Math.min(leftX, rightX)));
-    }
-
-    public double maxX(double reach) {
-        return x + reach * (leftY >= 0 && rightY <= 0 ? 1 : Math.max(0, Math.max(leftX, rightX)));
-    }
-
-    public double minY(double reach) {
-        return y + reach * (leftX >= 0 && rightX <= 0 ? -1 : Math.min(0, Math.min(leftY, rightY)));
-    }
-
-    public double maxY(double reach) {
-        return y + reach * (leftX <= 0 && rightX >= 0 ? 1 : Math.max(0, Math.max(leftY, rightY)));
     }
 }

@@ -152,6 +152,19 @@ public final class DiscGrid {
         return size;
     }
 
+    /** The distance from a place to the nearest centre of a disc other than {@code except}, at most {@code within}. */
+    public double clearance(int except, double x, double y, double within) {
+        double square = within * within;
+        for (int i = near(x - within, y - within, x + within, y + within) - 1; i >= 0; i--) {
+            double dx = xs[found[i]] - x;
+            double dy = ys[found[i]] - y;
+            if (found[i] != except) {
+                square = Math.min(square, dx * dx + dy * dy);
+            }
+        }
+        return Math.sqrt(square);
+    }
+
     /** A disc that was found. @param i from 0 */
     public int found(int i) {
         return found[i];

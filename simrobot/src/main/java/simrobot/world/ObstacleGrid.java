@@ -1,5 +1,6 @@
 package simrobot.world;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -228,21 +229,51 @@ public final class ObstacleGrid {
         return true;
     }
 
-    /** The distance to the nearest obstacle inside a cone, at most {@code maxMeters}. */
-    public double coneRange(Cone cone, double maxMeters) {
-        double nearest = maxMeters;
-        int left = column(cone.minX(maxMeters));
-        int right = column(cone.maxX(maxMeters));
-        int top = row(cone.maxY(maxMeters));
-        for (int r = row(cone.minY(maxMeters)); r <= top; r++) {
+    /** The obstacles whose distance from a place is at most {@code reach}; metres. */
+    public NearbyObstacles near(double x, double y, double reach) {
+        int left = column(x - reach);
+        int right = column(x + reach);
+        int low = row(y - reach);
+        int top = row(y + reach);
+        int most = 0;
+        for (int r = low; r <= top; r++) {
+            most += first[r * columns + right + 1] - first[r * columns + left];
+        }
+        // distance above, item below: sorted by distance, and an item of several cells stands beside itself
+        long[] keys = new long[most];
+        int count = 0;
+        for (int r = low; r <= top; r++) {
             for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
-                nearest = Math.min(nearest, inCone(items[k], cone));
+                double distance = distance(items[k], x, y);
+                if (distance <= reach) {
+                    // the bits of floats from 0 on are in the order of their values
+                    keys[count++] = (long) Float.floatToIntBits(below(distance)) << 32 | items[k];
+                }
             }
         }
-        return nearest;
+        Arrays.sort(keys, 0, count);
+        return nearby(x, y, reach, keys, count);
     }
 
-    private double inCone(int i, Cone cone) {
+    private static float below(double distance) {
+        return Math.max(0, Math.nextDown((float) distance));
+    }
+
+    private NearbyObstacles nearby(double x, double y, double reach, long[] keys, int count) {
+        int[] nearItems = new int[count];
+        float[] distances = new float[count];
+        int size = 0;
+        for (int i = 0; i < count; i++) {
+            if (i == 0 || keys[i] != keys[i - 1]) {
+                nearItems[size] = (int) keys[i];
+                distances[size++] = Float.intBitsToFloat((int) (keys[i] >>> 32));
+            }
+        }
+        return new NearbyObstacles(this, x, y, reach, Arrays.copyOf(nearItems, size), Arrays.copyOf(distances, size));
+    }
+
+    /** The distance to an item's part inside the cone; infinite when no part is. */
+    double inCone(int i, Cone cone) {
         if (i < segmentCount) {
             return cone.distanceToSegment(
                     segments[4 * i], segments[4 * i + 1], segments[4 * i + 2], segments[4 * i + 3]);

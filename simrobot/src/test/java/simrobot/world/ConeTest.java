@@ -64,31 +64,6 @@ class ConeTest {
         assertEquals(0, quarter.distanceToSegment(-3, 3, 3, -3), 1e-12);
     }
 
-    /** The box is the smallest one: compared with a fine polygon of the cone cut off at its reach. */
-    @Test
-    void theBoxHoldsTheConeAndNothingMore() {
-        for (int degrees = 0; degrees < 360; degrees += 5) {
-            for (int opening : new int[] {10, 30, 90, 170}) {
-                Cone turned = new Cone(1, -2, Math.toRadians(degrees), Math.toRadians(opening));
-                double[] box = {1, -2, 1, -2};
-                for (int i = 0; i <= 2 * opening; i++) {
-                    double angle = Math.toRadians(degrees - opening / 2.0 + i / 2.0);
-                    double x = 1 + 3 * Math.cos(angle);
-                    double y = -2 + 3 * Math.sin(angle);
-                    box[0] = Math.min(box[0], x);
-                    box[1] = Math.min(box[1], y);
-                    box[2] = Math.max(box[2], x);
-                    box[3] = Math.max(box[3], y);
-                }
-                String name = degrees + " " + opening;
-                assertEquals(box[0], turned.minX(3), 1e-12, name);
-                assertEquals(box[1], turned.minY(3), 1e-12, name);
-                assertEquals(box[2], turned.maxX(3), 1e-12, name);
-                assertEquals(box[3], turned.maxY(3), 1e-12, name);
-            }
-        }
-    }
-
     @Test
     void aDiscMayBeInsideUnlessItIsBeyondARayOrTheReach() {
         double edge = Math.toRadians(10);

@@ -57,11 +57,13 @@ class ObstacleGridTest {
     @Test
     void conesHearWhatALoopOverAllHears() {
         for (int i = 0; i < 2000; i++) {
-            Cone cone = new Cone(
-                    random.nextDouble() * 50 - 25,
-                    random.nextDouble() * 40 - 15,
-                    random.nextDouble() * 20 - 10,
-                    Math.toRadians(15));
+            double x = random.nextDouble() * 50 - 25;
+            double y = random.nextDouble() * 40 - 15;
+            NearbyObstacles nearby = grid.near(x, y, 6);
+            x += random.nextDouble() - 0.5;
+            y += random.nextDouble() - 0.5;
+            Cone cone = new Cone(x, y, random.nextDouble() * 20 - 10, Math.toRadians(15));
+            assertTrue(nearby.covers(grid, x, y, 5));
             double expected = 5;
             for (Segment s : walls) {
                 expected = Math.min(
@@ -70,7 +72,7 @@ class ObstacleGridTest {
             for (Position p : points) {
                 expected = Math.min(expected, cone.distanceToPoint(p.xMeters(), p.yMeters()));
             }
-            assertEquals(expected, grid.coneRange(cone, 5), 1e-12);
+            assertEquals(expected, nearby.coneRange(cone, 5), 1e-12);
         }
     }
 
@@ -213,7 +215,7 @@ class ObstacleGridTest {
     void aBareFloorHasNothingToMeet() {
         ObstacleGrid bare = new ObstacleGrid(World.bare());
         assertEquals(5, bare.rayRange(0, 0, 1, 0, 5));
-        assertEquals(5, bare.coneRange(new Cone(0, 0, 1, 0.2), 5));
+        assertEquals(5, bare.near(0, 0, 6).coneRange(new Cone(0, 0, 1, 0.2), 5));
         assertEquals(1, bare.clearance(3, 3, 1));
         assertFalse(bare.sweep(0, 0, 100, 0, 0.25).touches());
     }
