@@ -17,6 +17,13 @@ for sounds in core-sounds-en-wav core-sounds-es-wav core-sounds-fr-wav prompt-es
 done
 have socat || packages+=(socat)
 have bearerbox || packages+=(kannel)
+have gammu || packages+=(gammu)
+have smsd || packages+=(smstools)
+have ModemManager || packages+=(modemmanager)
+have wvdial || packages+=(wvdial)
+have socat || packages+=(socat)
+[ -x /usr/lib/polkit-1/polkitd ] || packages+=(polkitd)
+have dbus-daemon || packages+=(dbus-daemon)
 have Xvfb || packages+=(xvfb)
 have openbox || packages+=(openbox)
 have xdotool || packages+=(xdotool)
@@ -35,4 +42,5 @@ fi
 mkdir -p target/peers
 [ -d target/peers/python/prometheus_client ] || python3 -m pip install -q --target target/peers/python prometheus-client
 [ -d target/peers/python/smpplib ] || python3 -m pip install -q --target target/peers/python smpplib
+[ -d target/peers/python/gsmmodem ] || python3 -m pip install -q --target target/peers/python python-gsmmodem-new
 [ -d target/peers/node_modules/smpp ] || npm install --silent --no-fund --no-audit --prefix target/peers smpp

@@ -22,10 +22,8 @@ final class SimCommands {
         table.add("+CNUM", "", "own number")
                 .execute((client, request) -> request.answer(
                         "\"\"",
-                        AtRequest.quoted(client.settings()
-                                .characterSet
-                                .encode("+"
-                                        + client.modem().terminal().identity().number())),
+                        AtRequest.quoted(
+                                "+" + client.modem().terminal().identity().number()),
                         145));
         table.add("+CCID", "", "number of the SIM")
                 .execute((client, request) ->

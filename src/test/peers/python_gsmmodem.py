@@ -1,0 +1,79 @@
+"""Two phones behind python-gsmmodem-new: an order by SMS, USSD, calls in both directions, keys in both directions.
+
+Usage: python_gsmmodem.py DEVICE DEVICE ROBOT
+"""
+import sys
+import threading
+import time
+
+from gsmmodem.modem import GsmModem
+
+PATIENCE_SECONDS = 30
+first_device, second_device, robot = sys.argv[1:]
+received = []
+answered = threading.Event()
+
+
+def wait(condition, what):
+    end = time.time() + PATIENCE_SECONDS
+    while not condition():
+        if time.time() > end:
+            sys.exit("not seen: " + what)
+        time.sleep(0.1)
+
+
+def heard(modem, keys):
+    """Collects the far end's keys until these have come."""
+    found = ""
+    end = time.time() + PATIENCE_SECONDS
+    while not found.endswith(keys):
+        if time.time() > end:
+            sys.exit("heard %r, expected %r" % (found, keys))
+        key = modem.GetIncomingDTMF()
+        found += key or ""
+        if key is None:
+            time.sleep(0.1)
+
+
+def rings(call):
+    if call.ringCount == 2:
+        call.answer()
+        incoming.append(call)
+        answered.set()
+
+
+incoming = []
+first = GsmModem(first_device, 115200, incomingCallCallbackFunc=rings, smsReceivedCallbackFunc=received.append)
+first.smsTextMode = False
+first.connect()
+first.waitForNetworkCoverage(PATIENCE_SECONDS)
+print("network", first.networkName, "signal", first.signalStrength, "own number", first.ownNumber)
+
+sent = first.sendSms(robot, "** #**20 **", waitForDeliveryReport=True, deliveryTimeout=PATIENCE_SECONDS)
+print("delivered", sent.status == sent.DELIVERED)
+wait(lambda: received, "the robot's reply")
+print("reply", received[0].number, received[0].text)
+print("ussd", first.sendUssd("*100#").message)
+
+call = first.dial(robot)
+wait(lambda: call.answered, "the robot's answer")
+heard(first, "1")
+call.sendDtmfTone("**#**20**")
+heard(first, "63")
+call.hangup()
+print("call to the robot: keys 1, 6 and 3 heard")
+
+second = GsmModem(second_device, 115200)
+second.connect()
+back = second.dial(first.ownNumber)
+wait(answered.is_set, "the call")
+wait(lambda: back.answered, "the answer")
+back.sendDtmfTone("42#")
+heard(first, "42#")
+incoming[0].sendDtmfTone("7")
+heard(second, "7")
+back.hangup()
+wait(lambda: not incoming[0].active, "the end of the call")
+print("call from", incoming[0].number, "answered, keys heard in both directions")
+first.close()
+second.close()
