@@ -66,8 +66,8 @@ public final class MonitorPanel extends JPanel {
         calls = Tables.calls(texts);
         messages = new MessagesPanel(texts);
         broadcasts = new BroadcastPanel(texts, operator, background);
-        newPhone = starter("new.phone", Symbol.PHONE, operator::newPhone);
-        newRobot = starter("new.robot", Symbol.ROBOT, operator::newRobot);
+        newPhone = starter("new.phone", "window.new.phone", Symbol.PHONE, operator::newPhone);
+        newRobot = starter("new.robot", "window.new.robot", Symbol.ROBOT, operator::newRobot);
         addTabs();
         arrangeLists();
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(lists), new Card(ladder));
@@ -88,11 +88,12 @@ public final class MonitorPanel extends JPanel {
         lists.setOpaque(false);
     }
 
-    private JButton starter(String id, Symbol symbol, Background.Action action) {
-        UserAction starting = new UserAction(id, texts.of("window." + id), () -> start(action))
-                .described(texts.of("window." + id + ".why"))
+    /** @param key of the text; with {@code .why} of its tool tip */
+    private JButton starter(String id, String key, Symbol symbol, Background.Action action) {
+        UserAction starting = new UserAction(id, texts.of(key), () -> start(action))
+                .described(texts.of(key + ".why"))
                 .with(symbol.icon());
-        return ComponentNames.name(new JButton(starting), id, texts.of("window." + id + ".why"));
+        return ComponentNames.name(new JButton(starting), id, texts.of(key + ".why"));
     }
 
     private void arrangeLists() {
