@@ -43,4 +43,11 @@ mkdir -p target/peers
 [ -d target/peers/python/prometheus_client ] || python3 -m pip install -q --target target/peers/python prometheus-client
 [ -d target/peers/python/smpplib ] || python3 -m pip install -q --target target/peers/python smpplib
 [ -d target/peers/python/gsmmodem ] || python3 -m pip install -q --target target/peers/python python-gsmmodem-new
+if [ ! -d target/peers/gsmmodem-tests ]; then
+    source=$(mktemp -d)
+    python3 -m pip download -q --no-deps --no-binary :all: -d "$source" python-gsmmodem-new==0.13.0
+    tar -xzf "$source"/*.tar.gz -C "$source"
+    cp -r "$source"/python-gsmmodem-new-*/test target/peers/gsmmodem-tests
+    rm -r "$source"
+fi
 [ -d target/peers/node_modules/smpp ] || npm install --silent --no-fund --no-audit --prefix target/peers smpp

@@ -159,7 +159,7 @@ final class CommandDialogue {
             end(ModemAnswer.Ending.REFUSED, line);
         } else if (belongs(command, line)) {
             lines.add(line);
-        } else {
+        } else if (isCode(line) || !command.isNamedIn(line)) {
             stray(line);
         }
     }

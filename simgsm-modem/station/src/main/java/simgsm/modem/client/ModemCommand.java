@@ -63,6 +63,12 @@ record ModemCommand(String text, Optional<String> payload, String prefix, Shape 
         return new ModemCommand(text, Optional.of(payload), prefix, Shape.PREFIXED, 60_000);
     }
 
+    /** Whether a line repeats the command's name, as some modems do that are asked for nothing. */
+    boolean isNamedIn(String line) {
+        String name = text.replaceFirst("^AT", "").replaceFirst("[^+A-Z0-9].*$", "");
+        return name.startsWith("+") && line.startsWith(name + ":");
+    }
+
     ModemCommand within(long millis) {
         return new ModemCommand(text, payload, prefix, shape, TimeUnit.MILLISECONDS.toNanos(millis));
     }

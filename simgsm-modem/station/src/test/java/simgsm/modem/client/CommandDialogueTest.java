@@ -77,6 +77,13 @@ class CommandDialogueTest implements CommandDialogue.Listener {
     }
 
     @Test
+    void aModemMayNameTheCommandInItsAnswer() {
+        ask(ModemCommand.of("AT+CVHU=0"));
+        received("+CVHU: (0-1)\r\n+CVH: 5\r\nOK\r\n");
+        assertEquals(List.of("unreadable +CVH: 5", "AT+CVHU=0 -> OK OK"), heard);
+    }
+
+    @Test
     void aBodyIsNoCodeAndNoAnswer() {
         ask(ModemCommand.of("AT"));
         received("+CDS: 5\r\nRING\r\nOK\r\n");
