@@ -54,10 +54,15 @@ public class Scenario implements AutoCloseable {
     }
 
     RunningProgram headless(String name, String program, List<String> first, String... more) {
+        return headless(name, Map.of(), program, first, more);
+    }
+
+    private RunningProgram headless(
+            String name, Map<String, String> environment, String program, List<String> first, String... more) {
         List<String> arguments = new ArrayList<>(List.of("--headless", "--lang", "en", "--no-sound"));
         arguments.addAll(first);
         arguments.addAll(List.of(more));
-        return start(name, program, arguments.toArray(String[]::new));
+        return start(name, environment, program, arguments.toArray(String[]::new));
     }
 
     /** Starts the centre on a free port and waits until it is ready. */
@@ -70,10 +75,19 @@ public class Scenario implements AutoCloseable {
         return centerOn(center.substring(center.lastIndexOf(':') + 1), options);
     }
 
+    /** Starts the centre on a free port, with something more in its environment. */
+    RunningProgram centerIn(Map<String, String> environment, String... options) {
+        return centerOn("0", environment, options);
+    }
+
     private RunningProgram centerOn(String port, String... options) {
+        return centerOn(port, Map.of(), options);
+    }
+
+    private RunningProgram centerOn(String port, Map<String, String> environment, String... options) {
         Path data = folder.resolve("data");
-        RunningProgram program =
-                headless("centre", "simgsm-center", List.of("--port", port, "--data", data.toString()), options);
+        RunningProgram program = headless(
+                "centre", environment, "simgsm-center", List.of("--port", port, "--data", data.toString()), options);
         ready = program.expect("ready");
         center = "127.0.0.1:" + ready.field("port");
         return program;

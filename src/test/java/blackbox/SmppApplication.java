@@ -75,6 +75,18 @@ final class SmppApplication implements AutoCloseable {
         return cString(response.body, 0);
     }
 
+    /** Sends a text of plain letters and digits as message_payload; returns the status that answers it. */
+    int submitPayload(String to, String text) throws IOException {
+        ByteArrayOutputStream body = new ByteArrayOutputStream();
+        text(body, "");
+        address(body, number);
+        address(body, to);
+        body.writeBytes(new byte[] {0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+        body.writeBytes(new byte[] {0x04, 0x24, (byte) (text.length() >> 8), (byte) text.length()});
+        body.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
+        return request(SUBMIT_SM, body.toByteArray()).status;
+    }
+
     private static void address(ByteArrayOutputStream body, String digits) {
         body.write(1);
         body.write(1);

@@ -192,6 +192,7 @@ public final class Center implements AutoCloseable {
         details.ifPresent(each -> exchange.shortMessages().addListener(each::accept));
         smpp.serve(exchange.shortMessages(), exchange.timers());
         exchange.restore(journal.stored());
+        FatalError.endOnMachineErrors(NAME);
         store.start(cause -> FatalError.end(NAME, cause));
         loop.start(exchange, cause -> FatalError.end(NAME, cause));
         web.ifPresent(port -> {

@@ -1,5 +1,8 @@
 package simgsm.console;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
 /** Ends a program in which a necessary thread has failed, so that it neither seems to work nor hangs. */
@@ -7,7 +10,32 @@ public final class FatalError {
     /** Time-out for the shutdown hooks, such as detaching from the network. */
     private static final long SHUTDOWN_SECONDS = 5;
 
+    /** Made beforehand: without memory nothing can be made any more. */
+    private static final byte[] OUT_OF_MEMORY =
+            ("ended: out of memory (java.lang.OutOfMemoryError); -Xmx gives the Java" + " heap more"
+                            + System.lineSeparator())
+                    .getBytes(StandardCharsets.US_ASCII);
+
+    private static final FileOutputStream STANDARD_ERROR = new FileOutputStream(FileDescriptor.err);
+
     private FatalError() {}
+
+    /**
+     * Ends the program where a thread dies of an error of the Java machine, such as {@link OutOfMemoryError}; other
+     * exceptions of threads are printed as without this call.
+     *
+     * @param program as in its messages
+     */
+    public static void endOnMachineErrors(String program) {
+        Thread.setDefaultUncaughtExceptionHandler((thread, cause) -> {
+            if (cause instanceof VirtualMachineError) {
+                end(program, cause);
+            } else {
+                System.err.print("Exception in thread \"" + thread.getName() + "\" ");
+                cause.printStackTrace();
+            }
+        });
+    }
 
     /**
      * Prints the cause on standard error and ends the process with {@link ExitStatus#FAILED}. Returns at once, because the
@@ -17,7 +45,11 @@ public final class FatalError {
      */
     public static void end(String program, Throwable cause) {
         try {
-            System.err.println(sentence(program, cause));
+            if (cause instanceof OutOfMemoryError) {
+                STANDARD_ERROR.write(OUT_OF_MEMORY);
+            } else {
+                System.err.println(sentence(program, cause));
+            }
             Thread halt = new Thread(FatalError::haltSoon, "halt");
             halt.setDaemon(true);
             halt.start();

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -32,13 +34,18 @@ class FatalErrorTest {
     }
 
     private static Process doomed(String... arguments) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(
+        ProcessBuilder builder = command(Doomed.class);
+        builder.command().addAll(List.of(arguments));
+        return builder.start();
+    }
+
+    private static ProcessBuilder command(Class<?> program) throws Exception {
+        String classPath = place(FatalError.class) + System.getProperty("path.separator") + place(program);
+        return new ProcessBuilder(new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
-                place(FatalError.class) + System.getProperty("path.separator") + place(Doomed.class),
-                Doomed.class.getName());
-        builder.command().addAll(java.util.List.of(arguments));
-        return builder.start();
+                classPath,
+                program.getName())));
     }
 
     private static Path place(Class<?> of) throws Exception {
@@ -64,6 +71,37 @@ class FatalErrorTest {
             assertEquals(ExitStatus.FAILED, doomed.exitValue());
         } finally {
             doomed.destroyForcibly();
+        }
+    }
+
+    /** A program whose main thread lives on when another has run out of memory. */
+    public static final class Hoarder {
+        public static void main(String[] args) {
+            FatalError.endOnMachineErrors("hoarder");
+            new Thread(Hoarder::hoard).start();
+            Doomed.hang();
+        }
+
+        private static void hoard() {
+            List<byte[]> all = new ArrayList<>();
+            while (true) {
+                all.add(new byte[100_000]);
+            }
+        }
+    }
+
+    @Test
+    void aProgramOutOfMemorySaysSoAndEnds() throws Exception {
+        ProcessBuilder builder = command(Hoarder.class);
+        builder.command().add(1, "-Xmx16m");
+        Process hoarder = builder.start();
+        try {
+            String said = new String(hoarder.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertTrue(said.contains("ended: out of memory (java.lang.OutOfMemoryError)"), said);
+            assertTrue(hoarder.waitFor(50, TimeUnit.SECONDS));
+            assertEquals(ExitStatus.FAILED, hoarder.exitValue());
+        } finally {
+            hoarder.destroyForcibly();
         }
     }
 }
