@@ -283,6 +283,7 @@ class RobotsInTheWindowTest {
                 new RobotEvent.UssdAnswered("16", "refused"),
                 new RobotEvent.MessageReceived("16", "refused"),
                 new RobotEvent.TypeUnknown("16"),
+                new RobotEvent.ClientMessage("16"),
                 new RobotEvent.CallReleased(16),
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),
