@@ -72,4 +72,11 @@ class WiresharkPlaysSpeechTest {
             requirePlayable(capturedOrder(scenario));
         }
     }
+
+    @Test
+    void speechOverUdpIsTheSameOnTheWire() throws Exception {
+        try (Scenario scenario = new Scenario("speech over UDP, played by Wireshark")) {
+            requirePlayable(capturedOrder(scenario, "--rtp", "udp"));
+        }
+    }
 }

@@ -88,6 +88,11 @@ public final class CenterMain {
                 .value("barred-imeis", "IMEI,...", "terminals that may not register (cause 6)")
                 .value("data", "DIR", "where messages and subscribers are kept; one process at a time")
                 .value(
+                        "rtp",
+                        "tcp|udp",
+                        "udp: the speech of calls goes as RTP over UDP beside the terminal's TCP link, so that Wireshark"
+                                + "\nplays it live; tcp (default): within the link")
+                .value(
                         "http",
                         "PORT",
                         "serve metrics for Prometheus and lists as JSON by HTTP, read-only, on this TCP port, 0 for any"

@@ -181,7 +181,8 @@ public final class Center implements AutoCloseable {
                         settings.home().register(),
                         settings.tones(),
                         settings.callWaiting(),
-                        settings.language()),
+                        settings.language(),
+                        settings.speaksUdp()),
                 store,
                 smpp.routes(),
                 event -> {

@@ -29,6 +29,7 @@ import simgsm.dtmf.ToneSet;
  * @param tones made by the network; empty when phones make them
  * @param limits of connections
  * @param callWaiting whether a second call is offered to a busy phone
+ * @param speaksUdp whether speech goes as RTP over UDP
  */
 public record CenterSettings(
         InetAddress address,
@@ -43,7 +44,8 @@ public record CenterSettings(
         Locale language,
         Optional<ToneSet> tones,
         PortLimits limits,
-        boolean callWaiting) {
+        boolean callWaiting,
+        boolean speaksUdp) {
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -62,7 +64,8 @@ public record CenterSettings(
                 arguments.language(),
                 arguments.value("tones", ToneSet::of),
                 limits(arguments),
-                arguments.choice("call-waiting", "off", "on").equals("on"));
+                arguments.choice("call-waiting", "off", "on").equals("on"),
+                arguments.choice("rtp", "tcp", "udp").equals("udp"));
     }
 
     private static PortLimits limits(Arguments arguments) throws UsageException {

@@ -52,8 +52,13 @@ final class SpeechConversation {
             begin();
         }
         latestNanos = nowNanos;
-        int from = isFromPeer ? peerPort() : centerPort;
-        int to = isFromPeer ? centerPort : peerPort();
+        datagram(isFromPeer, peerPort(), centerPort, rtp);
+    }
+
+    /** A datagram with these ports, as it was on the wire. */
+    void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp) {
+        int from = isFromPeer ? toPeer : toCenter;
+        int to = isFromPeer ? toCenter : toPeer;
         int length = UDP_HEADER_LENGTH + rtp.length;
         byte[] packet = new byte[ip.length() + length];
         ByteBuffer out = ByteBuffer.wrap(packet);

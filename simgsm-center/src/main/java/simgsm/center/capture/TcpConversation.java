@@ -77,6 +77,11 @@ final class TcpConversation implements WireTap {
         }
     }
 
+    @Override
+    public void datagram(boolean isFromPeer, int peerPort, int centerPort, byte[] rtp) {
+        speech.datagram(isFromPeer, peerPort, centerPort, rtp);
+    }
+
     /** One message of signalling. @param wire a whole IPA frame */
     void message(boolean isFromPeer, byte[] wire) {
         Side from = isFromPeer ? peer : center;

@@ -13,6 +13,9 @@ public interface WireTap {
         public void sent(byte[] wire) {}
 
         @Override
+        public void datagram(boolean isFromPeer, int peerPort, int centerPort, byte[] rtp) {}
+
+        @Override
         public void closed(boolean isByPeer) {}
     };
 
@@ -20,6 +23,9 @@ public interface WireTap {
 
     /** @param wire a frame that has been sent, as on the wire */
     void sent(byte[] wire);
+
+    /** A datagram of speech has been sent or received, with these ports. */
+    void datagram(boolean isFromPeer, int peerPort, int centerPort, byte[] rtp);
 
     /** Called once. */
     void closed(boolean isByPeer);

@@ -93,7 +93,8 @@ public final class Exchange {
                 ladder,
                 new LinkedHashSet<>(),
                 new LinkedHashSet<>(),
-                List.of(mobility, calls, mobiles, services));
+                List.of(mobility, calls, mobiles, services),
+                settings.speaksUdp());
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 
@@ -198,6 +199,7 @@ public final class Exchange {
         switch (frame.stream()) {
             case IpaFrame.SPEECH -> receiveSpeech(link, frame);
             case IpaFrame.RSL -> signalling.receive(link, RslCodec.decode(frame.payload()));
+            case IpaFrame.MGCP -> link.media().receive(frame.payload());
             case IpaFrame.CCM -> link.receive(CcmCodec.decode(frame.payload()));
             default -> link.violated("sent a frame of unknown stream " + frame.stream());
         }

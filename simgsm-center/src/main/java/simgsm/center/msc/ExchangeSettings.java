@@ -18,6 +18,7 @@ import simgsm.dtmf.ToneSet;
  * @param tones call progress tones that the network plays to callers; empty if the phones make them
  * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
  * @param language of the texts that USSD shows
+ * @param speaksUdp whether terminals are asked for speech as RTP over UDP
  */
 public record ExchangeSettings(
         String networkName,
@@ -26,7 +27,8 @@ public record ExchangeSettings(
         HomeRegister home,
         Optional<ToneSet> tones,
         boolean callWaiting,
-        Locale language) {
+        Locale language,
+        boolean speaksUdp) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
     /** An open network without tones, reproducible by its seed. */
@@ -37,6 +39,6 @@ public record ExchangeSettings(
     /** An exchange without call waiting, in English. */
     public ExchangeSettings(
             String networkName, RandomGenerator random, Instant startedAt, HomeRegister home, Optional<ToneSet> tones) {
-        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH);
+        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH, false);
     }
 }

@@ -44,7 +44,17 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
     @Override
     protected void frameArrived(IpaFrame frame) {
         tap.received(frame);
+        speechArrived(frame);
+    }
+
+    @Override
+    protected void speechArrived(IpaFrame frame) {
         center.changing().frameReceived(center.nowNanos(), link, frame);
+    }
+
+    @Override
+    protected void mediaPassed(boolean isFromPeer, int peerPort, int ownPort, byte[] rtp) {
+        tap.datagram(isFromPeer, peerPort, ownPort, rtp);
     }
 
     @Override

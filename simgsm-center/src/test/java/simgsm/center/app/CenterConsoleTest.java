@@ -53,6 +53,7 @@ class CenterConsoleTest {
                 Locale.ENGLISH,
                 Optional.empty(),
                 PortLimits.STANDARD,
+                false,
                 false);
         center = Center.open(settings, temporary, 0);
     }

@@ -120,7 +120,8 @@ class CallWaitingTest {
                     HomeRegister.OPEN,
                     Optional.empty(),
                     true,
-                    Locale.ENGLISH),
+                    Locale.ENGLISH,
+                    false),
             (ticket, entry) -> {},
             event -> {});
     private final Phone alice = new Phone(ALICE, true);

@@ -7,6 +7,8 @@ import java.util.Optional;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.MediaPort;
+import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
@@ -44,6 +46,7 @@ final class TestMobile implements LinkPort {
     final ArrayDeque<Object> received = new ArrayDeque<>();
 
     final List<byte[]> heard = new ArrayList<>();
+    final List<byte[]> mgcp = new ArrayList<>();
     Optional<MobileIdentity> temporaryIdentity = Optional.empty();
     /** RAND of the last challenge. */
     Optional<OctetString> challenge = Optional.empty();
@@ -52,6 +55,9 @@ final class TestMobile implements LinkPort {
     boolean answersPings = true;
     /** A message of this kind meets an error of the centre's own while it is sent. */
     Class<?> failsOn = Void.class;
+
+    /** The centre's socket for speech over UDP. */
+    private final MediaPort media;
 
     private int nextSequence;
 
@@ -63,6 +69,7 @@ final class TestMobile implements LinkPort {
         this.network = network;
         this.imsi = Imsi.ofOpenNumber(new Msisdn(number));
         this.imei = imei;
+        this.media = network.mediaOf(number);
         this.link = network.exchange.linkOpened(network.nowNanos, this, "peer of " + number, isLocal);
     }
 
@@ -72,6 +79,7 @@ final class TestMobile implements LinkPort {
             switch (frame.stream()) {
                 case IpaFrame.CCM -> received.add(CcmCodec.decode(frame.payload()));
                 case IpaFrame.SPEECH -> heard.add(frame.payload());
+                case IpaFrame.MGCP -> mgcp.add(frame.payload());
                 default -> receive(RslCodec.decode(frame.payload()));
             }
         } catch (ProtocolViolation violation) {
@@ -95,6 +103,26 @@ final class TestMobile implements LinkPort {
         } else {
             received.add(message);
         }
+    }
+
+    @Override
+    public Optional<MediaAddress> openMedia() {
+        return media.openMedia();
+    }
+
+    @Override
+    public boolean connectMedia(MediaAddress peer) {
+        return media.connectMedia(peer);
+    }
+
+    @Override
+    public boolean sendMedia(byte[] rtp) {
+        return media.sendMedia(rtp);
+    }
+
+    @Override
+    public void closeMedia() {
+        media.closeMedia();
     }
 
     @Override

@@ -5,9 +5,12 @@ import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import simgsm.abis.MediaPort;
 import simgsm.air.CallControl;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
@@ -25,6 +28,7 @@ final class TestNetwork {
 
     private static final long MAX_STEP_NANOS = Duration.ofSeconds(20).toNanos();
 
+    private final Map<String, MediaPort> media = new HashMap<>();
     private final List<TestMobile> mobiles = new ArrayList<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     final List<ExchangeEvent> events = new ArrayList<>();
@@ -59,8 +63,20 @@ final class TestNetwork {
     }
 
     TestNetwork(HomeRegister home, Optional<ToneSet> tones) {
-        exchange = new Exchange(
-                new ExchangeSettings("SimGSM", new SplittableRandom(1), START, home, tones), this::store, events::add);
+        this(new ExchangeSettings("SimGSM", new SplittableRandom(1), START, home, tones));
+    }
+
+    TestNetwork(ExchangeSettings settings) {
+        exchange = new Exchange(settings, this::store, events::add);
+    }
+
+    /** Gives the terminal that will connect with this number a socket for speech over UDP. */
+    void mediaOf(String number, MediaPort port) {
+        media.put(number, port);
+    }
+
+    MediaPort mediaOf(String number) {
+        return media.getOrDefault(number, new MediaPort() {});
     }
 
     /** The terminal that connected with this number. */

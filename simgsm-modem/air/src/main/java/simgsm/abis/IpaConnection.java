@@ -2,29 +2,45 @@ package simgsm.abis;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.air.ProtocolViolation;
 import simgsm.net.Connection;
+import simgsm.net.Datagrams;
 import simgsm.net.OutputQueue;
 import simgsm.timer.RateLimit;
 
 /**
  * A connection that carries IPA frames, at a station's end or at the centre's. While the peer keeps up, each frame leaves in
- * a write of its own; else signalling waits in order, and of the speech the last 200 ms.
+ * a write of its own; else signalling waits in order, and of the speech the last 200 ms. Speech may go as RTP over UDP beside it,
+ * to the host of the peer only.
  */
-public abstract class IpaConnection extends Connection {
+public abstract class IpaConnection extends Connection implements MediaPort {
     /** 200 ms of speech at 20 ms a frame. */
     private static final int MOST_SPEECH_FRAMES = 10;
     /** After a portion that was too fast; at 1 000 frames/s ten frames are due again then. */
     private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
+    /** Datagrams of speech: twice a call's rate. */
+    private static final int MEDIA_PER_SECOND = 100;
+    /** What a peer sends at once after a stall of 4 s. */
+    private static final int MEDIA_BURST = 200;
+
     private static final System.Logger LOG = System.getLogger(IpaConnection.class.getName());
 
     private final RateLimitedFrameReader reader;
     private final OutputQueue output;
+    private final RateLimit mediaRate = new RateLimit(MEDIA_PER_SECOND, MEDIA_BURST);
+    /** Null while there is none. */
+    private Datagrams media;
+
+    private int mediaPeerPort;
 
     /**
      * @param rate at which frames are read
@@ -50,6 +66,68 @@ public abstract class IpaConnection extends Connection {
             }
         }
     }
+
+    @Override
+    public final Optional<MediaAddress> openMedia() {
+        closeMedia();
+        try {
+            media = openDatagrams(this::mediaArrived);
+            return Optional.of(new MediaAddress(
+                    media.localAddress().getAddress().getHostAddress(),
+                    media.localAddress().getPort()));
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "{0}: no RTP over UDP, {1}", address(), e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    @Override
+    public final boolean connectMedia(MediaAddress peer) {
+        InetAddress host = address().getAddress();
+        if (media == null || peer.port() == 0 || !peer.host().equals(host.getHostAddress())) {
+            return false;
+        }
+        try {
+            media.connect(new InetSocketAddress(host, peer.port()));
+            mediaPeerPort = peer.port();
+            return true;
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "{0}: no RTP over UDP, {1}", address(), e.getMessage());
+            return false;
+        }
+    }
+
+    @Override
+    public final boolean sendMedia(byte[] rtp) {
+        boolean isSent = media != null && media.send(rtp);
+        if (isSent) {
+            mediaPassed(false, mediaPeerPort, media.localAddress().getPort(), rtp);
+        }
+        return isSent;
+    }
+
+    @Override
+    public final void closeMedia() {
+        if (media != null) {
+            media.close();
+            media = null;
+        }
+    }
+
+    private void mediaArrived(byte[] rtp) {
+        if (isOpen() && media != null && rtp.length <= IpaFrame.MAX_PAYLOAD && mediaRate.take(System.nanoTime())) {
+            mediaPassed(true, mediaPeerPort, media.localAddress().getPort(), rtp);
+            speechArrived(new IpaFrame(IpaFrame.SPEECH, rtp));
+        }
+    }
+
+    /** A datagram of speech has arrived, as a frame. */
+    protected void speechArrived(IpaFrame frame) {
+        frameArrived(frame);
+    }
+
+    /** A datagram of speech has been sent or has arrived. */
+    protected void mediaPassed(boolean isFromPeer, int peerPort, int ownPort, byte[] rtp) {}
 
     @Override
     protected final void received(ByteBuffer octets) {
@@ -92,6 +170,7 @@ public abstract class IpaConnection extends Connection {
 
     @Override
     protected void closing(boolean isByPeer) {
+        closeMedia();
         if (output.dropped() > 0) {
             LOG.log(Level.INFO, "{0}: {1} speech frames dropped, the peer was too slow", address(), output.dropped());
         }

@@ -26,8 +26,7 @@ public record MgcpMessage(
         OK("200"),
         DELETED("250"),
         /** Insufficient resources at the endpoint: it has no port for media. */
-        NO_RESOURCES("403"),
-        UNKNOWN_COMMAND("504");
+        NO_RESOURCES("403");
 
         private final String word;
 

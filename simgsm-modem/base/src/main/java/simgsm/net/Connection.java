@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
 import java.nio.channels.WritableByteChannel;
+import java.util.function.Consumer;
 
 /**
  * An established TCP connection of a {@link SelectorLoop}. A subclass interprets the octets that arrive and holds those that
@@ -82,6 +83,11 @@ public abstract class Connection {
     /** Whether the peer runs on this machine. */
     public final boolean isLocal() {
         return endpoint.address.getAddress().isLoopbackAddress();
+    }
+
+    /** Opens a UDP socket on this connection's local address. @param received takes each datagram of the socket's peer */
+    protected final Datagrams openDatagrams(Consumer<byte[]> received) throws IOException {
+        return Datagrams.open(endpoint.loop, endpoint.channel.socket().getLocalAddress(), received);
     }
 
     /** Writes now what waits; what the peer does not take is written when its socket has room. */

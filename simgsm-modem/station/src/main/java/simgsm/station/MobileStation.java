@@ -12,6 +12,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
 import simgsm.station.call.KeySignalling;
+import simgsm.station.call.MediaControl;
 import simgsm.station.call.MobileCall;
 import simgsm.station.call.MobileCallState;
 import simgsm.station.call.SpeechPath;
@@ -48,6 +49,7 @@ public final class MobileStation implements StationCommands {
     private final MobileCall call;
     private final ShortMessages messages;
     private final MobileUssd ussd;
+    private final MediaControl media;
     private final MessageDispatcher dispatcher;
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
@@ -80,6 +82,7 @@ public final class MobileStation implements StationCommands {
         call = new MobileCall(context, services, this.speech, keys, options.callWaiting());
         messages = new ShortMessages(context, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
+        media = new MediaControl(context);
         ussd = new MobileUssd(context, services);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
         services.setUser(ServiceType.SUPPLEMENTARY_SERVICE, ussd);
@@ -121,6 +124,7 @@ public final class MobileStation implements StationCommands {
         switch (frame.stream()) {
             case IpaFrame.RSL -> dispatcher.arrived(frame.payload());
             case IpaFrame.SPEECH -> speech.arrived(frame.payload());
+            case IpaFrame.MGCP -> media.arrived(frame.payload());
             case IpaFrame.CCM -> control.arrived(frame.payload());
             default -> context.log().trace(Level.DEBUG, "a frame of stream {0} dropped", frame.stream());
         }

@@ -12,6 +12,7 @@ import java.util.Random;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
@@ -51,6 +52,11 @@ final class Scene implements Uplink {
     final Queue<RslMessage> up = new ArrayDeque<>();
     final Queue<CcmMessage> ccm = new ArrayDeque<>();
     final List<RtpPacket> spoken = new ArrayList<>();
+    final List<byte[]> mgcp = new ArrayList<>();
+    /** Where the station's shell could receive media. */
+    Optional<MediaAddress> ownMedia = Optional.empty();
+
+    Optional<MediaAddress> mediaPeer = Optional.empty();
     final MobileStation station;
     /** N(SD) of the last message that carried one. */
     int lastSendSequence = -1;
@@ -217,12 +223,29 @@ final class Scene implements Uplink {
             switch (frame.stream()) {
                 case IpaFrame.RSL -> up.add(RslCodec.decode(frame.payload()));
                 case IpaFrame.CCM -> ccm.add(CcmCodec.decode(frame.payload()));
+                case IpaFrame.MGCP -> mgcp.add(frame.payload());
                 case IpaFrame.SPEECH -> spoken.add(RtpPacket.decode(frame.payload()));
                 default -> fail("frame of stream " + frame.stream());
             }
         } catch (ProtocolViolation e) {
             fail(e);
         }
+    }
+
+    @Override
+    public Optional<MediaAddress> openMedia() {
+        return ownMedia;
+    }
+
+    @Override
+    public boolean connectMedia(MediaAddress peer) {
+        mediaPeer = Optional.of(peer);
+        return true;
+    }
+
+    @Override
+    public void closeMedia() {
+        mediaPeer = Optional.empty();
     }
 
     @Override

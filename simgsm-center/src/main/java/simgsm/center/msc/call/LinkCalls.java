@@ -39,6 +39,7 @@ final class LinkCalls {
         } else if (!legs.contains(leg)) {
             legs.add(leg);
         }
+        link.media().setInUse(legs.stream().anyMatch(each -> each.state().mayHear()));
         link.touch();
     }
 

@@ -64,6 +64,11 @@ public enum NetworkCallState {
         return this == ACTIVE || this == CONNECT_INDICATION;
     }
 
+    /** Whether the mobile may hear something: from alerting to the end of clearing. */
+    boolean mayHear() {
+        return this == CALL_DELIVERED || this == CALL_RECEIVED || this == DISCONNECT_INDICATION || speaks();
+    }
+
     boolean isClearing() {
         return this == NULL || this == DISCONNECT_INDICATION || this == RELEASE_REQUEST;
     }

@@ -32,6 +32,7 @@ public final class Link {
     private final Timers timers;
     private final NetworkRadioConnection radio;
     private final Paging paging;
+    private final LinkMedia media;
     private final KeepAlive keepAlive;
     private final TerminalRateLimits rateLimits;
     private final String address;
@@ -47,8 +48,10 @@ public final class Link {
      * @param open all open links
      * @param touched links that the exchange looks at before it returns to its driver
      * @param users protocols on top of the links, in the order in which they end when a radio connection is lost
+     * @param speaksUdp whether terminals are asked for speech as RTP over UDP
      */
-    public record Context(Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users) {}
+    public record Context(
+            Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users, boolean speaksUdp) {}
 
     /** @param isLocal whether the terminal runs on this machine, without rate limits */
     public Link(LinkPort port, String address, boolean isLocal, Context context) {
@@ -59,6 +62,7 @@ public final class Link {
         this.timers = context.timers().ownedBy(this::failed);
         this.radio = new NetworkRadioConnection(this);
         this.paging = new Paging(this);
+        this.media = new LinkMedia(this, port, context.speaksUdp());
         this.keepAlive = new KeepAlive(timers, this::sendCcm, this::drop);
         this.rateLimits = new TerminalRateLimits(isLocal, timers);
     }
@@ -91,6 +95,10 @@ public final class Link {
 
     public Paging paging() {
         return paging;
+    }
+
+    public LinkMedia media() {
+        return media;
     }
 
     public TerminalRateLimits rateLimits() {
@@ -152,7 +160,7 @@ public final class Link {
     }
 
     public void sendSpeech(IpaFrame frame) {
-        port.send(frame);
+        media.sendSpeech(frame);
     }
 
     private void sendCcm(CcmMessage message) {
@@ -189,6 +197,7 @@ public final class Link {
         keepAlive.stop();
         timers.cancel(identification);
         radio.close();
+        media.close();
         loseTransactions();
         users().forEach(user -> user.linkClosed(this));
         context.open().remove(this);

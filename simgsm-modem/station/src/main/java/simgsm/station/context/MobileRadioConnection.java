@@ -1,7 +1,9 @@
 package simgsm.station.context;
 
 import java.lang.System.Logger.Level;
+import java.util.Optional;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
@@ -44,9 +46,25 @@ public final class MobileRadioConnection {
         open = true;
     }
 
-    /** Sends a frame on a stream that needs no radio connection: speech or CCM. */
+    /** Sends a frame on a stream that needs no radio connection; speech by the media that is open, if there is. */
     public void send(int stream, byte[] payload) {
-        uplink.send(new IpaFrame(stream, payload));
+        if (stream != IpaFrame.SPEECH || !uplink.sendMedia(payload)) {
+            uplink.send(new IpaFrame(stream, payload));
+        }
+    }
+
+    /** Opens media towards the centre. @return where it is received; empty if that is not possible */
+    public Optional<MediaAddress> openMedia(MediaAddress center) {
+        Optional<MediaAddress> own = uplink.openMedia();
+        if (own.isPresent() && !uplink.connectMedia(center)) {
+            uplink.closeMedia();
+            return Optional.empty();
+        }
+        return own;
+    }
+
+    public void closeMedia() {
+        uplink.closeMedia();
     }
 
     /** Leaves the channel, if there is one. */

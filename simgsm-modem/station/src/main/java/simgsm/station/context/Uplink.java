@@ -1,9 +1,10 @@
 package simgsm.station.context;
 
 import simgsm.abis.IpaFrame;
+import simgsm.abis.MediaPort;
 
 /** One connection from a station to the centre, as long as it stands. */
-public interface Uplink {
+public interface Uplink extends MediaPort {
     /** No connection: frames are dropped. */
     Uplink DISCONNECTED = new Uplink() {
         @Override

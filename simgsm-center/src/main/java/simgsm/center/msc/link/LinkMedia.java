@@ -1,0 +1,102 @@
+package simgsm.center.msc.link;
+
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.MgcpMessage;
+import simgsm.abis.MgcpMessage.MediaAddress;
+import simgsm.air.ProtocolViolation;
+
+/**
+ * The speech of one link's calls: as RTP over UDP if the exchange is set so and the terminal takes part (MGCP, RFC 3435), else
+ * as frames of the link. A session begins when a call alerts and ends with the link's last call.
+ */
+public final class LinkMedia {
+    private static final System.Logger LOG = System.getLogger(LinkMedia.class.getName());
+
+    private static final int COUNTS = 256;
+
+    private enum State {
+        CLOSED,
+        /** CRCX is sent; speech goes as frames meanwhile. */
+        CREATING,
+        OPEN
+    }
+
+    private final Link link;
+    private final LinkPort port;
+    private final boolean isOverUdp;
+    private State state = State.CLOSED;
+    private int transaction;
+    private int calls;
+    private String connection = "";
+
+    LinkMedia(Link link, LinkPort port, boolean isOverUdp) {
+        this.link = link;
+        this.port = port;
+        this.isOverUdp = isOverUdp;
+    }
+
+    /** Whether a call of this link needs the speech path. */
+    public void setInUse(boolean isInUse) {
+        if (isInUse && state == State.CLOSED && isOverUdp) {
+            create();
+        } else if (!isInUse && state != State.CLOSED) {
+            delete();
+        }
+    }
+
+    private void create() {
+        Optional<MediaAddress> own = port.openMedia();
+        if (own.isPresent()) {
+            calls++;
+            state = State.CREATING;
+            send(MgcpMessage.create(++transaction, callId(), own.get()));
+        }
+    }
+
+    private void delete() {
+        if (state == State.OPEN) {
+            send(MgcpMessage.delete(++transaction, callId(), connection));
+        }
+        close();
+    }
+
+    /** The subscriber's number and a count, so that no other link has the same. */
+    private String callId() {
+        return link.lifeline() + String.format("%02x", calls % COUNTS);
+    }
+
+    private void send(MgcpMessage message) {
+        port.send(new IpaFrame(IpaFrame.MGCP, message.encode()));
+    }
+
+    void close() {
+        state = State.CLOSED;
+        port.closeMedia();
+    }
+
+    /** The terminal's answer. */
+    public void receive(byte[] octets) throws ProtocolViolation {
+        MgcpMessage answer = MgcpMessage.decode(octets);
+        if (state != State.CREATING || answer.transaction() != transaction) {
+            return;
+        }
+        boolean isTaken = answer.head() == MgcpMessage.Head.OK
+                && answer.media().isPresent()
+                && port.connectMedia(answer.media().get());
+        if (isTaken) {
+            state = State.OPEN;
+            connection = answer.connection().orElse("1");
+        } else {
+            LOG.log(Level.INFO, "{0}: no RTP over UDP, speech goes with the signalling", link);
+            close();
+        }
+    }
+
+    void sendSpeech(IpaFrame frame) {
+        if (state != State.OPEN || !port.sendMedia(frame.payload())) {
+            port.send(frame);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package simgsm.net;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.util.function.Consumer;
+
+/**
+ * A UDP socket of a {@link SelectorLoop} that talks with one peer: datagrams of others are dropped by the system. All methods
+ * belong to the loop's thread.
+ */
+public final class Datagrams {
+    private static final System.Logger LOG = System.getLogger(Datagrams.class.getName());
+    /** Longer datagrams are cut. */
+    private static final int MOST_OCTETS = 2_048;
+
+    private static final int READS_PER_ITERATION = 16;
+    /** RTP is received on an even port (RFC 3550, 11); the system gives one in two attempts. */
+    private static final int ATTEMPTS = 20;
+
+    private final SelectorLoop loop;
+    private final DatagramChannel channel;
+    private final Consumer<byte[]> received;
+    private final ByteBuffer buffer = ByteBuffer.allocate(MOST_OCTETS);
+    private boolean isConnected;
+
+    private Datagrams(SelectorLoop loop, DatagramChannel channel, Consumer<byte[]> received) throws IOException {
+        this.loop = loop;
+        this.channel = channel;
+        this.received = received;
+        channel.configureBlocking(false);
+        channel.register(loop.selector(), SelectionKey.OP_READ, (Runnable) this::read);
+    }
+
+    /** Opens a free even port of this address. @param received takes each datagram of the peer */
+    static Datagrams open(SelectorLoop loop, InetAddress local, Consumer<byte[]> received) throws IOException {
+        for (int attempt = 1; attempt <= ATTEMPTS; attempt++) {
+            DatagramChannel channel = DatagramChannel.open();
+            try {
+                channel.bind(new InetSocketAddress(local, 0));
+                if (channel.socket().getLocalPort() % 2 == 0) {
+                    return new Datagrams(loop, channel, received);
+                }
+                channel.close();
+            } catch (IOException e) {
+                channel.close();
+                throw e;
+            }
+        }
+        throw new IOException("no even UDP port is free on " + local.getHostAddress());
+    }
+
+    /** Where datagrams are received. */
+    public InetSocketAddress localAddress() {
+        return (InetSocketAddress) channel.socket().getLocalSocketAddress();
+    }
+
+    /** Sends to this address, and receives from no other. */
+    public void connect(InetSocketAddress peer) throws IOException {
+        channel.connect(peer);
+        isConnected = true;
+    }
+
+    /** Sends a datagram; one that the system does not take at once is lost. @return false if no peer is connected */
+    public boolean send(byte[] octets) {
+        if (isConnected) {
+            try {
+                channel.write(ByteBuffer.wrap(octets));
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "a datagram is lost: {0}", Connection.reason(e));
+            }
+        }
+        return isConnected;
+    }
+
+    private void read() {
+        try {
+            for (int i = 0; i < READS_PER_ITERATION && channel.isOpen(); i++) {
+                buffer.clear();
+                // Before the peer is known, datagrams are read and dropped.
+                boolean isRead = isConnected ? channel.read(buffer) > 0 : channel.receive(buffer) != null;
+                if (!isRead) {
+                    return;
+                }
+                if (isConnected) {
+                    byte[] octets = new byte[buffer.flip().remaining()];
+                    buffer.get(octets);
+                    loop.perform(() -> received.accept(octets));
+                }
+            }
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "reading datagrams: {0}", Connection.reason(e));
+        }
+    }
+
+    /** Closes the socket. */
+    public void close() {
+        try {
+            channel.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing a UDP socket: {0}", Connection.reason(e));
+        }
+    }
+}
