@@ -56,7 +56,7 @@ final class VirtualCenter {
     /** A new process: everything that is not in the journal is lost. */
     void start() {
         ExchangeSettings settings = new ExchangeSettings(
-                "SimGSM", new SplittableRandom(1), STARTED_AT, home, Optional.empty(), true, Locale.ENGLISH);
+                "SimGSM", new SplittableRandom(1), STARTED_AT, home, Optional.empty(), true, Locale.ENGLISH, false);
         if (folder.isEmpty()) {
             exchange = new Exchange(settings, (ticket, entries) -> committed(exchange, ticket), event -> {});
             return;
