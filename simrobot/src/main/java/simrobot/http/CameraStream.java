@@ -28,6 +28,8 @@ final class CameraStream implements Runnable {
     private final long periodNanos;
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
+    private final Thread thread;
+    private Runnable whenEnded = () -> {};
     private volatile long writingSince = NOT_WRITING;
     private byte[] sent = {};
     private long sentNanos;
@@ -43,6 +45,14 @@ final class CameraStream implements Runnable {
         periodNanos = Math.round(1e9 / picturesPerSecond);
         this.scenes = scenes;
         this.cameras = cameras;
+        thread = new Thread(this, "camera stream of " + robot);
+        thread.setDaemon(true);
+    }
+
+    /** Begins to send. @param ended called at the end */
+    void start(Runnable ended) {
+        whenEnded = ended;
+        thread.start();
     }
 
     @Override
@@ -59,6 +69,8 @@ final class CameraStream implements Runnable {
             LOG.log(Level.DEBUG, "a stream of {0} ends: {1}", robot, ended.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } finally {
+            whenEnded.run();
         }
     }
 
@@ -109,8 +121,8 @@ final class CameraStream implements Runnable {
         return since != NOT_WRITING && nowNanos - since > limitNanos;
     }
 
-    /** Ends the stream from another thread; a blocked write fails. */
+    /** Interrupts the thread that runs the stream: the JDK's server closes a connection whose write is interrupted. */
     void close() {
-        exchange.close();
+        thread.interrupt();
     }
 }

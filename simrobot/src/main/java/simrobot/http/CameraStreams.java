@@ -21,17 +21,22 @@ final class CameraStreams implements AutoCloseable {
     private static final double USUAL_RATE = 10;
 
     private static final int MOST_RATE = 20;
-    private static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10);
+    /** Less than the 10 s after which a viewer that does not read loses its stream, by the time of a look. */
+    static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(8);
+
     private static final long CHECK_MILLIS = 1000;
     private static final Pattern RATE = Pattern.compile("(?:.*&)?fps=([^&]*)(?:&.*)?");
 
+    private final long writeLimitNanos;
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
     private final Semaphore places = new Semaphore(MOST);
     private final Set<CameraStream> running = ConcurrentHashMap.newKeySet();
     private final Thread watchdog = new Thread(this::watch, "camera streams");
 
-    CameraStreams(SceneCache scenes, CameraPictureCache cameras) {
+    /** @param writeLimitNanos a viewer whose connection takes nothing for longer loses its stream */
+    CameraStreams(long writeLimitNanos, SceneCache scenes, CameraPictureCache cameras) {
+        this.writeLimitNanos = writeLimitNanos;
         this.scenes = scenes;
         this.cameras = cameras;
         watchdog.setDaemon(true);
@@ -70,17 +75,10 @@ final class CameraStreams implements AutoCloseable {
         }
         CameraStream stream = new CameraStream(exchange, robot, rate, scenes, cameras);
         running.add(stream);
-        Thread thread = new Thread(() -> {
-            try {
-                stream.run();
-            } finally {
-                running.remove(stream);
-                places.release();
-            }
+        stream.start(() -> {
+            running.remove(stream);
+            places.release();
         });
-        thread.setName("camera stream of " + robot);
-        thread.setDaemon(true);
-        thread.start();
     }
 
     /** The length is unknown, so the connection ends with the stream. */
@@ -111,7 +109,7 @@ final class CameraStreams implements AutoCloseable {
                 Thread.sleep(CHECK_MILLIS);
                 long now = System.nanoTime();
                 running.stream()
-                        .filter(stream -> stream.isBlocked(now, WRITE_LIMIT_NANOS))
+                        .filter(stream -> stream.isBlocked(now, writeLimitNanos))
                         .forEach(CameraStream::close);
             }
         } catch (InterruptedException e) {

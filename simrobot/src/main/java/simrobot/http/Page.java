@@ -13,10 +13,12 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
+import simgsm.web.PageBody;
 import simgsm.web.UrlPaths;
 import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.World;
 
 /**
  * The page: the map, the cameras and a table of the robots. It loads nothing from other servers. A script refreshes it in
@@ -34,19 +36,45 @@ final class Page {
     private static final int MOST_ROWS = 200;
 
     private final TextBundle texts;
-    private final String template;
+    /** The template before the map. */
+    private final String before;
+
+    private final String after;
+    /** The world whose floor is kept. */
+    private World known;
+
+    private PageBody.Part floor;
 
     Page(Locale language) {
         Locale locale = TextBundle.bundleLocale(language);
         texts = new TextBundle(ResourceBundle.getBundle("simrobot.http.messages", locale), Locale.ROOT);
         try (InputStream in = Page.class.getResourceAsStream("page.html")) {
-            template = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            String[] parts = new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\\{\\{map\\}\\}", 2);
+            before = parts[0];
+            after = parts[1];
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    String of(SimulationSnapshot scene, WebSource source) {
+    /** The page about a scene. */
+    PageBody of(SimulationSnapshot scene, WebSource source) {
+        String title = texts.of("page.map", scene.world().name());
+        return new PageBody(
+                filled(before, scene, source) + WorldMap.opening(scene.world(), title),
+                floor(scene.world()),
+                WorldMap.robots(scene) + filled(after, scene, source));
+    }
+
+    private synchronized PageBody.Part floor(World world) {
+        if (known != world) {
+            floor = new PageBody.Part(WorldMap.floor(world));
+            known = world;
+        }
+        return floor;
+    }
+
+    private String filled(String template, SimulationSnapshot scene, WebSource source) {
         String world = scene.world().name();
         String rows = scene.robots().stream()
                 .limit(MOST_ROWS)
@@ -69,7 +97,6 @@ final class Page {
                 .replace("{{more}}", more > 0 ? "<p>" + escaped(texts.of("page.more", more)) + "</p>" : "")
                 .replace("{{cameras}}", cameras)
                 .replace("{{rows}}", rows)
-                .replace("{{map}}", WorldMap.svg(scene, texts.of("page.map", world)))
                 // last, because a world's name may contain any of the placeholders above
                 .replace("{{world}}", escaped(world));
     }

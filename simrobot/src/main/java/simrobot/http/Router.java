@@ -38,6 +38,9 @@ final class Router extends WebPages {
         boolean isStream = parts.size() == 3
                 && parts.get(0).equals("robots")
                 && parts.get(2).equals(STREAM);
+        if (parts.isEmpty()) {
+            return Optional.of(page.of(scenes.now(), source).answer(exchange));
+        }
         if (!isStream) {
             return Optional.of(answer(parts, path));
         }
@@ -49,9 +52,6 @@ final class Router extends WebPages {
     private WebResponse answer(List<String> parts, String path)
             throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
-        if (parts.isEmpty()) {
-            return WebResponse.html(page.of(scene, source));
-        }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
                 return WebResponse.json(StatusJson.all(scene, source));
@@ -72,7 +72,7 @@ final class Router extends WebPages {
         return scene.robot(name)
                 .orElseThrow(() -> new RequestException(
                         WebResponse.NOT_FOUND,
-                        "no robot " + name + ", expected one of "
+                        "no robot " + RequestException.shortened(name) + ", expected one of "
                                 + scene.robots().stream()
                                         .map(RobotSnapshot::name)
                                         .limit(MOST_NAMES)

@@ -21,9 +21,14 @@ public final class WebServer implements AutoCloseable {
      * @throws IOException with the port's number if it cannot be opened
      */
     public WebServer(InetAddress address, int port, Locale language, WebSource source) throws IOException {
+        this(address, port, language, source, CameraStreams.WRITE_LIMIT_NANOS);
+    }
+
+    WebServer(InetAddress address, int port, Locale language, WebSource source, long writeLimitNanos)
+            throws IOException {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
-        streams = new CameraStreams(scenes, cameras);
+        streams = new CameraStreams(writeLimitNanos, scenes, cameras);
         this.port = new WebPort(address, port, new Router(source, scenes, cameras, streams, new Page(language)));
     }
 

@@ -9,6 +9,7 @@ import simrobot.drawing.NumberTexts;
 import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.World;
 
 /**
  * The page's map: the window's picture of the floor as SVG, with a group for each robot that the page's script moves. Its
@@ -35,15 +36,35 @@ final class WorldMap {
         return "--" + ink.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    static String svg(SimulationSnapshot scene, String title) {
-        Viewport view = Viewport.picture(scene.world().ground(), LONG_SIDE, LEAST_SIDE, MARGIN);
-        SvgCanvas g = new SvgCanvas(ink -> "var(" + variable(ink) + ")");
-        WorldPainter.floor(g, scene.world(), view, SHOWN);
-        WorldPainter.movableRobots(g, scene, view);
+    private static Viewport view(World world) {
+        return Viewport.picture(world.ground(), LONG_SIDE, LEAST_SIDE, MARGIN);
+    }
+
+    private static SvgCanvas canvas() {
+        return new SvgCanvas(ink -> "var(" + variable(ink) + ")");
+    }
+
+    /** The floor: the part that is the same for all pictures of a world, and that takes time in a large one. */
+    static String floor(World world) {
+        SvgCanvas g = canvas();
+        WorldPainter.floor(g, world, view(world), SHOWN);
+        return g.elements();
+    }
+
+    /** What follows the floor: the robots, and the picture's end. */
+    static String robots(SimulationSnapshot scene) {
+        SvgCanvas g = canvas();
+        WorldPainter.movableRobots(g, scene, view(scene.world()));
+        return g.elements() + "</svg>\n";
+    }
+
+    /** What stands before the floor. */
+    static String opening(World world, String title) {
+        Viewport view = view(world);
         String size = SvgCanvas.number(view.width()) + " " + SvgCanvas.number(view.height());
         return "<svg id=\"map\" role=\"img\" viewBox=\"0 0 " + size + "\" data-scale=\""
                 + NumberTexts.fixed(view.pixelsPerMeter(), 6) + "\" data-left=\""
                 + NumberTexts.fixed(view.worldX(0), 6) + "\" data-top=\"" + NumberTexts.fixed(view.worldY(0), 6)
-                + "\" aria-label=\"" + SvgCanvas.escaped(title) + "\">\n" + g.elements() + "</svg>\n";
+                + "\" aria-label=\"" + SvgCanvas.escaped(title) + "\">\n";
     }
 }

@@ -3,6 +3,7 @@ package simrobot.http;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedInputStream;
@@ -12,12 +13,14 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.HttpURLConnection;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.zip.GZIPInputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -360,5 +363,155 @@ class WebServerTest {
             }
         }
         assertEquals(200, ask("GET", "/").getResponseCode());
+    }
+
+    // ---- viewers and clients that hold others up
+    // ---------------------------------------------------------------------
+
+    private Socket raw(WebServer asked, String request) throws IOException {
+        Socket socket = new Socket();
+        socket.setReceiveBufferSize(4096);
+        socket.setSoTimeout(PATIENCE_MILLIS);
+        socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), asked.port()), PATIENCE_MILLIS);
+        socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+        return socket;
+    }
+
+    @Test
+    void viewersThatStopReadingLoseTheirStreamsSoThatOthersGetOne() throws Exception {
+        simulation.robot("ann").orElseThrow().drive().setTurnSpeed(1);
+        List<Socket> stuck = new ArrayList<>();
+        try (WebServer impatient = new WebServer(
+                InetAddress.getLoopbackAddress(),
+                0,
+                Locale.ENGLISH,
+                new WebSource() {
+                    @Override
+                    public SimulationSnapshot scene() {
+                        synchronized (simulation) {
+                            simulation.run(5);
+                            return simulation.snapshot();
+                        }
+                    }
+
+                    @Override
+                    public String number(String robot) {
+                        return "";
+                    }
+                },
+                100_000_000)) {
+            impatient.start();
+            for (int i = 0; i < CameraStreams.MOST; i++) {
+                stuck.add(raw(impatient, "GET /robots/ann/camera.mjpg?fps=20 HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+                assertEquals('H', stuck.get(i).getInputStream().read());
+            }
+            int status = 503;
+            while (status == 503) {
+                HttpURLConnection viewer = ask(impatient, "GET", "/robots/ann/camera.mjpg?fps=20");
+                status = viewer.getResponseCode();
+                viewer.disconnect();
+            }
+            assertEquals(200, status);
+        } finally {
+            for (Socket socket : stuck) {
+                socket.close();
+            }
+        }
+    }
+
+    @Test
+    void halfRequestsHoldNobodyUp() throws Exception {
+        List<Socket> half = new ArrayList<>();
+        try {
+            for (int i = 0; i < 100; i++) {
+                half.add(raw(server, "GET /robots HTTP/1.1\r\nHost: local"));
+            }
+            assertEquals(200, ask("GET", "/robots").getResponseCode());
+            for (Socket socket : half) {
+                assertEquals(-1, socket.getInputStream().read(), "a half request is not answered");
+            }
+        } finally {
+            for (Socket socket : half) {
+                socket.close();
+            }
+        }
+    }
+
+    // ---- the page's compressed form
+    // ------------------------------------------------------------------------------------
+
+    @Test
+    void thePageIsTheSameCompressedAndAnUnchangedOneIsNotSentAgain() throws Exception {
+        String plain = text(ask("GET", "/"));
+        HttpURLConnection answer = ask("GET", "/");
+        answer.setRequestProperty("Accept-Encoding", "deflate, gzip");
+        assertEquals("gzip", answer.getHeaderField("Content-Encoding"));
+        try (InputStream in = new GZIPInputStream(answer.getInputStream())) {
+            assertEquals(plain, new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        }
+        HttpURLConnection again = ask("GET", "/");
+        again.setRequestProperty("If-None-Match", answer.getHeaderField("ETag"));
+        assertEquals(304, again.getResponseCode());
+        simulation.robot("ann").orElseThrow().place(-1, 0, 0);
+        int status = 304;
+        // a scene may be 50 ms old
+        while (status == 304) {
+            HttpURLConnection moved = ask("GET", "/");
+            moved.setRequestProperty("If-None-Match", answer.getHeaderField("ETag"));
+            status = moved.getResponseCode();
+        }
+        assertEquals(200, status);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gzip;q=0", "identity", "x-gzip2"})
+    void aClientThatTakesNoGzipGetsNone(String encodings) throws Exception {
+        HttpURLConnection answer = ask("GET", "/");
+        answer.setRequestProperty("Accept-Encoding", encodings);
+        assertNull(answer.getHeaderField("Content-Encoding"));
+    }
+
+    // ---- pages of others
+    // -----------------------------------------------------------------------------------------------
+
+    private String answerTo(String head) throws IOException {
+        try (Socket socket = raw(server, head + "Connection: close\r\n\r\n")) {
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "localhost,200",
+        "127.0.0.1:8080,200",
+        "[::1]:80,200",
+        "192.168.1.7,200",
+        "evil.example,403",
+        "localhost.evil.example,403"
+    })
+    void aRequestNamesThisMachine(String host, int status) throws Exception {
+        String answer = answerTo("GET /robots HTTP/1.1\r\nHost: " + host + "\r\n");
+        assertTrue(answer.startsWith("HTTP/1.1 " + status + " "), answer);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "http://localhost:8000,true",
+        "http://127.0.0.1,true",
+        "https://localhost,true",
+        "https://evil.example,false",
+        "http://localhost.evil.example,false",
+        "null,false"
+    })
+    void aPageOfThisMachineMayReadAndOthersMayNot(String origin, boolean may) throws Exception {
+        String answer = answerTo("GET /robots HTTP/1.1\r\nHost: localhost\r\nOrigin: " + origin + "\r\n");
+        assertEquals(may, answer.toLowerCase(Locale.ROOT).contains("access-control-allow-origin: " + origin), answer);
+    }
+
+    @Test
+    void aLongRequestIsNotSentBack() throws Exception {
+        HttpURLConnection answer = ask("GET", "/" + "A/".repeat(30_000));
+        assertEquals(404, answer.getResponseCode());
+        assertTrue(text(answer).length() < 1000);
     }
 }

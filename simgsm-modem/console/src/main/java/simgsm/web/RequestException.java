@@ -2,6 +2,8 @@ package simgsm.web;
 
 /** A request that is answered with an error status. */
 public final class RequestException extends Exception {
+    private static final int MOST_QUOTED = 200;
+
     private final int status;
 
     public RequestException(int status, String text) {
@@ -11,7 +13,13 @@ public final class RequestException extends Exception {
 
     /** Nothing is at a path. @param expected what could be there */
     public static RequestException notFound(String path, String expected) {
-        return new RequestException(WebResponse.NOT_FOUND, "nothing at " + path + ", expected " + expected);
+        return new RequestException(
+                WebResponse.NOT_FOUND, "nothing at " + shortened(path) + ", expected " + expected);
+    }
+
+    /** What a request says is not sent back at length. */
+    public static String shortened(String text) {
+        return text.length() <= MOST_QUOTED ? text : text.substring(0, MOST_QUOTED) + "...";
     }
 
     WebResponse answer() {

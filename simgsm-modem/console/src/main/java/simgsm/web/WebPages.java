@@ -12,7 +12,8 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Answers GET and HEAD requests by their path, every other one with 405; an error is answered with its reason as JSON, an error
+ * Answers GET and HEAD requests to this machine by their path, every other one with 405; pages of this machine may read the
+ * answers; an error is answered with its reason as JSON, an error
  * of our own closes the connection and is logged.
  */
 public abstract class WebPages implements HttpHandler {
@@ -42,6 +43,8 @@ public abstract class WebPages implements HttpHandler {
         String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
             requireGetOrHead(exchange);
+            Origins.requireOwnHost(exchange.getRequestHeaders());
+            Origins.admit(exchange);
             Optional<WebResponse> answer = answer(exchange, UrlPaths.parts(path), path);
             if (answer.isPresent()) {
                 send(exchange, answer.get());
@@ -51,7 +54,7 @@ public abstract class WebPages implements HttpHandler {
         } catch (IllegalStateException noAnswer) {
             send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage()));
         } catch (IllegalArgumentException malformed) {
-            send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + path));
+            send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + RequestException.shortened(path)));
         } catch (InterruptedException e) {
             exchange.close();
             Thread.currentThread().interrupt();
@@ -74,11 +77,13 @@ public abstract class WebPages implements HttpHandler {
         boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
         Headers headers = exchange.getResponseHeaders();
         headers.set("Content-Type", answer.type());
-        headers.set("Cache-Control", "no-store");
+        headers.set("Cache-Control", headers.containsKey("ETag") ? "no-cache" : "no-store");
         headers.set("X-Content-Type-Options", "nosniff");
         headers.set("Content-Security-Policy", policy);
         try (exchange) {
-            if (headersOnly) {
+            if (answer.status() == WebResponse.NOT_MODIFIED) {
+                exchange.sendResponseHeaders(answer.status(), -1);
+            } else if (headersOnly) {
                 headers.set("Content-Length", Integer.toString(answer.body().length));
                 exchange.sendResponseHeaders(answer.status(), -1);
             } else {

@@ -5,23 +5,24 @@ import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** A port for HTTP, with a pool of at most 32 threads that end after 10 s without work. */
+/** A port for HTTP, with at most 512 threads that end after 10 s without work. */
 public final class WebPort implements AutoCloseable {
     private static final int BACKLOG = 64;
-    private static final int WORKERS = 32;
-    private static final int MOST_QUEUED = 1024;
+
+    /** A thread for each request: a connection that sends half a request blocks its own only. */
+    private static final int MOST_WORKERS = 512;
+
     private static final int IDLE_SECONDS = 10;
 
     static {
-        // The JDK's server takes these from system properties only: a connection without a complete request after 10 s
-        // is
-        // closed, and small responses are sent without delay.
-        System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "10");
+        // The JDK's server takes these from system properties only: a connection without a complete request after 3 s
+        // is closed, and small responses are sent without delay.
+        System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "3");
         System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
     }
 
@@ -42,12 +43,11 @@ public final class WebPort implements AutoCloseable {
         }
         AtomicInteger count = new AtomicInteger();
         workers = new ThreadPoolExecutor(
-                WORKERS, WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new LinkedBlockingQueue<>(MOST_QUEUED), work -> {
+                0, MOST_WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), work -> {
                     Thread thread = new Thread(work, "http " + count.incrementAndGet());
                     thread.setDaemon(true);
                     return thread;
                 });
-        workers.allowCoreThreadTimeOut(true);
         server.setExecutor(workers);
         server.createContext("/", pages);
     }

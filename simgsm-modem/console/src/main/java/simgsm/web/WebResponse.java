@@ -9,7 +9,9 @@ import java.nio.charset.StandardCharsets;
  */
 public record WebResponse(int status, String type, byte[] body) {
     public static final int OK = 200;
+    public static final int NOT_MODIFIED = 304;
     public static final int BAD_REQUEST = 400;
+    public static final int FORBIDDEN = 403;
     public static final int NOT_FOUND = 404;
     public static final int METHOD_NOT_ALLOWED = 405;
     public static final int UNAVAILABLE = 503;
