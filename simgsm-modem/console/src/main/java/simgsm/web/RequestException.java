@@ -13,8 +13,7 @@ public final class RequestException extends Exception {
 
     /** Nothing is at a path. @param expected what could be there */
     public static RequestException notFound(String path, String expected) {
-        return new RequestException(
-                WebResponse.NOT_FOUND, "nothing at " + shortened(path) + ", expected " + expected);
+        return new RequestException(WebResponse.NOT_FOUND, "nothing at " + shortened(path) + ", expected " + expected);
     }
 
     /** What a request says is not sent back at length. */

@@ -54,7 +54,9 @@ public abstract class WebPages implements HttpHandler {
         } catch (IllegalStateException noAnswer) {
             send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage()));
         } catch (IllegalArgumentException malformed) {
-            send(exchange, WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + RequestException.shortened(path)));
+            send(
+                    exchange,
+                    WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + RequestException.shortened(path)));
         } catch (InterruptedException e) {
             exchange.close();
             Thread.currentThread().interrupt();
