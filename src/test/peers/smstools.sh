@@ -2,7 +2,7 @@
 # Runs smsd of smstools on a terminal device until it has sent ORDER to ROBOT and received the reply, which is printed.
 # Usage: smstools.sh DEVICE ROBOT ORDER
 set -u
-device=$1 robot=$2 order=$3
+device=$(realpath -s "$1") robot=$2 order=$3
 folder=$(mktemp -d)
 trap 'kill -- -$daemon 2>/dev/null; wait 2>/dev/null; rm -rf "$folder"' EXIT
 mkdir -p "$folder"/{outgoing,checked,incoming,failed,sent,stats}
