@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -17,6 +18,7 @@ import simgsm.console.FatalError;
 import simgsm.console.UsageException;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
+import simrobot.p2os.DiscoveryPort;
 import simrobot.p2os.P2osServer;
 
 /** The robots' P2OS ports, one per robot upward from {@code --p2os PORT}; none without the option. */
@@ -27,9 +29,11 @@ final class P2osPorts implements AutoCloseable {
     private final Map<String, Integer> ports = Collections.synchronizedMap(new LinkedHashMap<>());
 
     private final ClientRequests requests;
+    private final Optional<DiscoveryPort> discovery;
 
-    private P2osPorts(Optional<P2osServer> server, SimRobot simRobot) {
+    private P2osPorts(Optional<P2osServer> server, Optional<DiscoveryPort> discovery, SimRobot simRobot) {
         this.server = server;
+        this.discovery = discovery;
         requests = new ClientRequests(simRobot);
         server.ifPresent(serving -> serving.setRequests(requests));
     }
@@ -38,7 +42,7 @@ final class P2osPorts implements AutoCloseable {
     static P2osPorts open(Arguments arguments, InetAddress address, SimRobot simRobot)
             throws UsageException, IOException {
         if (!arguments.has("p2os")) {
-            return new P2osPorts(Optional.empty(), simRobot);
+            return new P2osPorts(Optional.empty(), Optional.empty(), simRobot);
         }
         int first = (int) arguments.integer("p2os", 0, 0, ListeningPorts.MAX_PORT);
         int last = first + simRobot.robots().size() - 1;
@@ -47,7 +51,7 @@ final class P2osPorts implements AutoCloseable {
                     + " end above " + ListeningPorts.MAX_PORT);
         }
         P2osServer server = new P2osServer(simRobot.simulation(), address, first);
-        P2osPorts opened = new P2osPorts(Optional.of(server), simRobot);
+        P2osPorts opened = new P2osPorts(Optional.of(server), discovery(address), simRobot);
         try {
             for (TelephoneRobot robot : simRobot.robots()) {
                 if (robot.simulated().isPresent()) {
@@ -61,6 +65,16 @@ final class P2osPorts implements AutoCloseable {
         simRobot.onAdded(opened::added);
         simRobot.onRemoved(opened::removed);
         return opened;
+    }
+
+    /** Empty if the port is in use: of several simulators on a machine the first answers. */
+    private static Optional<DiscoveryPort> discovery(InetAddress address) {
+        try {
+            return Optional.of(DiscoveryPort.open(new InetSocketAddress(address, DiscoveryPort.USUAL_PORT)));
+        } catch (IOException inUse) {
+            LOG.log(Level.INFO, "no discovery on UDP port " + DiscoveryPort.USUAL_PORT + ": " + inUse.getMessage());
+            return Optional.empty();
+        }
     }
 
     /** Adds the ports to the program's first event. */
@@ -78,6 +92,7 @@ final class P2osPorts implements AutoCloseable {
 
     void start() {
         server.ifPresent(started -> started.start(cause -> FatalError.end("simrobot", cause)));
+        discovery.ifPresent(DiscoveryPort::start);
     }
 
     /** Opens a port for a robot that is added later. */
@@ -106,5 +121,14 @@ final class P2osPorts implements AutoCloseable {
     @Override
     public void close() {
         server.ifPresent(P2osServer::close);
+        discovery.ifPresent(P2osPorts::close);
+    }
+
+    private static void close(DiscoveryPort port) {
+        try {
+            port.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing the discovery port failed", e);
+        }
     }
 }
