@@ -13,8 +13,6 @@ final class DigitTracker {
     private static final int LEAST_RUN = 2;
     /** One that has stood out for longer and is no key yet is looked at every fourth hop only. */
     private static final int OFTEN = 14;
-    /** 6 dB in each tone: something else, which has the same two tones, begins. */
-    private static final float LOUDER = 16;
     /** Hops without its standing out that a run survives: one look of the gate, which an interruption of 10 ms blinds. */
     private static final int MOST_MISSED = 4;
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
@@ -45,7 +43,6 @@ final class DigitTracker {
 
     private int runKey;
     private int run;
-    private float quietest;
     private int missed;
     /** Hop before which another look is not worth it. */
     private long nextLook;
@@ -120,7 +117,7 @@ final class DigitTracker {
             if (gateKey < 0) {
                 miss();
             } else {
-                standsOut(gateKey, gate.loudness());
+                standsOut(gateKey);
             }
             if (run >= LEAST_RUN && isDue(firstHop + b)) {
                 return b;
@@ -137,9 +134,8 @@ final class DigitTracker {
         }
     }
 
-    private void standsOut(int key, float loudness) {
-        run = key == runKey && loudness < LOUDER * quietest ? run + 1 : 1;
-        quietest = run == 1 ? loudness : Math.min(quietest, loudness);
+    private void standsOut(int key) {
+        run = key == runKey ? run + 1 : 1;
         if (run == 1) {
             conclude();
             nextLook = 0;

@@ -164,8 +164,7 @@ final class Residue {
     private void transform() {
         double[] x = re;
         double[] y = im;
-        quarters(x, y);
-        for (int half = 4; half < SIZE; half *= 2) {
+        for (int half = 1; half < SIZE; half *= 2) {
             int stride = SIZE / 2 / half;
             for (int i = 0, t = 0; i < half; i++, t += stride) {
                 double c = cosine[t];
@@ -180,28 +179,6 @@ final class Residue {
                     y[a] += v;
                 }
             }
-        }
-    }
-
-    /** The first two rounds, whose factors are 1 and -j. */
-    private static void quarters(double[] x, double[] y) {
-        for (int i = 0; i < SIZE; i += 4) {
-            double ax = x[i] + x[i + 1];
-            double ay = y[i] + y[i + 1];
-            double bx = x[i] - x[i + 1];
-            double by = y[i] - y[i + 1];
-            double cx = x[i + 2] + x[i + 3];
-            double cy = y[i + 2] + y[i + 3];
-            double dx = x[i + 2] - x[i + 3];
-            double dy = y[i + 2] - y[i + 3];
-            x[i] = ax + cx;
-            y[i] = ay + cy;
-            x[i + 1] = bx + dy;
-            y[i + 1] = by - dx;
-            x[i + 2] = ax - cx;
-            y[i + 2] = ay - cy;
-            x[i + 3] = bx - dy;
-            y[i + 3] = by + dx;
         }
     }
 }

@@ -25,8 +25,6 @@ final class ToneBank {
     static final int MOST_HOPS = 256;
     static final int HISTORY = 64;
     static final int TONES = 8;
-    /** Of white noise between 560 and 3500 Hz so much falls into one tone's window, which lets 267 Hz of it through. */
-    static final double NOISE_SHARE = 0.088;
 
     static final double[] HERTZ = {697, 770, 852, 941, 1209, 1336, 1477, 1633};
 

@@ -21,18 +21,12 @@ final class ToneFit {
 
     static final double HALF = 1 / 16.0;
     private static final double THREE_QUARTERS = 81 / 256.0;
-    /** 9 dB in each tone. */
-    private static final float FAR_WEAKER = 1 / 64f;
-
-    /** The same, louder: such hops before the newest mean that the tone is over, and what sounds now is not it. */
+    /** 9 dB louder in each tone: such hops before the newest mean that the tone is over, and what sounds now is not it. */
     private static final double FAR_LOUDER = 64;
 
     private static final int MOST_LOUDER = 2;
     /** Hops until tones off their frequency are looked at again: 5 ms. */
     private static final int OFF_FREQUENCY_WAIT = 2;
-    /** What an interruption of 10 ms touches, in hops. */
-    private static final int LONGEST_HOLE = 6;
-
     /** Farther off than this it is no key's tone; between what Q.24 accepts (1.8 %) and rejects (3 %). */
     private static final double MOST_ERROR = 0.021;
     /** Between what Q.24 accepts (8 dB) with 2 dB to spare, and 15 dB, which no exchange takes. */
@@ -116,7 +110,7 @@ final class ToneFit {
         int span = Math.min(SPAN, reach);
         offFrequency = false;
         sinceOnset = 0;
-        if (span < REFERENCE || isTooEarly(bank, newest, (int) leastHops)) {
+        if (span < REFERENCE) {
             return 1;
         }
         for (int i = 0; i < REFERENCE; i++) {
@@ -142,16 +136,6 @@ final class ToneFit {
             open = hops >= span - 1;
         }
         return tuned ? 0 : OFF_FREQUENCY_WAIT;
-    }
-
-    /** Early exit: {@code hops} ago and 6 hops before that both tones were 9 dB weaker than 2 hops ago. */
-    private boolean isTooEarly(ToneBank bank, int newest, int hops) {
-        float weak = FAR_WEAKER * product(bank, newest - 2);
-        return product(bank, newest - hops) < weak && product(bank, newest - hops - LONGEST_HOLE) < weak;
-    }
-
-    private float product(ToneBank bank, int at) {
-        return bank.power(row, at) * bank.power(4 + column, at);
     }
 
     /** Median of the product of both tones' powers, by sorting as they come. */

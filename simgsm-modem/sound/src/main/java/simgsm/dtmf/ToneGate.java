@@ -25,7 +25,6 @@ final class ToneGate {
     private final float[] cosines = new float[ToneBank.TONES * ARM];
     private final float[] sines = new float[ToneBank.TONES * ARM];
     private final float[] power = new float[ToneBank.TONES];
-    private float loudness;
 
     ToneGate() {
         for (int k = 0; k < ToneBank.TONES; k++) {
@@ -46,15 +45,9 @@ final class ToneGate {
         }
         int column = strongest(bank, newest, GROUP);
         float weaker = Math.min(power[row], power[column]);
-        loudness = power[row] * power[column];
         boolean found =
                 standsOut(column) && weaker > FLOOR && Math.max(power[row], power[column]) < MOST_TWIST * weaker;
         return found ? GROUP * row + column - GROUP : -1;
-    }
-
-    /** The product of the powers of the two tones that stood out at the last look. */
-    float loudness() {
-        return loudness;
     }
 
     /** The tones of a hop and the six before it, and what they have to reach. */

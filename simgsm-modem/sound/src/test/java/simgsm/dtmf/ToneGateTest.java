@@ -1,7 +1,6 @@
 package simgsm.dtmf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
@@ -24,7 +23,6 @@ class ToneGateTest {
             boolean counts = levels.counts(each.row()) && levels.counts(4 + each.column());
             assertEquals(counts, each.ordinal() == key, "the levels tell of " + each);
         }
-        assertTrue(key < 0 || gate.loudness() > 0);
         return key;
     }
 
