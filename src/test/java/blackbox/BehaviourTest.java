@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Robots that go their own ways, whoever calls them back, and runs as fast as the machine can. */
 class BehaviourTest {
@@ -72,6 +76,65 @@ class BehaviourTest {
             robots.say("@b behaviour dance");
             robots.expect("error");
         }
+    }
+
+    @Test
+    void aRunWritesTheTracksOfItsRobots(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("track.csv");
+        FinishedProgram run = FinishedProgram.run(
+                "simrobot",
+                "--world=" + Scenario.world("office.map"),
+                "--robot=a=5550201",
+                "--robot=b=5550202",
+                "--behaviour=wander",
+                "--seed=3",
+                "--run=2",
+                "--track=" + file);
+        assertEquals(0, run.status(), run.error());
+        List<String> lines = Files.readAllLines(file);
+        assertEquals("robot,time,x,y,heading,status", lines.get(0));
+        assertEquals(1 + 2 * 21, lines.size(), "from 0.0 to 2.0 s");
+        assertTrue(lines.get(1).startsWith("a,0.00,"), lines.get(1));
+        assertTrue(lines.get(2).startsWith("b,0.00,"), lines.get(2));
+        assertTrue(
+                lines.get(42).matches("b,2\\.00,-?[0-9]+\\.[0-9]{4},-?[0-9]+\\.[0-9]{4},[0-9]+\\.[0-9]{2},Moving"),
+                lines.get(42));
+    }
+
+    @Test
+    void aBatchOfRunsPrintsALineForEachSeedAndRepeats() throws Exception {
+        String[] options = {
+            "--world=" + Scenario.world("office.map"),
+            "--behaviour=wander",
+            "--noise=1",
+            "--seed=7",
+            "--run=30",
+            "--runs=3"
+        };
+        FinishedProgram runs = FinishedProgram.run("simrobot", options);
+        assertEquals(0, runs.status(), runs.error());
+        List<String> lines = runs.output().lines().toList();
+        assertEquals("seed,robots,simulated,travelled,collisions,moving", lines.get(0));
+        assertEquals(4, lines.size(), runs.output());
+        for (int run = 0; run < 3; run++) {
+            assertTrue(lines.get(run + 1).startsWith((7 + run) + ",1,30.000,"), lines.get(run + 1));
+        }
+        assertNotEquals(lines.get(1).substring(2), lines.get(2).substring(2));
+        assertEquals(runs.output(), FinishedProgram.run("simrobot", options).output());
+    }
+
+    @Test
+    void tracksAndRunsBelongToARun() throws Exception {
+        for (String[] options : new String[][] {
+            {"--headless", "--track=x.csv"}, {"--headless", "--runs=2"}, {"--run=1", "--runs=2", "--track=x.csv"}
+        }) {
+            FinishedProgram refused = FinishedProgram.run("simrobot", options);
+            assertEquals(2, refused.status(), refused.error());
+        }
+        assertEquals(
+                74,
+                FinishedProgram.run("simrobot", "--run=1", "--track=/nowhere/x.csv")
+                        .status());
     }
 
     @Test

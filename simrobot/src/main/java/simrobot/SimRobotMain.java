@@ -117,6 +117,8 @@ public final class SimRobotMain {
                         "run",
                         "SECONDS",
                         "simulate that long as fast as the machine can, without centre and console, and end")
+                .value("runs", "N", "with --run: N runs with seeds that count up, a line of CSV each")
+                .value("track", "FILE.csv", "with --run: write pose and status of each robot every 0.1 s")
                 .value(
                         "record",
                         "FILE",
@@ -176,6 +178,11 @@ public final class SimRobotMain {
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
+        }
+        for (String option : List.of("runs", "track")) {
+            if (arguments.has(option) && !arguments.has("run")) {
+                throw new UsageException("--" + option + ": expected with --run SECONDS");
+            }
         }
         if (arguments.has("run")) {
             return BatchRun.run(arguments, world);

@@ -1,6 +1,8 @@
 package simrobot.app;
 
 import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -24,10 +26,11 @@ import simrobot.world.World;
 
 /**
  * {@code --run SECONDS}: simulates that long, as fast as the machine can, on the main thread alone: no centre, no modem, no
- * console. The simulation is the one that windows and consoles use.
+ * console. The simulation is the one that windows and consoles use. {@code --runs N} does so for N seeds.
  */
 public final class BatchRun {
     private static final double MAX_SECONDS = 1e9;
+    private static final long MAX_RUNS = 1_000_000;
 
     /** Options that need real time or a peer. */
     private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os");
@@ -44,30 +47,29 @@ public final class BatchRun {
                 .map(RobotName::name)
                 .toList();
         long seed = SimRobotMain.seed(arguments);
-        double noise = arguments.number("noise", 0, 0, Noise.MAX_SCALE);
-        boolean motors = arguments.choice("motors", "on", "off").equals("on");
-        boolean power = arguments.choice("power", "on", "off").equals("on");
         double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
-        Optional<Path> file = arguments.path("record");
+        return arguments.has("runs")
+                ? runAll(arguments, world, names, seed, seconds)
+                : runOne(arguments, world, names, seed, seconds);
+    }
+
+    /** One run, with its files. */
+    private static int runOne(Arguments arguments, World world, List<String> names, long seed, double seconds)
+            throws UsageException, IOException {
+        Optional<Path> record = arguments.path("record");
+        Optional<Path> track = arguments.path("track");
         long began = System.nanoTime();
-        Simulation simulation = new Simulation(world, seed);
-        BehaviourKind behaviour =
-                RequestedBehaviours.of(arguments, simulation.behaviours()).chosen(arguments);
-        simulation.setNoise(noise);
-        simulation.setTrails(false);
-        simulation.addRobots(names);
+        Simulation simulation = simulation(arguments, world, names, seed);
         // without a thread that performs acts, records are written when they are full
-        Optional<SessionRecorder> recorder = file.isPresent()
-                ? Optional.of(SessionRecorder.open(file.get(), simulation, act -> {}))
+        Optional<SessionRecorder> recorder = record.isPresent()
+                ? Optional.of(SessionRecorder.open(record.get(), simulation, act -> {}))
                 : Optional.empty();
-        for (SimulatedRobot robot : simulation.robots()) {
-            recorder.ifPresent(open -> record(robot, open));
-            robot.setMotors(motors);
-            robot.setPower(power);
-            robot.autonomy().begin(behaviour);
-        }
-        for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
-            simulation.step();
+        recorder.ifPresent(open -> simulation.robots().forEach(robot -> record(robot, open)));
+        begin(arguments, simulation);
+        try (RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null) {
+            simulate(simulation, seconds);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
         }
         recorder.ifPresent(SessionRecorder::close);
         double wall = (System.nanoTime() - began) * 1e-9;
@@ -78,6 +80,54 @@ public final class BatchRun {
                         .with("cpu", threeDecimals(cpuSeconds()))
                         .with("wall", threeDecimals(wall)));
         return ExitStatus.OK;
+    }
+
+    /** {@code --runs N}: a line of CSV for each of N seeds, counting up. */
+    private static int runAll(Arguments arguments, World world, List<String> names, long seed, double seconds)
+            throws UsageException, IOException {
+        for (String file : List.of("record", "track")) {
+            if (arguments.has(file)) {
+                throw new UsageException("--" + file + ": a file holds one run, expected no --runs beside it");
+            }
+        }
+        long runs = arguments.integer("runs", 1, 1, MAX_RUNS);
+        PrintStream out = Program.standardOutput();
+        out.println(RunTally.HEADER);
+        for (long run = seed; run < seed + runs; run++) {
+            Simulation simulation = simulation(arguments, world, names, run);
+            RunTally tally = new RunTally(simulation);
+            begin(arguments, simulation);
+            simulate(simulation, seconds);
+            out.println(tally.line(run, seconds));
+        }
+        return ExitStatus.OK;
+    }
+
+    private static Simulation simulation(Arguments arguments, World world, List<String> names, long seed)
+            throws UsageException {
+        Simulation simulation = new Simulation(world, seed);
+        simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
+        simulation.setTrails(false);
+        simulation.addRobots(names);
+        return simulation;
+    }
+
+    private static void begin(Arguments arguments, Simulation simulation) throws UsageException, IOException {
+        boolean motors = arguments.choice("motors", "on", "off").equals("on");
+        boolean power = arguments.choice("power", "on", "off").equals("on");
+        BehaviourKind behaviour =
+                RequestedBehaviours.of(arguments, simulation.behaviours()).chosen(arguments);
+        for (SimulatedRobot robot : simulation.robots()) {
+            robot.setMotors(motors);
+            robot.setPower(power);
+            robot.autonomy().begin(behaviour);
+        }
+    }
+
+    private static void simulate(Simulation simulation, double seconds) {
+        for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
+            simulation.step();
+        }
     }
 
     private static void record(SimulatedRobot robot, SessionRecorder recorder) {

@@ -87,6 +87,16 @@ public final class RobotConsole implements Console.Commands {
                     "NAME=NUMBER [X Y HEADING]",
                     "adds a robot with its modem",
                     (to, command) -> to.console.add(command))
+            .add(
+                    "speed",
+                    "N",
+                    "simulated seconds per second; 0 pauses",
+                    (to, command) -> new PaceCommands(to.console).speed(command))
+            .add(
+                    "step",
+                    "[N]",
+                    "makes one step of 10 ms, or N, of a paused simulation",
+                    (to, command) -> new PaceCommands(to.console).step(command))
             .add("remove", "", "removes the robot with its modem", (to, command) -> to.console.remove(to))
             .add("robots", "", "lists the robots and their numbers", (to, command) -> to.console.list())
             .add(

@@ -117,7 +117,16 @@ public final class SimulationThread implements Executor, AutoCloseable {
 
     /** Makes one step; meant for a paused simulation. */
     public void stepOnce() {
-        post(this::step);
+        steps(1);
+    }
+
+    /** Makes steps one after the other; other acts wait meanwhile. */
+    public void steps(int count) {
+        post(() -> {
+            for (int i = 0; i < count; i++) {
+                step();
+            }
+        });
     }
 
     /** The newest snapshot. Asking for one makes the thread take the next: without readers it takes none. */

@@ -104,6 +104,27 @@ class RobotConsoleTest {
     }
 
     @Test
+    void theSimulationIsPausedSteppedAndGivenItsSpeed() throws Exception {
+        assertEquals(
+                List.of("speed value=0", "step count=1 time=0.01", "step count=250 time=2.51"),
+                answers("speed 0", "step", "step 250"));
+        List<String> answers = answers("speed 2.5", "step", "speed 1000", "speed 0");
+        assertEquals("speed value=2.5", answers.get(0));
+        assertTrue(answers.get(1).startsWith("error text=\"step: the simulation runs"), answers.get(1));
+        assertEquals(List.of("speed value=1000", "speed value=0"), answers.subList(2, 4));
+    }
+
+    @Test
+    void speedsAndStepsThatAreNoneAreErrorsAndChangeNothing() throws Exception {
+        answers("speed 0");
+        for (String command : List.of(
+                "speed", "speed -1", "speed fast", "speed 1001", "speed NaN", "step 0", "step 10001", "step x")) {
+            assertTrue(answers(command).get(0).startsWith("error text="), command);
+        }
+        assertEquals(List.of("step count=1 time=0.01"), answers("step"));
+    }
+
+    @Test
     void theLaserAnswersWith181Ranges() throws Exception {
         List<String> answers = answers("laser");
         assertTrue(answers.get(0).matches("laser robot=r0 ranges=([0-9]+,){180}[0-9]+"), answers.get(0));

@@ -1,0 +1,60 @@
+package simrobot.app;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import simrobot.control.TrackSeries;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
+import vericommand.Pose;
+
+/** {@code --track FILE.csv}: the robots of a run every 0.1 s, from its beginning to its end. */
+final class RunTrack implements AutoCloseable {
+    static final String HEADER = "robot,time,x,y,heading,status";
+
+    private final Simulation simulation;
+    private final BufferedWriter out;
+
+    /** Writes the header, and the robots as they stand. */
+    RunTrack(Path file, Simulation simulation) throws IOException {
+        this.simulation = simulation;
+        out = Files.newBufferedWriter(file);
+        out.write(HEADER + "\n");
+        write(simulation.timeNanos());
+        simulation.addStepListener(this::stepped);
+    }
+
+    private void stepped(long timeNanos) {
+        if (timeNanos % TrackSeries.PERIOD_NANOS == 0) {
+            try {
+                write(timeNanos);
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    private void write(long timeNanos) throws IOException {
+        String time = String.format(Locale.ROOT, "%.2f", timeNanos * 1e-9);
+        for (SimulatedRobot robot : simulation.robots()) {
+            Pose pose = robot.pose();
+            out.write(String.join(
+                            ",",
+                            robot.name(),
+                            time,
+                            pose.xText(4),
+                            pose.yText(4),
+                            pose.headingText(2),
+                            robot.status().text())
+                    + "\n");
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        out.close();
+    }
+}
