@@ -83,7 +83,7 @@ class LayeringTest {
             simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
-            simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.app simgsm.center.demo
+            simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.editor          : simrobot.world

@@ -32,8 +32,13 @@ import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
 import simgsm.air.ShortMessageControl.CpError;
+import simgsm.air.SupplementaryService;
 import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
+import simgsm.ss.Component;
+import simgsm.ss.ComponentCodec;
+import simgsm.ss.SsOperation;
+import simgsm.ss.UssdText;
 import simgsm.station.call.MobileCallState;
 
 /** A network that sends whatever it likes, a user who does whatever he likes, and time. */
@@ -84,8 +89,25 @@ class RandomPeerTest {
             case 13 -> relink();
             case 14 -> scene.down(new LocationUpdatingAccept(LocationArea.TEST, Optional.of(Scene.TMSI)));
             case 15, 16, 17 -> mutated();
+            case 18 -> scene.station.sendUssd("*" + random.nextInt(200) + "#");
+            case 19 -> rarely(scene.station::endUssd);
+            case 20 -> scene.down(ussdMessage());
             default -> scene.down(anyMessage());
         }
+    }
+
+    /** A question, an answer or the end of a dialogue that may be under way. */
+    private SupplementaryService ussdMessage() {
+        TransactionIdentifier transaction = new TransactionIdentifier(random.nextInt(7), random.nextBoolean());
+        OctetString question = ComponentCodec.encode(new Component.Invoke(
+                1,
+                random.nextBoolean() ? SsOperation.UNSTRUCTURED_SS_REQUEST : SsOperation.UNSTRUCTURED_SS_NOTIFY,
+                UssdText.of("?").encode()));
+        return switch (random.nextInt(3)) {
+            case 0 -> new SupplementaryService.SsRegister(transaction, question, Optional.empty());
+            case 1 -> new SupplementaryService.SsFacility(transaction, question);
+            default -> new SupplementaryService.SsReleaseComplete(transaction);
+        };
     }
 
     private void rarely(Runnable act) {

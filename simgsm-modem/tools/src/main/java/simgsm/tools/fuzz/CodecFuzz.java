@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
+import simgsm.abis.MgcpMessage;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
@@ -107,6 +108,7 @@ public final class CodecFuzz {
         switch (frame.stream()) {
             case IpaFrame.RSL -> signalling.check(frame.payload(), direction);
             case IpaFrame.CCM -> CcmCodec.encode(CcmCodec.decode(frame.payload()));
+            case IpaFrame.MGCP -> MgcpMessage.decode(frame.payload()).encode();
             case IpaFrame.SPEECH -> speech(RtpPacket.decode(frame.payload()));
             default -> {}
         }
