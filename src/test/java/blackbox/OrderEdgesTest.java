@@ -43,7 +43,8 @@ class OrderEdgesTest {
                 // what fits nowhere
                 "** 5|7|key 3",
                 "** ##*|7|key 5",
-                "** #*5|7|key 5",
+                "** #*A|7|key 5",
+                "** #*5 **|7|key 5",
                 "** ### 5|7|key 6",
                 "** #*0 5|7|key 6",
                 "** #**20 *5|7|key 9",

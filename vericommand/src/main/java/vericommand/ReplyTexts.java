@@ -98,14 +98,15 @@ final class ReplyTexts {
     /** An order for a process that is not there; with the names of the others where they fit. */
     Reply noProcess(Verdict.NoProcess verdict) {
         String number = "" + verdict.order().process().orElseThrow().number();
+        String position = "" + verdict.position();
         String all = verdict.processes().entrySet().stream()
                 .map(process -> process.getKey() + " " + process.getValue())
                 .collect(Collectors.joining(", "));
-        String text = text("reply.process.none", number, all.isEmpty() ? "-" : all);
+        String text = text("reply.process.none", number, all.isEmpty() ? "-" : all, position);
         if (text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2) {
             String numbers =
                     verdict.processes().keySet().stream().map(String::valueOf).collect(Collectors.joining(", "));
-            text = text("reply.process.none", number, numbers);
+            text = text("reply.process.none", number, numbers, position);
         }
         return new Reply(ReplyTone.NOT_VALID, text);
     }

@@ -66,7 +66,7 @@ class VeriCommandProcessTest {
     @Test
     void aNumberWithoutAProcessIsNotAValidCommandAndTheReplyListsThoseThereAre() {
         bench.sms("** #**20 #*3 **");
-        String reply = "7 Not a valid command: no process 3. Processes: 1 wander, 2 wall-follow.";
+        String reply = "7 Not a valid command: no process 3 at key 10. Processes: 1 wander, 2 wall-follow.";
         assertEquals(List.of("order **#**20#*3** invalid", "outcome " + reply, "sms 5550101 " + reply), bench.events());
         assertEquals(10, bench.shown.failingPosition());
         assertEquals(List.of(), bench.robot.started);

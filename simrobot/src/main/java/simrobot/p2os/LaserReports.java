@@ -33,7 +33,7 @@ final class LaserReports {
     }
 
     /** Applies a setting; a field that no laser has is not sent. */
-    void set(P2osCommand.Laser setting) {
+    void set(P2osCommand.LaserCommand setting) {
         switch (setting.part()) {
             case MODE -> {
                 mode = setting.value();

@@ -89,7 +89,7 @@ public sealed interface P2osCommand {
         STEP
     }
 
-    record Laser(LaserPart part, int value) implements P2osCommand {}
+    record LaserCommand(LaserPart part, int value) implements P2osCommand {}
 
     /** Loads a world. */
     record SimLoad(String file) implements P2osCommand {}

@@ -104,7 +104,7 @@ public final class P2osCommandCodec {
     }
 
     private static P2osCommand laser(P2osCommand.LaserPart part, int value) {
-        return new P2osCommand.Laser(part, value);
+        return new P2osCommand.LaserCommand(part, value);
     }
 
     /** Type, operation 2, length 2, file name; operations 1 and 2 load a world, the others are not served. */

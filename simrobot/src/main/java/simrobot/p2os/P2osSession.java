@@ -200,7 +200,7 @@ public final class P2osSession {
             stall.setBumpers(sides);
         } else if (command instanceof P2osCommand.Battery battery) {
             robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
-        } else if (command instanceof P2osCommand.Laser setting) {
+        } else if (command instanceof P2osCommand.LaserCommand setting) {
             laser.set(setting);
         } else if (command instanceof P2osCommand.SimLoad load) {
             requests.loadWorld(robot.name(), load.file());
