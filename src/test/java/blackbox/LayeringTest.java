@@ -86,6 +86,7 @@ class LayeringTest {
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
             simrobot.world           :
+            simrobot.bitmap          : simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world
             simrobot.source          : simrobot.behaviour simrobot.process
@@ -104,7 +105,7 @@ class LayeringTest {
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
             simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
-            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
+            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
 

@@ -86,7 +86,11 @@ public final class SimRobotMain {
                         "FILE",
                         "the robots' SIMs, for a closed network: IMSI, number and key; each robot takes the one of"
                                 + "\nits number")
-                .value("world", "FILE", "the world: ARIA .map or Saphira .wld (worlds/demo.map)")
+                .value(
+                        "world",
+                        "FILE",
+                        "the world: ARIA .map, Saphira .wld, ROS map.yaml with PGM or PNG, or PNG (worlds/demo.map)")
+                .value("resolution", "METRES", "the width of a pixel of --world FILE.png")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")
                 .value(
@@ -174,7 +178,7 @@ public final class SimRobotMain {
                     arguments.value("modem-check", LineAddress::parse).orElseThrow(), Program.standardOutput());
         }
         VeriCommandSettings settings = settings(arguments);
-        World world = WorldFile.read(arguments.path("world"));
+        World world = WorldFile.read(arguments.path("world"), WorldFile.resolution(arguments));
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
@@ -247,6 +251,7 @@ public final class SimRobotMain {
             endInOrder(simRobot, record);
             simRobot.onAdded(robot -> robot.listen(record.listener(robot.name())));
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
+            model.setResolution(WorldFile.resolution(arguments));
             simRobot.start();
             ports.start();
             built.behaviours().start(simRobot, record::event);
@@ -264,6 +269,7 @@ public final class SimRobotMain {
         List<RobotName> names = RequestedRobots.of(arguments, slot, world);
         long seed = seed(arguments);
         Simulation simulation = new Simulation(world, seed);
+        simulation.setStartInMiddle(arguments.has("robots"));
         RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, simulation.behaviours());
         Fleet.Kit kit = kit(arguments, slot, names.size() == 1, seed, behaviours.chosen(arguments));
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
@@ -339,6 +345,7 @@ public final class SimRobotMain {
             simRobot.start();
             ports.start();
             built.behaviours().start(simRobot, out);
+            OptionalDouble resolution = WorldFile.resolution(arguments);
             Program.runConsole(
                     console,
                     arguments,
@@ -346,7 +353,7 @@ public final class SimRobotMain {
                             simRobot,
                             built.fleet(),
                             new FileExports(simRobot.tracks()::csv, new WorldPictures()),
-                            file -> WorldFile.read(Optional.of(file)),
+                            file -> WorldFile.read(Optional.of(file), resolution),
                             out));
             return console.exitStatus();
         }

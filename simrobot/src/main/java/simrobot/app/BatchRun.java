@@ -106,6 +106,7 @@ public final class BatchRun {
     private static Simulation simulation(Arguments arguments, World world, List<String> names, long seed)
             throws UsageException {
         Simulation simulation = new Simulation(world, seed);
+        simulation.setStartInMiddle(arguments.has("robots"));
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
         simulation.setTrails(false);
         simulation.addRobots(names);

@@ -128,7 +128,7 @@ public final class RequestedRobots {
 
     private static List<RobotName> onAllHomes(World world, Msisdn first) throws UsageException {
         if (world.homes().isEmpty()) {
-            throw new UsageException("--robots: " + world.name() + " has no RobotHome");
+            return List.of(new RobotName(SINGLE_NAME, first));
         }
         List<RobotName> robots = new ArrayList<>();
         UniqueNames names = new UniqueNames();

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -15,6 +16,7 @@ import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.CallMonitor;
+import simrobot.bitmap.BitmapWorld;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEvent;
@@ -34,7 +36,6 @@ import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
-import simrobot.world.WorldReader;
 import vericommand.Pose;
 
 /** The running program as the window shows it: combines the snapshots of all threads and passes actions to their owners. */
@@ -54,6 +55,7 @@ public final class WindowModel implements OperatorActions {
     private final ExecutorService worker = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private final WorldFileWatch watch;
     private volatile Path worldFile;
+    private volatile OptionalDouble resolutionMeters = OptionalDouble.empty();
     private volatile String notice = "";
     private volatile long noticeNanos;
     private WindowSnapshot newest;
@@ -118,6 +120,11 @@ public final class WindowModel implements OperatorActions {
     private void removed(TelephoneRobot robot) {
         lines.removeIf(line -> line.robot() == robot);
         log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
+    }
+
+    /** The width of a pixel, for pictures that are loaded from now on. */
+    public void setResolution(OptionalDouble meters) {
+        resolutionMeters = meters;
     }
 
     /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
@@ -333,7 +340,7 @@ public final class WindowModel implements OperatorActions {
     /** Loads a world; a file that cannot be read changes nothing and is reported. */
     void read(Path file) {
         try {
-            World world = WorldReader.read(file);
+            World world = BitmapWorld.read(file, resolutionMeters);
             simulation.withSimulation(owned -> {
                 try {
                     owned.load(world);

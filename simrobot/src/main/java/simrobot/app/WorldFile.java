@@ -9,8 +9,11 @@ import java.security.CodeSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simrobot.bitmap.BitmapWorld;
 import simrobot.world.World;
-import simrobot.world.WorldReader;
 
 /** Finds a world file: as named, in {@code worlds/}, or upward from the jar's folder, with or without {@code worlds/}. */
 public final class WorldFile {
@@ -22,17 +25,29 @@ public final class WorldFile {
 
     /** @param name empty for the demo's world, or an empty one if that is not found */
     public static World read(Optional<Path> name) throws IOException {
+        return read(name, OptionalDouble.empty());
+    }
+
+    /** @param resolutionMeters the width of a pixel of a picture */
+    public static World read(Optional<Path> name, OptionalDouble resolutionMeters) throws IOException {
         Path place = find(name);
         if (Files.isDirectory(place)) {
             throw new IOException(place + ": expected a world file, found a folder");
         }
         if (Files.exists(place)) {
-            return WorldReader.read(place);
+            return BitmapWorld.read(place, resolutionMeters);
         }
         if (name.isEmpty()) {
             return World.bare();
         }
         throw new NoSuchFileException(place.toString());
+    }
+
+    /** The option --resolution: metres a pixel. */
+    public static OptionalDouble resolution(Arguments arguments) throws UsageException {
+        return arguments.has("resolution")
+                ? OptionalDouble.of(arguments.number("resolution", 0, 1e-4, 10))
+                : OptionalDouble.empty();
     }
 
     /** The place of the world's file; as named if it is not found. */

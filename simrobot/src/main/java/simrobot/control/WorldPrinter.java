@@ -3,6 +3,9 @@ package simrobot.control;
 import java.io.PrintStream;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.List;
+import simrobot.world.Area;
 import simrobot.world.World;
 
 /** Prints a loaded world for {@code --print-world}, in the files' units: millimetres and degrees. */
@@ -27,7 +30,46 @@ public final class WorldPrinter {
                         millimeters(home.position().yMeters()),
                         plain(Math.toDegrees(home.headingRadians())),
                         home.name()));
+        world.boxes().forEach(box -> area(out, "box", box.area(), box.name()));
+        world.goals()
+                .forEach(goal -> row(
+                        out,
+                        "goal",
+                        millimeters(goal.position().xMeters()),
+                        millimeters(goal.position().yMeters()),
+                        plain(Math.toDegrees(goal.headingRadians())),
+                        goal.type(),
+                        goal.name()));
+        world.forbiddenLines()
+                .forEach(line -> row(
+                        out,
+                        "forbidden-line",
+                        millimeters(line.x1Meters()),
+                        millimeters(line.y1Meters()),
+                        millimeters(line.x2Meters()),
+                        millimeters(line.y2Meters())));
+        world.forbiddenAreas().forEach(area -> area(out, "forbidden-area", area));
+        world.treadmills()
+                .forEach(belt -> area(
+                        out,
+                        "treadmill",
+                        belt.area(),
+                        millimeters(belt.speedMetersPerSecond()),
+                        plain(Math.toDegrees(belt.directionRadians()))));
         out.flush();
+    }
+
+    /** The corners before the rotation, the rotation in degrees, and more. */
+    private static void area(PrintStream out, String kind, Area area, String... more) {
+        List<String> fields = new ArrayList<>(List.of(
+                kind,
+                millimeters(area.minXMeters()),
+                millimeters(area.minYMeters()),
+                millimeters(area.maxXMeters()),
+                millimeters(area.maxYMeters()),
+                plain(Math.toDegrees(area.rotationRadians()))));
+        fields.addAll(List.of(more));
+        row(out, fields.toArray(String[]::new));
     }
 
     private static void row(PrintStream out, String... fields) {

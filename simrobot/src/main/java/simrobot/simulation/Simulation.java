@@ -47,6 +47,7 @@ public final class Simulation {
 
     private final long seed;
     private double noise;
+    private boolean fromMiddle;
     private World world;
     private SimulatedRobot watched;
     private boolean trails = true;
@@ -96,6 +97,11 @@ public final class Simulation {
         trails = wanted;
     }
 
+    /** In a world without homes, robots added from now on start in its middle, not at its origin. */
+    public void setStartInMiddle(boolean middle) {
+        fromMiddle = middle;
+    }
+
     // ---- robots --------------------------------------------------------------------------------------------------
 
     /** In the order in which they were added. */
@@ -114,7 +120,7 @@ public final class Simulation {
 
     /** Adds several robots in their order. */
     public List<SimulatedRobot> addRobots(List<String> names) {
-        StartPlaces places = new StartPlaces(world, (x, y) -> floor.isFree(null, x, y));
+        StartPlaces places = new StartPlaces(world, (x, y) -> floor.isFree(null, x, y), fromMiddle);
         List<SimulatedRobot> added = new ArrayList<>(names.size());
         try {
             for (String name : names) {
@@ -301,7 +307,8 @@ public final class Simulation {
                                 robots.stream().map(robot -> snapshot(robot, lasers)),
                                 guests.stream().map(Supplier::get))
                         .toList(),
-                behaviours.withNone());
+                behaviours.withNone(),
+                behaviours.faults());
     }
 
     private RobotSnapshot snapshot(SimulatedRobot robot, Predicate<SimulatedRobot> lasers) {

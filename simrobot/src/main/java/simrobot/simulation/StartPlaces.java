@@ -38,9 +38,14 @@ final class StartPlaces {
 
     /** @param free takes a robot into account as soon as it stands on its place */
     StartPlaces(World world, Free free) {
+        this(world, free, false);
+    }
+
+    /** @param fromMiddle whether the places of a world without homes are searched from its middle */
+    StartPlaces(World world, Free free, boolean fromMiddle) {
         this.world = world;
         this.free = free;
-        center = center(world);
+        center = fromMiddle && world.homes().isEmpty() ? world.bounds().center() : center(world);
     }
 
     /** The next free place. @throws NoSuchElementException when there is none left */

@@ -42,7 +42,7 @@ public final class FileDialogs {
         String name = String.valueOf(file.getFileName());
         return name.toLowerCase(Locale.ROOT).endsWith("." + ending)
                 ? file
-                : file.resolveSibling(name.replaceFirst("\\.(wld|WLD)$", "") + "." + ending);
+                : file.resolveSibling(name.replaceFirst("(?i)\\.(wld|yaml|yml|png|pgm)$", "") + "." + ending);
     }
 
     private static boolean mayReplace(TextBundle texts, Component owner, Path file) {

@@ -48,7 +48,13 @@ public final class MapReader {
         List<String> lines = WorldReader.lines(text);
         if (lines.isEmpty() || !lines.get(0).strip().startsWith(MAGIC)) {
             String found = lines.isEmpty() ? "an empty file" : '"' + brief(lines.get(0)) + '"';
-            throw new WorldFormatException(source, 1, found, '"' + MAGIC + '"');
+            throw new WorldFormatException(
+                    source,
+                    1,
+                    found,
+                    '"' + MAGIC
+                            + "\" of an ARIA .map; also read are Saphira .wld, ROS map.yaml with PGM or PNG, and PNG"
+                            + " with --resolution METRES");
         }
         MapReader reader = new MapReader(source);
         for (int i = 1; i < lines.size(); i++) {

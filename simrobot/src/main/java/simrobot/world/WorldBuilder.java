@@ -47,6 +47,12 @@ public final class WorldBuilder {
         return this;
     }
 
+    /** Sets the diameter of all points. */
+    public WorldBuilder pointDiameter(double meters) {
+        pointDiameterMeters = meters;
+        return this;
+    }
+
     public WorldBuilder addPoint(Position point) {
         points.add(point);
         return this;

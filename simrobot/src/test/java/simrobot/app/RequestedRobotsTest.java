@@ -77,8 +77,7 @@ class RequestedRobotsTest {
         "--robot=a b=5,robot's name",
         "--robot=@a=5,robot's name",
         "--robot=a=x,--robot",
-        "--robots=some,--robots",
-        "--robots=all,no RobotHome"
+        "--robots=some,--robots"
     })
     void aWrongLineupIsNamed(String option, String words) {
         String message = assertThrows(UsageException.class, () -> lineup(World.bare(), option))
@@ -108,5 +107,10 @@ class RequestedRobotsTest {
         assertEquals(
                 java.util.Set.of("5550100", "5550101"),
                 SimRobotMain.settings(arguments).operators());
+    }
+
+    @Test
+    void aWorldWithoutHomesHasOneRobot() throws Exception {
+        assertEquals(List.of("robot=5550200"), lineup(homes(), "--robots=all"));
     }
 }

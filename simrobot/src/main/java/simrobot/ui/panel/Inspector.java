@@ -28,14 +28,16 @@ import simrobot.ui.ValueRow;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
-/** The column at the right of the floor: the robots, and the state of the selected one or the events. */
+/** The column at the right of the floor: the robots, and the state of the selected one, the processes or the events. */
 final class Inspector extends JPanel {
     private static final String ROBOT = "robot";
     private static final String EVENTS = "events";
+    private static final String PROCESSES = "processes";
 
     private final RobotsCard robots;
     private final NewRobotForm newRobot;
     private final EventsCard events;
+    private final ProcessesCard processes;
     private final CardLayout sheets = new CardLayout();
     private final JPanel sheet = new JPanel(sheets);
     private final ValueRow x;
@@ -58,6 +60,7 @@ final class Inspector extends JPanel {
         newRobot = new NewRobotForm(texts, operator, view);
         robots = new RobotsCard(texts, selection, operator, this::toggleNewRobotForm);
         events = new EventsCard(texts);
+        processes = new ProcessesCard(texts, operator);
         x = new ValueRow("pose.x", "x", "m");
         y = new ValueRow("pose.y", "y", "m");
         heading = new ValueRow("pose.heading", texts.of("pose.heading"), "\u00b0");
@@ -74,6 +77,7 @@ final class Inspector extends JPanel {
         JScrollPane state = scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels));
         sheet.add(ComponentNames.name(state, "inspector", texts.of("tab.robot")), ROBOT);
         sheet.add(events, EVENTS);
+        sheet.add(processes, PROCESSES);
         JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
     }
@@ -93,15 +97,17 @@ final class Inspector extends JPanel {
         return all;
     }
 
-    /** The lower part shows the robot or the events. */
+    /** The lower part shows the robot, the events or the processes. */
     private JPanel tabs(TextBundle texts) {
         JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, ROBOT);
         JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, EVENTS);
+        JToggleButton own = tab("tab.processes", texts, KeyEvent.VK_3, PROCESSES);
         ButtonGroup one = new ButtonGroup();
         one.add(robot);
         one.add(log);
+        one.add(own);
         robot.setSelected(true);
-        return Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log));
+        return Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log), Arrange.growing(own));
     }
 
     private JToggleButton tab(String id, TextBundle texts, int key, String name) {
@@ -139,6 +145,7 @@ final class Inspector extends JPanel {
         robots.setLive(newest.timeline().isEmpty());
         wheels.setVisible(newest.timeline().isEmpty());
         selected.ifPresent(wheels::show);
+        processes.show(newest.simulation(), selected);
         events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
         selected.ifPresent(this::show);
         selected.ifPresent(robot -> camera.show(newest.simulation(), robot));

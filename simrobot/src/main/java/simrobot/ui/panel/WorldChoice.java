@@ -23,6 +23,8 @@ import simrobot.ui.ToolButtons;
 
 /** The button with the world's name; its menu lists the worlds in its folder. */
 public final class WorldChoice {
+    private static final List<String> ENDINGS = List.of("map", "wld", "yaml", "yml", "png", "pgm");
+
     private final TextBundle texts;
     private final OperatorActions operator;
     private final Consumer<Boolean> editing;
@@ -91,13 +93,14 @@ public final class WorldChoice {
 
     private static boolean isWorld(Path candidate) {
         String name = candidate.getFileName().toString().toLowerCase(Locale.ROOT);
-        return name.endsWith(".map") || name.endsWith(".wld");
+        return ENDINGS.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
     private void choose() {
         JFileChooser chooser =
                 new JFileChooser(file.toAbsolutePath().getParent().toFile());
-        chooser.setFileFilter(new FileNameExtensionFilter(texts.of("tool.world.files"), "map", "wld"));
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(texts.of("tool.world.files"), ENDINGS.toArray(String[]::new)));
         if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
             operator.load(chooser.getSelectedFile().toPath());
         }

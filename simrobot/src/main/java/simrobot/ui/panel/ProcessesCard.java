@@ -1,0 +1,129 @@
+package simrobot.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import simrobot.ui.OperatorActions;
+import simrobot.ui.ToolButtons;
+
+/** All processes by their numbers, to be started in the selected robot, and what is wrong with those of students. */
+final class ProcessesCard extends JPanel {
+    private final TextBundle texts;
+    private final DefaultListModel<String> rows = new DefaultListModel<>();
+    private final JList<String> list = new JList<>(rows);
+    private final JTextArea faults = new JTextArea();
+    private final UserAction stop;
+    private List<BehaviourKind> kinds = List.of();
+    private String robot = "";
+
+    ProcessesCard(TextBundle texts, OperatorActions operator) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        ComponentNames.name(list, "processes", texts.of("processes.title"));
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        UserAction start = new UserAction("processes.start", texts.of("processes.start"), () -> start(operator))
+                .described(texts.of("processes.start.hint"));
+        start.bind(list, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
+        stop = new UserAction(
+                        "processes.stop",
+                        texts.of("processes.stop"),
+                        () -> operator.setBehaviour(robot, BehaviourKind.NONE))
+                .described(texts.of("processes.stop.hint"));
+        ComponentNames.name(faults, "processes.faults", texts.of("processes.faults"));
+        faults.setEditable(false);
+        faults.setLineWrap(true);
+        faults.setWrapStyleWord(true);
+        faults.setOpaque(false);
+        Theme.styled(faults, area -> {
+            area.setForeground(Theme.color(Ink.DANGER));
+            area.setFont(Theme.base());
+        });
+        JPanel buttons = Arrange.row(
+                Theme.HALF,
+                ToolButtons.named(new JButton(), start),
+                ToolButtons.named(new JButton(), stop),
+                Arrange.spring());
+        JScrollPane pane = new JScrollPane(list);
+        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        add(new Card(texts.of("processes.title"), Arrange.column(Theme.GRID, buttons, Arrange.growing(pane), faults)));
+    }
+
+    private void start(OperatorActions operator) {
+        int index = list.getSelectedIndex();
+        if (index >= 0 && index < kinds.size()) {
+            operator.setBehaviour(robot, kinds.get(index));
+        }
+    }
+
+    void show(SimulationSnapshot scene, Optional<RobotSnapshot> selected) {
+        robot = selected.map(RobotSnapshot::name).orElse("");
+        BehaviourKind running = selected.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
+        stop.setEnabled(!running.equals(BehaviourKind.NONE));
+        kinds = scene.behaviours()
+                .subList(
+                        Math.min(1, scene.behaviours().size()),
+                        scene.behaviours().size());
+        showRows(running);
+        String text = scene.behaviourFaults().stream().map(this::fault).collect(Collectors.joining("\n"));
+        if (!text.equals(faults.getText())) {
+            faults.setText(text);
+            revalidate();
+        }
+    }
+
+    /** Changed rows are replaced one by one, so that the selection stays. */
+    private void showRows(BehaviourKind running) {
+        for (int i = 0; i < kinds.size(); i++) {
+            String row = row(i, kinds.get(i).equals(running));
+            if (i >= rows.size()) {
+                rows.addElement(row);
+            } else if (!rows.get(i).equals(row)) {
+                rows.set(i, row);
+            }
+        }
+        if (rows.size() > kinds.size()) {
+            rows.removeRange(kinds.size(), rows.size() - 1);
+        }
+    }
+
+    private String row(int index, boolean running) {
+        String number = index < BehaviourList.MAX_NUMBER ? "#*" + (index + 1) : "    ";
+        String row = number + "  " + RobotsCard.word(texts, kinds.get(index));
+        return running ? texts.of("processes.running", row) : row;
+    }
+
+    private String fault(BehaviourList.Fault fault) {
+        return fault.line() == 0
+                ? fault.name() + ": " + fault.text()
+                : texts.of("processes.fault", fault.name(), String.valueOf(fault.line()), fault.text());
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(Theme.px(180), Theme.px(160));
+    }
+}
