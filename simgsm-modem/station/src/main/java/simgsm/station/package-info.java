@@ -6,7 +6,7 @@
  * {@link simgsm.station.context.StationEvent}.
  *
  * <pre>
- *   station --> call, sms --> mobility --> context
+ *   station --> call, sms, ss --> mobility --> context
  * </pre>
  */
 package simgsm.station;

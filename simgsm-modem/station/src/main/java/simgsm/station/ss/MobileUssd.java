@@ -80,7 +80,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
      */
     public boolean send(String text) {
         boolean isReply = awaitsReply();
-        Component octets = isReply
+        Component component = isReply
                 ? new ReturnResult(
                         asked.id(),
                         SsOperation.UNSTRUCTURED_SS_REQUEST,
@@ -90,7 +90,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         if (!machine.accepts(event)) {
             return false;
         }
-        typed = octets;
+        typed = component;
         return machine.fire(event);
     }
 
