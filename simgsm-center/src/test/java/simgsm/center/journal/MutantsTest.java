@@ -69,8 +69,8 @@ class MutantsTest {
                 new Mutant(
                         "a message is acknowledged before it is stored",
                         "smsc/ShortMessageCenter.java",
-                        "submissions.put(ticket, new Submission(messages, answer));",
-                        "answer.accept(Optional.empty()); submissions.put(ticket, new Submission(messages, any -> {}));"),
+                        "submissions.put(ticket, new Submission(accepted, answer));",
+                        "answer.accept(Optional.empty()); submissions.put(ticket, new Submission(accepted, any -> {}));"),
                 new Mutant(
                         "a group is not synchronised",
                         "journal/JournalSegment.java",
