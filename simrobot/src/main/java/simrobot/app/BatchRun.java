@@ -66,10 +66,15 @@ public final class BatchRun {
                 : Optional.empty();
         recorder.ifPresent(open -> simulation.robots().forEach(robot -> record(robot, open)));
         begin(arguments, simulation);
-        try (RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null) {
+        RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
+        try {
             simulate(simulation, seconds);
         } catch (UncheckedIOException e) {
             throw e.getCause();
+        } finally {
+            if (written != null) {
+                written.close();
+            }
         }
         recorder.ifPresent(SessionRecorder::close);
         double wall = (System.nanoTime() - began) * 1e-9;
