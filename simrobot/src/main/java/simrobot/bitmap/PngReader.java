@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
+import simgsm.octets.Octets;
 
 /** Reads PNG (ISO/IEC 15948) of every colour type and depth, not interlaced, as shades of grey. */
 final class PngReader {
@@ -110,7 +111,7 @@ final class PngReader {
         try {
             for (int y = 0; y < height; y++) {
                 fill(inflater, row);
-                byte[] now = Arrays.copyOfRange(row, 1, row.length);
+                byte[] now = Octets.range(row, 1, row.length);
                 unfilter(row[0], now, before, pixelOctets);
                 for (int x = 0; x < width; x++) {
                     gray[y * width + x] = (byte) gray(now, x, channels);

@@ -2,8 +2,8 @@ package simrobot.p2os;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import simgsm.octets.Octets;
 import simrobot.robot.SonarRing;
 
 /** Commands as packet data: {@code number}, then nothing or one argument. Every byte sequence decodes to a command. */
@@ -148,7 +148,7 @@ public final class P2osCommandCodec {
             return new P2osCommand.Unheeded(P2osCommandNumber.POLLING);
         }
         List<Integer> sonars = new ArrayList<>();
-        for (byte octet : Arrays.copyOfRange(data, 3, 3 + (data[2] & 0xFF))) {
+        for (byte octet : Octets.range(data, 3, 3 + (data[2] & 0xFF))) {
             if (octet >= 1 && octet <= SonarRing.COUNT) {
                 sonars.add(octet - 1);
             }

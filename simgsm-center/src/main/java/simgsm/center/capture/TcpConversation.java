@@ -2,9 +2,9 @@ package simgsm.center.capture;
 
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
+import simgsm.octets.Octets;
 
 /**
  * One peer's signalling as TCP segments, and its speech as datagrams: handshake, one segment per message, an acknowledgement when half of the window is
@@ -71,7 +71,7 @@ final class TcpConversation implements WireTap {
     public void sent(byte[] wire) {
         boolean isSpeech = wire.length > IpaFrame.HEADER_LENGTH && (wire[STREAM] & 0xff) == IpaFrame.SPEECH;
         if (isSpeech) {
-            speech.speech(false, Arrays.copyOfRange(wire, IpaFrame.HEADER_LENGTH, wire.length), System.nanoTime());
+            speech.speech(false, Octets.range(wire, IpaFrame.HEADER_LENGTH, wire.length), System.nanoTime());
         } else {
             message(false, wire);
         }

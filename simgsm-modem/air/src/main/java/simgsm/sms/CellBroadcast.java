@@ -7,6 +7,7 @@ import java.util.Optional;
 import simgsm.air.Septets;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 
 /**
  * A broadcast message, and its division into pages.
@@ -94,8 +95,7 @@ public record CellBroadcast(
         byte[] octets = page.content().toArray();
         String text = switch (page.coding().alphabet()) {
             case GSM_7BIT ->
-                GsmAlphabet.decode(
-                        Arrays.copyOfRange(Septets.unpack(octets, SEPTETS, 0), languageLeads ? 3 : 0, SEPTETS));
+                GsmAlphabet.decode(Octets.range(Septets.unpack(octets, SEPTETS, 0), languageLeads ? 3 : 0, SEPTETS));
             case UCS2 -> Ucs2.decode(octets, languageLeads ? 2 : 0);
             case OCTETS -> page.content().toString();
         };

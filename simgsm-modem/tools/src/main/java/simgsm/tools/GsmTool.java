@@ -11,6 +11,7 @@ import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
+import simgsm.octets.Octets;
 import simgsm.speech.SpeechCodec;
 import simgsm.speech.WavWriter;
 import simgsm.tools.audio.SpeechFile;
@@ -75,7 +76,7 @@ final class GsmTool {
                     break;
                 }
                 try {
-                    wav.write(codec.decode(Arrays.copyOfRange(octets, at, at + length)));
+                    wav.write(codec.decode(Octets.range(octets, at, at + length)));
                 } catch (IllegalArgumentException e) {
                     err.println("simgsm-modem: " + from + ": octet " + at + ": " + e.getMessage());
                     return ExitStatus.FAILED;

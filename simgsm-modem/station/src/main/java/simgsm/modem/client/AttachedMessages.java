@@ -3,7 +3,6 @@ package simgsm.modem.client;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,6 +17,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
 import simgsm.octets.OctetString;
+import simgsm.octets.Octets;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.MessageSplitter;
 import simgsm.sms.Reassembler;
@@ -192,7 +192,7 @@ final class AttachedMessages {
         try {
             OctetString octets = OctetString.ofHex(pdu);
             int serviceCenterOctets = 1 + octets.octet(0);
-            byte[] tpdu = Arrays.copyOfRange(octets.toArray(), serviceCenterOctets, octets.length());
+            byte[] tpdu = Octets.range(octets.toArray(), serviceCenterOctets, octets.length());
             if (TpduCodec.decode(OctetString.of(tpdu), Direction.DOWNLINK) instanceof DeliverTpdu deliver) {
                 reassembler
                         .accept(deliver.originator(), deliver.userData(), timers.nowNanos())

@@ -1,7 +1,6 @@
 package simgsm.tools.fuzz;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +13,7 @@ import simgsm.abis.MgcpMessage;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.Octets;
 import simgsm.speech.SpeechCodec;
 
 /**
@@ -84,8 +84,8 @@ public final class CodecFuzz {
     private void cut(byte[] wire, Direction direction) {
         int middle = random.nextInt(wire.length + 1);
         try {
-            take(Arrays.copyOfRange(wire, 0, middle), direction);
-            take(Arrays.copyOfRange(wire, middle, wire.length), direction);
+            take(Octets.range(wire, 0, middle), direction);
+            take(Octets.range(wire, middle, wire.length), direction);
         } catch (ProtocolViolation violation) {
             refused++;
             framer = new IpaFramer();

@@ -2,6 +2,7 @@ package simgsm.tools.fuzz;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import simgsm.octets.Octets;
 
 /** Mutates octets by 1 to 4 changes of the kinds that faulty programs and links cause. */
 public final class Mutator {
@@ -69,7 +70,7 @@ public final class Mutator {
 
     private byte[] repeated(byte[] octets, int place) {
         int count = 1 + random.nextInt(octets.length - place);
-        return with(octets, place, Arrays.copyOfRange(octets, place, place + count));
+        return with(octets, place, Octets.range(octets, place, place + count));
     }
 
     private static byte[] with(byte[] octets, int place, byte[] added) {

@@ -5,11 +5,11 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Direction;
+import simgsm.octets.Octets;
 
 /** Recorded frames, a few of each message type. */
 final class RecordedFrames {
@@ -35,7 +35,7 @@ final class RecordedFrames {
     private static Sample sample(String line) {
         String[] words = line.split(" ");
         byte[] wire = HexFormat.of().parseHex(words[1]);
-        byte[] payload = Arrays.copyOfRange(wire, IpaFrame.HEADER_LENGTH, wire.length);
+        byte[] payload = Octets.range(wire, IpaFrame.HEADER_LENGTH, wire.length);
         return new Sample(
                 words[0].equals("up") ? Direction.UPLINK : Direction.DOWNLINK, new IpaFrame(wire[2] & 0xff, payload));
     }

@@ -5,6 +5,7 @@ import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 import simgsm.sms.GsmAlphabet;
 import simgsm.station.context.StationIdentity;
 
@@ -158,7 +159,7 @@ public final class SimFiles {
         if (from > content.length || from + count > content.length || count < 0) {
             return WRONG_LENGTH;
         }
-        byte[] data = Arrays.copyOfRange(content, from, from + count);
+        byte[] data = Octets.range(content, from, from + count);
         return new Answer(144, 0, HexFormat.of().withUpperCase().formatHex(data));
     }
 
