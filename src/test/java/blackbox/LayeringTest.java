@@ -78,7 +78,7 @@ class LayeringTest {
             simgsm.center.msc        : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.records    : simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
-            simgsm.center.capture    : simgsm.abis
+            simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
@@ -86,7 +86,7 @@ class LayeringTest {
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simrobot.behaviour       :
             simrobot.world           :
-            simrobot.bitmap          : simrobot.world
+            simrobot.bitmap          : simgsm.octets simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world
             simrobot.source          : simrobot.behaviour simrobot.process
@@ -104,7 +104,8 @@ class LayeringTest {
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay
+            simrobot.ui.telephone    : vericommand simgsm.air simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
             simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);

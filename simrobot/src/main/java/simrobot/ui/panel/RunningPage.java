@@ -7,6 +7,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import simgsm.ui.Arrange.FixedLayout;
 import simgsm.ui.Theme;
+import simrobot.ui.telephone.ModemPanel;
+import simrobot.ui.telephone.VeriCommandPanel;
 
 /**
  * The page of a running simulation. Its size decides where the parts stand and which give way: in a wide page modem and

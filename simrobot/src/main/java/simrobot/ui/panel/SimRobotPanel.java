@@ -24,6 +24,9 @@ import simrobot.ui.WindowSnapshot;
 import simrobot.ui.editor.EditorPanel;
 import simrobot.ui.floor.WorldView;
 import simrobot.ui.replay.TimelinePanel;
+import simrobot.ui.telephone.ModemPanel;
+import simrobot.ui.telephone.PresentationView;
+import simrobot.ui.telephone.VeriCommandPanel;
 import simrobot.world.World;
 
 /** SimRobot's window without its frame: tools above; floor and inspector; modem and VeriCommand below the floor. */

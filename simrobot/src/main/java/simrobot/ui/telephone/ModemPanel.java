@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.telephone;
 
 import java.awt.BorderLayout;
 import java.util.Locale;
@@ -27,9 +27,9 @@ import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 
 /** M2: its number, the network, the call, and the tone scope. */
-final class ModemPanel extends JPanel {
+public final class ModemPanel extends JPanel {
     /** The height of the compact panel that lies below the floor. */
-    static final int COMPACT_HEIGHT_UNITS = 156;
+    public static final int COMPACT_HEIGHT_UNITS = 156;
 
     private final TextBundle texts;
     private final Card card;
@@ -51,7 +51,7 @@ final class ModemPanel extends JPanel {
     private String robot = "";
     private final Locale language;
 
-    ModemPanel(TextBundle texts, Locale language, OperatorActions operator) {
+    public ModemPanel(TextBundle texts, Locale language, OperatorActions operator) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
@@ -74,7 +74,7 @@ final class ModemPanel extends JPanel {
      * @param compact without title and sliders
      * @param stacked number and call above the tone scope, in place of all facts at its left
      */
-    void arrange(boolean compact, boolean stacked) {
+    public void arrange(boolean compact, boolean stacked) {
         if (compact != isCompact || stacked != isStacked) {
             isCompact = compact;
             isStacked = stacked;
@@ -104,7 +104,7 @@ final class ModemPanel extends JPanel {
         scope.setCompact(isCompact);
     }
 
-    void show(TelephoneSnapshot line) {
+    public void show(TelephoneSnapshot line) {
         StationSnapshot modem = line.modem();
         number.show(line.number());
         network.show(network(modem));
@@ -173,7 +173,7 @@ final class ModemPanel extends JPanel {
         }
     }
 
-    static LinkState linkState(StationSnapshot modem) {
+    public static LinkState linkState(StationSnapshot modem) {
         if (!modem.powered()) {
             return LinkState.OFF;
         }

@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.telephone;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -18,7 +18,7 @@ import simrobot.ui.TextLine;
 import vericommand.VeriCommandSnapshot;
 
 /** VeriCommand's state: the keys received, the order in words, the verdict, the replies. */
-final class VeriCommandPanel extends JPanel {
+public final class VeriCommandPanel extends JPanel {
     private static final int WIDTH_UNITS = 340;
 
     private final Card card;
@@ -32,7 +32,7 @@ final class VeriCommandPanel extends JPanel {
     private final ReplyLabels replies;
     private final TextLine reply = new TextLine("order.reply", Theme::small, Ink.QUIET).overTwoRows();
 
-    VeriCommandPanel(TextBundle texts, Locale language) {
+    public VeriCommandPanel(TextBundle texts, Locale language) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
@@ -52,7 +52,7 @@ final class VeriCommandPanel extends JPanel {
      * @param compact without title, origin and the reply's text, which the labels' tool tips have; the words of an
      *     accepted order take the verdict's place
      */
-    void setCompact(boolean compact) {
+    public void setCompact(boolean compact) {
         isCompact = compact;
         words.setVisible(!compact);
         card.setTitleVisible(!compact);
@@ -66,7 +66,7 @@ final class VeriCommandPanel extends JPanel {
         return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
     }
 
-    void show(TelephoneSnapshot line) {
+    public void show(TelephoneSnapshot line) {
         VeriCommandSnapshot order = line.orders();
         from.show(origin(order));
         keys.show(order.keys(), order.failingPosition());

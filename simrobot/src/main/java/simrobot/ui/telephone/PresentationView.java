@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.telephone;
 
 import java.awt.Dimension;
 import java.awt.Font;
@@ -21,7 +21,7 @@ import vericommand.VeriCommandSnapshot;
  * What happens, in one line to be read from the last row of a class: the key that sounds with its two frequencies, the
  * order in words, the newest reply.
  */
-final class PresentationView extends PaintedComponent {
+public final class PresentationView extends PaintedComponent {
     private static final double HEIGHT_UNITS = 96;
     private static final double KEY_POINTS = 56;
     private static final double TEXT_POINTS = 28;
@@ -34,13 +34,13 @@ final class PresentationView extends PaintedComponent {
     private String course = "";
     private boolean isSounding;
 
-    PresentationView(Locale language) {
+    public PresentationView(Locale language) {
         super(AccessibleRole.LABEL);
         this.language = language;
         setName("presentation");
     }
 
-    void show(TelephoneSnapshot line) {
+    public void show(TelephoneSnapshot line) {
         String newKey = line.heard()
                 .modem()
                 .digit()
