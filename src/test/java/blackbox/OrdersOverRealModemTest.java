@@ -2,10 +2,13 @@ package blackbox;
 
 import java.util.List;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Tag;
 
 /**
  * The scenarios of M2 with a modem in its place: SimRobot sits behind the AT port of a phone, which has the robot's number.
+ * They repeat whole test classes, so they run with the peers.
  */
+@Tag("peer")
 class OrdersOverRealModemTest {
     private static final class BehindThePort extends Scenario {
         BehindThePort(String title) {

@@ -12,8 +12,10 @@ import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Recorded calls hold every key of both sides, as our own decoder hears them. */
+@Isolated("speech in real time, recorded at both ends")
 class RecordingTest {
     private static final int LEFT = 0;
     private static final int RIGHT = 1;

@@ -15,8 +15,10 @@ import javax.sound.sampled.AudioInputStream;
 import javax.sound.sampled.AudioSystem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** What is heard: the programs play to a sound device that writes all it gets into a file. Skipped where there is no ALSA. */
+@Isolated("speech in real time, recorded by a device")
 class SoundTest {
     private static final Path ALSA = Path.of("/usr/share/alsa/alsa.conf");
 

@@ -24,6 +24,8 @@ class SpeechOverUdpTest {
                 phone.say("hangup").expect("released");
                 center.expect("call", "state", "released");
             }
+            // Each terminal's link keeps its order: behind the order and its answer nothing of the calls is on its way.
+            phone.say("sms 5550200 ** #*0 **").expect("sms", "from", "5550200");
             assertEquals(0, center.quit());
             CaptureFile capture = CaptureFile.read(file);
             assertEquals(0, capture.frames(SPEECH));

@@ -79,7 +79,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             case "ComboBox:\"ComboBox.textField\"", "InternalFrame" -> Kind.NOTHING;
             case "TextField", "FormattedTextField", "PasswordField" -> background ? Kind.FIELD_FILL : Kind.FIELD;
             case "Spinner:Panel:\"Spinner.formattedTextField\"" -> background ? Kind.LINED_FIELD : null;
-            case "TextArea", "TextPane", "EditorPane" -> Kind.AREA;
+            case "TextArea", "TextPane", "EditorPane" -> background ? Kind.AREA : Kind.NOTHING;
             case "ScrollPane" -> Kind.FRAME;
             case "CheckBox" -> Kind.CHECK;
             case "RadioButton" -> Kind.RADIO;

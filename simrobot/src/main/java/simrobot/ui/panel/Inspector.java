@@ -50,11 +50,14 @@ final class Inspector extends JPanel {
     private final SonarRose sonar;
     private final CameraView camera;
     private final String low;
+    private final Runnable wanted;
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
-    Inspector(TextBundle texts, Consumer<String> selection, OperatorActions operator, WorldView view) {
+    /** @param wanted run when a tab is chosen, by its key also while the inspector is hidden */
+    Inspector(TextBundle texts, Consumer<String> selection, OperatorActions operator, WorldView view, Runnable wanted) {
         super(new BorderLayout());
+        this.wanted = wanted;
         setOpaque(false);
         low = texts.of("pose.battery.low");
         newRobot = new NewRobotForm(texts, operator, view);
@@ -113,6 +116,7 @@ final class Inspector extends JPanel {
     private JToggleButton tab(String id, TextBundle texts, int key, String name) {
         JToggleButton button = new JToggleButton();
         UserAction action = new UserAction(id, texts.of(id), () -> {
+            wanted.run();
             button.setSelected(true);
             sheets.show(sheet, name);
         });

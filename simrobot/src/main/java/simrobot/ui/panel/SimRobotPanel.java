@@ -64,7 +64,7 @@ public final class SimRobotPanel extends JPanel {
         world = new WorldView(first.simulation(), texts, operator, this::select);
         tools = new ToolRow(texts, language, operator, world, this::edit, this::switchInspector);
         editor = new EditorPanel(texts, operator, this::stopEditing);
-        inspector = new Inspector(texts, this::select, operator, world);
+        inspector = new Inspector(texts, this::select, operator, world, this::showInspector);
         modem = new ModemPanel(texts, language, operator);
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
@@ -142,6 +142,12 @@ public final class SimRobotPanel extends JPanel {
             selected = robot;
             operator.watch(robot);
             show(shown);
+        }
+    }
+
+    private void showInspector() {
+        if (!inspector.isVisible()) {
+            runningPage.switchInspector();
         }
     }
 
