@@ -107,6 +107,17 @@ class RunningPageTest {
     }
 
     @Test
+    void theKeyOfATabOpensTheHiddenInspector() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 940, 400);
+        bench.click("tab.events");
+        bench.resize(940, 400).resize(940, 400);
+        assertTrue(isShown(bench.component("events"), bench.panel));
+        bench.click("tab.events");
+        bench.resize(940, 400).resize(940, 400);
+        assertTrue(isShown(bench.component("events"), bench.panel));
+    }
+
+    @Test
     void aPresentationHasOnlyTheFloorAndOneLine() throws Exception {
         WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
         VeriCommandSnapshot order = new VeriCommandSnapshot(

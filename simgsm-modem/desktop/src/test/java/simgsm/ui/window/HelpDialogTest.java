@@ -3,10 +3,13 @@ package simgsm.ui.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Graphics2D;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JTable;
@@ -14,6 +17,7 @@ import javax.swing.JTextArea;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
@@ -48,5 +52,21 @@ class HelpDialogTest {
         assertEquals("A robot.", about.getText());
         assertEquals(2, keys.getRowCount());
         assertTrue(ComponentNames.unnamed(content).isEmpty());
+    }
+
+    /** The border's painter comes after the text. */
+    @Test
+    void theTextIsPaintedWhereItStandsWithoutAScrollPane() {
+        JPanel content = HelpDialog.content(window, "A robot.", "1.0.0", DesktopTexts.in(Locale.ENGLISH));
+        JTextArea about = (JTextArea) ComponentNames.find(content, "help.about").orElseThrow();
+        about.setSize(300, 40);
+        BufferedImage image = new BufferedImage(300, 40, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(Theme.color(Ink.SURFACE));
+        g.fillRect(0, 0, 300, 40);
+        about.paint(g);
+        g.dispose();
+        int text = Theme.color(Ink.TEXT).getRGB();
+        assertTrue(IntStream.range(0, 300 * 40).anyMatch(i -> image.getRGB(i % 300, i / 300) == text));
     }
 }
