@@ -96,14 +96,17 @@ public sealed interface LineAddress {
                 return new Tcp(text.substring(0, colon), port);
             }
         }
+        String found = text;
         try {
             Path file = Path.of(text);
-            if (!text.isEmpty() && Files.exists(file) && !Files.isDirectory(file)) {
+            if (Files.isRegularFile(file)) {
+                found += ", a regular file, which would be overwritten";
+            } else if (!text.isEmpty() && Files.exists(file) && !Files.isDirectory(file)) {
                 return new Device(file);
             }
         } catch (InvalidPathException e) {
             // reported below
         }
-        throw new IllegalArgumentException("expected HOST:PORT or a serial line's device file, found " + text);
+        throw new IllegalArgumentException("expected HOST:PORT or a serial line's device file, found " + found);
     }
 }

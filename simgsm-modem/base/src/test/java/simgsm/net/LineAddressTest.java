@@ -13,6 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -25,9 +27,21 @@ class LineAddressTest {
     }
 
     @Test
-    void aFileThatIsThereIsASerialLine(@TempDir Path folder) throws Exception {
-        Path device = Files.createFile(folder.resolve("ttyUSB0"));
-        assertEquals(new LineAddress.Device(device), LineAddress.parse(device.toString()));
+    @DisabledOnOs(OS.WINDOWS)
+    void aDeviceFileThatIsThereIsASerialLine() {
+        assertEquals(new LineAddress.Device(Path.of("/dev/null")), LineAddress.parse("/dev/null"));
+    }
+
+    @Test
+    void aRegularFileIsRefusedBecauseItWouldBeOverwritten(@TempDir Path folder) throws Exception {
+        Path notes = Files.writeString(folder.resolve("notes.txt"), "my notes");
+        IllegalArgumentException refusal =
+                assertThrows(IllegalArgumentException.class, () -> LineAddress.parse(notes.toString()));
+        assertEquals(
+                "expected HOST:PORT or a serial line's device file, found " + notes
+                        + ", a regular file, which would be overwritten",
+                refusal.getMessage());
+        assertEquals("my notes", Files.readString(notes));
     }
 
     @Test
@@ -46,7 +60,7 @@ class LineAddressTest {
     @Test
     void aDeviceIsReadAndWrittenByTheSameName(@TempDir Path folder) throws Exception {
         Path device = Files.writeString(folder.resolve("ttyUSB0"), "OK");
-        LineAddress address = LineAddress.parse(device.toString());
+        LineAddress address = new LineAddress.Device(device);
         assertEquals(device.toString(), address.toString());
         try (ByteChannel line = address.open()) {
             ByteBuffer octets = ByteBuffer.allocate(2);
