@@ -6,20 +6,59 @@ import java.lang.System.Logger.Level;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simrobot.control.SimRobot;
 import simrobot.p2os.SimulatorRequests;
+import simrobot.robot.SimulatedRobot;
+import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
-/** Loads the worlds that Pioneer programs ask for, on a thread of its own, and passes their texts to the robot's listeners. */
+/**
+ * Loads the worlds that Pioneer programs ask for, and passes their texts to the robot's listeners. One thread reads the files;
+ * of the requests that come meanwhile only the newest is kept. While a robot is under order requests are refused, because a
+ * new world ends all orders.
+ */
 final class ClientRequests implements SimulatorRequests {
     private static final Logger LOG = System.getLogger(ClientRequests.class.getName());
 
+    private static final int KEPT_REQUESTS = 1;
+    private static final int IDLE_SECONDS = 10;
+
     private final SimRobot simRobot;
+    private final Executor worker;
     private volatile Consumer<Path> loader = this::load;
 
     ClientRequests(SimRobot simRobot) {
         this.simRobot = simRobot;
+        ThreadPoolExecutor newest = new ThreadPoolExecutor(
+                1,
+                1,
+                IDLE_SECONDS,
+                TimeUnit.SECONDS,
+                new ArrayBlockingQueue<>(KEPT_REQUESTS),
+                ClientRequests::thread,
+                new ThreadPoolExecutor.DiscardOldestPolicy());
+        newest.allowCoreThreadTimeOut(true);
+        worker = newest;
+    }
+
+    private static Thread thread(Runnable reading) {
+        Thread thread = new Thread(reading, "world for a P2OS client");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    /** Whether no robot executes an order, so that a client may change the world; on the simulation's thread. */
+    static boolean mayLoad(Simulation simulation) {
+        boolean free = simulation.robots().stream().noneMatch(SimulatedRobot::isUnderOrder);
+        if (!free) {
+            LOG.log(Level.WARNING, "a P2OS client's world is not loaded: a robot executes an order");
+        }
+        return free;
     }
 
     /** Sets what loads a world file in place of this, such as a window that shows its name. */
@@ -30,9 +69,9 @@ final class ClientRequests implements SimulatorRequests {
     @Override
     public void loadWorld(String robot, String file) {
         LOG.log(Level.INFO, robot + ": its P2OS client asks for the world " + file);
-        Thread reading = new Thread(() -> find(file), "world for a P2OS client");
-        reading.setDaemon(true);
-        reading.start();
+        if (mayLoad(simRobot.simulation().owned())) {
+            worker.execute(() -> find(file));
+        }
     }
 
     private void find(String file) {
@@ -48,7 +87,9 @@ final class ClientRequests implements SimulatorRequests {
             World world = WorldFile.read(Optional.of(file));
             simRobot.simulation().withSimulation(owned -> {
                 try {
-                    owned.load(world);
+                    if (mayLoad(owned)) {
+                        owned.load(world);
+                    }
                 } catch (IllegalArgumentException tooSmall) {
                     LOG.log(Level.WARNING, "world " + file + " not loaded: " + tooSmall.getMessage());
                 }

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.CallMonitor;
@@ -27,6 +28,7 @@ import simrobot.control.TelephoneRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
+import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationThread;
 import simrobot.ui.OpenPort;
 import simrobot.ui.OperatorActions;
@@ -97,7 +99,7 @@ public final class WindowModel implements OperatorActions {
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
-        ports.p2os().setWorldLoader(this::read);
+        ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad));
         simRobot.onAdded(this::added);
         simRobot.onRemoved(this::removed);
     }
@@ -339,9 +341,16 @@ public final class WindowModel implements OperatorActions {
 
     /** Loads a world; a file that cannot be read changes nothing and is reported. */
     void read(Path file) {
+        read(file, owned -> true);
+    }
+
+    private void read(Path file, Predicate<Simulation> permitted) {
         try {
             World world = BitmapWorld.read(file, resolutionMeters);
             simulation.withSimulation(owned -> {
+                if (!permitted.test(owned)) {
+                    return;
+                }
                 try {
                     owned.load(world);
                     worldFile = file;

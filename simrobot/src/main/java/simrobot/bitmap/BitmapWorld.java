@@ -2,8 +2,6 @@ package simrobot.bitmap;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.HashMap;
@@ -29,7 +27,6 @@ public final class BitmapWorld {
     private static final double OCCUPIED = 0.65;
 
     private static final Pattern KEY = Pattern.compile("^([a-z_]+)\\s*:\\s*(.*?)\\s*(#.*)?$");
-    private static final long MOST_OCTETS = 64L << 20;
 
     private final String name;
     private final GrayPicture picture;
@@ -81,7 +78,7 @@ public final class BitmapWorld {
     }
 
     private static GrayPicture picture(Path file) throws IOException {
-        byte[] octets = octets(file);
+        byte[] octets = WorldReader.octets(file);
         if (PngReader.isOne(octets)) {
             return PngReader.read(file.toString(), octets);
         }
@@ -89,16 +86,6 @@ public final class BitmapWorld {
             return PgmReader.read(file.toString(), octets);
         }
         throw new PictureFormatException(file.toString(), "neither PNG nor PGM, expected one of the two");
-    }
-
-    private static byte[] octets(Path file) throws IOException {
-        if (!Files.exists(file)) {
-            throw new NoSuchFileException(file.toString());
-        }
-        if (Files.size(file) > MOST_OCTETS) {
-            throw new PictureFormatException(file.toString(), "over 64 MiB, expected at most that");
-        }
-        return Files.readAllBytes(file);
     }
 
     // ---- map.yaml --------------------------------------------------------------------------------------------------
@@ -120,8 +107,9 @@ public final class BitmapWorld {
     private static Map<String, String> keys(Path file) throws IOException {
         Map<String, String> keys = new HashMap<>();
         String last = "";
-        for (String line :
-                new String(octets(file), StandardCharsets.UTF_8).lines().toList()) {
+        for (String line : new String(WorldReader.octets(file), StandardCharsets.UTF_8)
+                .lines()
+                .toList()) {
             Matcher key = KEY.matcher(line);
             if (key.matches()) {
                 last = key.group(1);

@@ -1,5 +1,6 @@
 package simrobot.bitmap;
 
+import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -23,7 +24,7 @@ final class PngReader {
     private int type;
     private byte[] palette = {};
     private byte[] transparency = {};
-    private byte[] deflated = {};
+    private final ByteArrayOutputStream deflated = new ByteArrayOutputStream();
 
     private PngReader(String source) {
         this.source = source;
@@ -58,11 +59,7 @@ final class PngReader {
                 case "IHDR" -> head(content);
                 case "PLTE" -> palette = content;
                 case "tRNS" -> transparency = content;
-                case "IDAT" -> {
-                    int before = deflated.length;
-                    deflated = Arrays.copyOf(deflated, before + length);
-                    System.arraycopy(content, 0, deflated, before, length);
-                }
+                case "IDAT" -> deflated.writeBytes(content);
                 default -> {}
             }
         }
@@ -107,7 +104,7 @@ final class PngReader {
         byte[] before = new byte[rowOctets];
         byte[] row = new byte[rowOctets + 1];
         Inflater inflater = new Inflater();
-        inflater.setInput(deflated);
+        inflater.setInput(deflated.toByteArray());
         try {
             for (int y = 0; y < height; y++) {
                 fill(inflater, row);

@@ -61,13 +61,24 @@ public final class DiscoveryPort implements AutoCloseable {
             while (true) {
                 SocketAddress asking = channel.receive(request.clear());
                 if (request.position() == REQUEST_LENGTH && (request.get(TYPE_AT) & 0xFF) == REQUEST) {
-                    channel.send(answer(), asking);
+                    answer(asking);
                 }
             }
         } catch (ClosedChannelException closed) {
             LOG.log(Level.DEBUG, "discovery ends");
         } catch (IOException e) {
             LOG.log(Level.WARNING, "discovery on UDP ends: " + e.getMessage());
+        }
+    }
+
+    /** An answer that cannot be sent, such as to a host without a route, is lost; others are answered still. */
+    private void answer(SocketAddress asking) throws ClosedChannelException {
+        try {
+            channel.send(answer(), asking);
+        } catch (ClosedChannelException closed) {
+            throw closed;
+        } catch (IOException unreachable) {
+            LOG.log(Level.DEBUG, "no answer to " + asking + ": " + unreachable.getMessage());
         }
     }
 

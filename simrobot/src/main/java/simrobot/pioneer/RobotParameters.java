@@ -20,6 +20,9 @@ public record RobotParameters(String subclass, RobotKind kind) {
     /** AngleConvFactor 0.001534, rounded in the files: 4096 units per turn. */
     private static final double USUAL_RADIANS_PER_UNIT = 0.001534;
 
+    private static final int LEAST_BITS = 8;
+    private static final int MOST_BITS = 16;
+
     private static final String ENDING = ".p";
 
     /** @throws IOException if the file cannot be read or describes no robot; the message names what was expected */
@@ -34,11 +37,10 @@ public record RobotParameters(String subclass, RobotKind kind) {
         if (!values.containsKey("distconvfactor")) {
             throw new IOException(file + ": no DistConvFactor, expected a params file of ARIA");
         }
-        double radiansPerUnit = number(file, values, "AngleConvFactor", USUAL_RADIANS_PER_UNIT);
         RobotKind kind = new RobotKind(
                 number(file, values, "DistConvFactor", 1),
                 number(file, values, "RangeConvFactor", 1),
-                powerOfTwo(2 * Math.PI / radiansPerUnit),
+                unitsPerTurn(file, values),
                 number(file, values, "VelConvFactor", 1),
                 (int) number(file, values, "MaxVelocity", 1000),
                 (int) number(file, values, "MaxRVelocity", 180));
@@ -64,9 +66,15 @@ public record RobotParameters(String subclass, RobotKind kind) {
         throw new IOException(file + ": " + key + " " + text + ", expected a number above 0");
     }
 
-    /** The heading's counter wraps at a power of two; the factor in the file is rounded. */
-    private static int powerOfTwo(double units) {
-        return 1 << Math.round(Math.log(units) / Math.log(2));
+    /** The heading's counter of at most 16 bits wraps at a power of two; the factor in the file is rounded. */
+    private static int unitsPerTurn(Path file, Map<String, String> values) throws IOException {
+        double units = 2 * Math.PI / number(file, values, "AngleConvFactor", USUAL_RADIANS_PER_UNIT);
+        long bits = Math.round(Math.log(units) / Math.log(2));
+        if (bits < LEAST_BITS || bits > MOST_BITS) {
+            throw new IOException(file + ": AngleConvFactor " + values.get("angleconvfactor")
+                    + ", expected 0.0000959 to 0.0245 (65536 to 256 units per turn)");
+        }
+        return 1 << bits;
     }
 
     /** Returns the kind of robots that name themselves so: the file's, if it is for them; empty if they are not known. */

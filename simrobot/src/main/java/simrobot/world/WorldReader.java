@@ -1,6 +1,7 @@
 package simrobot.world;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -24,14 +25,28 @@ public final class WorldReader {
      * @throws IOException when the file cannot be read
      */
     public static World read(Path file) throws IOException {
-        long size = Files.size(file);
-        if (size > MAX_FILE_BYTES) {
-            throw new IOException(file + ": " + size + " bytes, expected at most " + MAX_FILE_BYTES);
-        }
-        String text = decode(Files.readAllBytes(file));
+        String text = decode(octets(file));
         boolean saphira = file.toString().toLowerCase(Locale.ROOT).endsWith(".wld");
         String name = String.valueOf(file.getFileName());
         return saphira ? SaphiraReader.read(name, text) : MapReader.read(name, text);
+    }
+
+    /**
+     * The content of a file of at most 64 MiB; devices and pipes are refused, which may never end.
+     *
+     * @throws IOException naming the file, what was found and what was expected
+     */
+    public static byte[] octets(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new IOException(file + ": expected a regular file, found a folder, a device or a pipe");
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] octets = Files.size(file) > MAX_FILE_BYTES ? null : in.readNBytes((int) MAX_FILE_BYTES + 1);
+            if (octets == null || octets.length > MAX_FILE_BYTES) {
+                throw new IOException(file + ": over 64 MiB, expected at most that");
+            }
+            return octets;
+        }
     }
 
     /** Decodes UTF-8, or Latin-1 if it is no valid UTF-8, as in old maps. */

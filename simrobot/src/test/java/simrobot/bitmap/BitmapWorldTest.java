@@ -10,13 +10,18 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -252,5 +257,45 @@ class BitmapWorldTest {
                 assertTrue(expected.getMessage().contains("expected"), expected.getMessage());
             }
         }
+    }
+
+    /** A device has size 0 and never ends; nobody writes into a pipe. */
+    @ParameterizedTest
+    @ValueSource(strings = {"device.map", "device.wld", "device.yaml"})
+    @DisabledOnOs(OS.WINDOWS)
+    void whatIsNoRegularFileIsRefused(String name) throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve(name), Path.of("/dev/null"));
+        IOException refusal = assertThrows(IOException.class, () -> BitmapWorld.read(link, OptionalDouble.empty()));
+        assertEquals(link + ": expected a regular file, found a folder, a device or a pipe", refusal.getMessage());
+    }
+
+    /** Each part has 3 octets, as many encoders write parts of a fixed size. */
+    @Test
+    void pixelsInManyPartsAreReadAsInOne() throws IOException {
+        ByteArrayOutputStream whole = new ByteArrayOutputStream();
+        ImageIO.write(rooms(), "png", whole);
+        ByteBuffer in = ByteBuffer.wrap(whole.toByteArray());
+        ByteBuffer split = ByteBuffer.allocate(8 * in.capacity());
+        split.putLong(in.getLong());
+        while (in.hasRemaining()) {
+            int length = in.getInt();
+            int kind = in.getInt();
+            int part = kind == 0x49444154 ? 3 : Math.max(1, length);
+            for (int done = 0; done == 0 || done < length; done += part) {
+                int size = Math.min(part, length - done);
+                byte[] content = new byte[size];
+                in.get(content);
+                split.putInt(size).putInt(kind).put(content).putInt(0);
+            }
+            in.getInt();
+        }
+        byte[] parts = Arrays.copyOf(split.array(), split.position());
+        assertArrayEquals(shades(PngReader.read("whole", whole.toByteArray())), shades(PngReader.read("parts", parts)));
+    }
+
+    private static int[] shades(GrayPicture picture) {
+        return IntStream.range(0, picture.width() * picture.height())
+                .map(i -> picture.at(i % picture.width(), i / picture.width()))
+                .toArray();
     }
 }

@@ -195,4 +195,24 @@ class RobotKindsTest {
         assertTrue(refused.getMessage().contains("bad.p: "), refused.getMessage());
         assertTrue(refused.getMessage().contains("expected"), refused.getMessage());
     }
+
+    /** 256 to 65536 units per turn: the robots' answers have 16 bits for the heading. */
+    @ParameterizedTest
+    @ValueSource(strings = {"10", "999999", "0.05", "0.00001"})
+    void anAngleThatMakesNoTurnIsRefused(String factor, @TempDir Path folder) throws IOException {
+        Path file = folder.resolve("rover.p");
+        Files.write(file, List.of("DistConvFactor 1", "AngleConvFactor " + factor));
+        IOException refusal = assertThrows(IOException.class, () -> RobotParameters.read(file));
+        assertEquals(
+                file + ": AngleConvFactor " + factor + ", expected 0.0000959 to 0.0245 (65536 to 256 units per turn)",
+                refusal.getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.0000959, 65536", "0.0245, 256", "0.001534, 4096"})
+    void theLeastAndTheLargestAngleAreTaken(String factor, int unitsPerTurn, @TempDir Path folder) throws IOException {
+        Path file = folder.resolve("rover.p");
+        Files.write(file, List.of("DistConvFactor 1", "AngleConvFactor " + factor));
+        assertEquals(unitsPerTurn, RobotParameters.read(file).kind().unitsPerTurn());
+    }
 }
