@@ -1,6 +1,7 @@
 package blackbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -28,6 +29,21 @@ class AtPortTest {
                 phone.expect("sms", "from", Scenario.ROBOT);
                 send(robotPort, "AT+CPMS?\r");
                 assertEquals("\r\n+CPMS: \"SM\",1,50,", read(robotPort, 19));
+            }
+        }
+    }
+
+    @Test
+    void aClientThatSendsNothingMoreStillReadsTheResultOfItsLastCommand() throws Exception {
+        try (Scenario scenario = new Scenario("an AT client that ends its output")) {
+            scenario.center();
+            scenario.robot("empty.map");
+            RunningProgram phone = scenario.phone(Scenario.PHONE, "--at", "0");
+            try (Socket port = connect(phone)) {
+                send(port, "ATE0\rAT+CMGF=1\rAT+CMGS=\"" + Scenario.ROBOT + "\"\r** #*0 **\u001a");
+                port.shutdownOutput();
+                String all = new String(port.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);
+                assertTrue(all.matches("(?s).*\\r\\n\\+CMGS: [0-9]+\\r\\n\\r\\nOK\\r\\n"), all);
             }
         }
     }

@@ -26,6 +26,9 @@ public abstract class Connection {
             InetSocketAddress address,
             Runnable whenClosed) {}
 
+    /** The reason of an ordinary end. */
+    protected static final String CLOSED_BY_PEER = "closed by the peer";
+
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
     private static final int DISMISSAL_OCTETS = 4_096;
 
@@ -62,6 +65,15 @@ public abstract class Connection {
 
     /** Writes what waits, as far as the channel takes it. */
     protected abstract void writeTo(WritableByteChannel channel) throws IOException;
+
+    /**
+     * The peer sends nothing more; it may still read. Called once.
+     *
+     * @return whether the connection stays open for output; the subclass ends it by {@link #fail}
+     */
+    protected boolean outlivesInput() {
+        return false;
+    }
 
     /** The socket is about to be closed, for whatever reason; called once. */
     protected void closing(boolean isByPeer) {}
@@ -160,7 +172,11 @@ public abstract class Connection {
         try {
             if (endpoint.channel.read(buffer) < 0) {
                 isClosedByPeer = true;
-                fail("closed by the peer");
+                if (outlivesInput()) {
+                    pauseReading();
+                } else {
+                    fail(CLOSED_BY_PEER);
+                }
             } else if (buffer.flip().hasRemaining()) {
                 received(buffer);
             }

@@ -93,6 +93,11 @@ public final class AtSession<C> {
         return input.size() < INPUT_ENOUGH;
     }
 
+    /** Whether a command has no final result yet. */
+    public boolean isPerforming() {
+        return mode == Mode.PERFORMING;
+    }
+
     /** The client has gone: a command that is pending ends without a trace. */
     public void close() {
         isClosed = true;

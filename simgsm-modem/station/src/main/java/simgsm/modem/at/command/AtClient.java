@@ -25,6 +25,11 @@ public final class AtClient {
         return session.wantsInput();
     }
 
+    /** Whether a command has no final result yet. */
+    public boolean isPerforming() {
+        return session.isPerforming();
+    }
+
     /** The client has disconnected. */
     public void close() {
         session.close();

@@ -25,6 +25,8 @@ public final class AtPort implements AutoCloseable {
     private static final int MOST_WAITING = 10_000;
 
     private static final long MOST_WAIT_NANOS = 1_000_000_000;
+    /** How long a client that has sent its last command may wait for the result. */
+    private static final long LAST_RESULT_NANOS = 10_000_000_000L;
 
     private final AtModem modem;
     private final MobileStation station;
@@ -34,6 +36,7 @@ public final class AtPort implements AutoCloseable {
     private final class ClientConnection extends Connection {
         private final OutputQueue output = new OutputQueue(MOST_WAITING, 0, written -> {});
         private AtClient client;
+        private boolean isInputEnded;
 
         ClientConnection(Endpoint endpoint) {
             super(endpoint);
@@ -51,6 +54,27 @@ public final class AtPort implements AutoCloseable {
                 fail("the client does not read");
             }
             flushLater();
+            endAfterLastResult();
+        }
+
+        /** A client such as {@code printf ... | socat} sends its last command and reads on. */
+        @Override
+        protected boolean outlivesInput() {
+            isInputEnded = client.isPerforming();
+            if (isInputEnded) {
+                after(LAST_RESULT_NANOS, () -> fail(CLOSED_BY_PEER));
+            }
+            return isInputEnded;
+        }
+
+        private void endAfterLastResult() {
+            if (isInputEnded) {
+                after(0, () -> {
+                    if (!client.isPerforming() && output.isEmpty()) {
+                        fail(CLOSED_BY_PEER);
+                    }
+                });
+            }
         }
 
         /** Gives the modem its time while somebody is connected: each connection wakes itself at the next deadline. */
