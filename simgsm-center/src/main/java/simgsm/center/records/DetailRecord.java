@@ -71,7 +71,7 @@ record DetailRecord(
 
     /** RFC 4180: quoted if it has a comma, a quote or a line's end. A text that a spreadsheet would compute is quoted apart. */
     private static String field(String text) {
-        boolean isFormula = text.matches("[=@-].*");
+        boolean isFormula = text.matches("(?s)[=+@\t\r-].*");
         String safe = isFormula ? "'" + text : text;
         return safe.matches("(?s).*[\",\r\n].*") ? '"' + safe.replace("\"", "\"\"") + '"' : safe;
     }

@@ -2,6 +2,7 @@ package simgsm.center.records;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,24 +13,37 @@ import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; a file of that day is continued. A thread of its
- * own writes, so the exchange never waits for the disk; what does not fit its queue is left out, counted and logged.
+ * own writes, so the exchange never waits for the disk; what does not fit its queue is left out, counted and logged. After an
+ * error, as of a full disk, the file is opened again with the next record, 1 s later.
  */
 public final class RecordFiles implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RecordFiles.class.getName());
     private static final int MOST_WAITING = 100_000;
+    private static final long PAUSE_MILLIS = 1_000;
+    /** A disk that does not answer holds up the end of the program for no longer. */
+    private static final long GOODBYE_MILLIS = 5_000;
     /** In the queue: no record follows. */
     private static final Object END = new Object();
 
     private final Path folder;
     private final BlockingQueue<Object> queue = new LinkedBlockingQueue<>(MOST_WAITING);
     private final Thread thread = new Thread(this::run, "records");
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final AtomicLong leftOut = new AtomicLong();
     private LocalDate day;
+    /** Null after an error. */
     private BufferedWriter file;
-    private long leftOut;
+    /** Records in the file's buffer. */
+    private int unflushed;
+
+    private boolean failureLogged;
 
     private RecordFiles(Path folder) {
         this.folder = folder;
@@ -60,7 +74,7 @@ public final class RecordFiles implements AutoCloseable {
 
     /** Queues a record. Called by one thread. */
     void add(DetailRecord detail) {
-        if (!queue.offer(detail) && leftOut++ == 0) {
+        if (!queue.offer(detail) && leftOut.getAndIncrement() == 0) {
             LOG.log(Level.WARNING, "records in {0}: the disk is too slow, records are left out", folder);
         }
     }
@@ -72,13 +86,27 @@ public final class RecordFiles implements AutoCloseable {
         day = newDay;
         if (Files.size(path) == 0) {
             writeLine(DetailRecord.HEADER);
-            file.flush();
+        } else if (isTorn(path)) {
+            file.write("\r\n");
+        }
+        file.flush();
+    }
+
+    /** Whether the last line has no end, as after a full disk. */
+    private static boolean isTorn(Path path) throws IOException {
+        try (RandomAccessFile octets = new RandomAccessFile(path.toFile(), "r")) {
+            octets.seek(octets.length() - 1);
+            return octets.read() != '\n';
         }
     }
 
     private void writeLine(String line) throws IOException {
         file.write(line);
         file.write("\r\n");
+    }
+
+    private interface Step {
+        void run() throws IOException;
     }
 
     private void run() {
@@ -90,40 +118,90 @@ public final class RecordFiles implements AutoCloseable {
                 queue.drainTo(taken);
                 for (Object next : taken) {
                     if (next instanceof DetailRecord detail) {
-                        write(detail);
+                        attempt(() -> write(detail));
                     }
                     isOver |= next == END;
                 }
                 taken.clear();
-                file.flush();
+                attempt(this::flush);
+                isOver |= closing.getCount() == 0 && queue.isEmpty();
             }
-            file.close();
-        } catch (IOException e) {
-            LOG.log(Level.ERROR, "records in {0} have ended: {1}", folder, e.getMessage());
+            attempt(this::closeFile);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private void attempt(Step step) throws InterruptedException {
+        try {
+            step.run();
+        } catch (IOException e) {
+            leftOut.addAndGet(unflushed);
+            unflushed = 0;
+            LOG.log(
+                    failureLogged ? Level.DEBUG : Level.ERROR,
+                    "records in {0} cannot be written, which is tried again each second: {1}",
+                    folder,
+                    e.getMessage());
+            failureLogged = true;
+            abandonFile();
+            closing.await(PAUSE_MILLIS, TimeUnit.MILLISECONDS);
         }
     }
 
     private void write(DetailRecord detail) throws IOException {
         LocalDate ended = LocalDate.ofInstant(detail.ended(), ZoneOffset.UTC);
-        if (!ended.equals(day)) {
-            file.close();
+        boolean isOfNextDay = file != null && !ended.equals(day);
+        unflushed++;
+        if (isOfNextDay) {
+            closeFile();
+            file = null;
+            unflushed = 1;
+        }
+        if (file == null) {
             begin(ended);
         }
         writeLine(detail.line());
     }
 
+    private void flush() throws IOException {
+        if (file != null) {
+            file.flush();
+            unflushed = 0;
+            failureLogged = false;
+        }
+    }
+
+    private void closeFile() throws IOException {
+        if (file != null) {
+            file.close();
+        }
+    }
+
+    private void abandonFile() {
+        try {
+            closeFile();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing a file of records: {0}", e.getMessage());
+        }
+        file = null;
+    }
+
     /** Writes what waits and ends. */
     @Override
     public void close() {
+        closing.countDown();
+        // a full queue needs no END: the thread does not wait, and ends when it is empty
+        queue.offer(END);
         try {
-            queue.put(END);
-            thread.join();
+            thread.join(GOODBYE_MILLIS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        if (leftOut > 0) {
+        if (thread.isAlive()) {
+            LOG.log(Level.WARNING, "records in {0}: the disk does not answer, {1} are left", folder, queue.size());
+        }
+        if (leftOut.get() > 0) {
             LOG.log(Level.WARNING, "records in {0}: {1} were left out", folder, leftOut);
         }
     }

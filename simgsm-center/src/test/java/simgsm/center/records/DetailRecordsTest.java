@@ -80,6 +80,9 @@ class DetailRecordsTest {
     void aNameWithACommaIsQuotedAndAFormulaIsMadeText() {
         assertTrue(message("Smith, \"Ada\"", NOON).line().startsWith("message,7,\"Smith, \"\"Ada\"\"\",5550200,app,"));
         assertTrue(message("=1+1", NOON).line().startsWith("message,7,'=1+1,"));
+        assertTrue(message("+1+1", NOON).line().startsWith("message,7,'+1+1,"));
+        assertTrue(message("\t=1", NOON).line().startsWith("message,7,'\t=1,"));
+        assertTrue(message("\r=1", NOON).line().startsWith("message,7,\"'\r=1\","));
     }
 
     @Test
@@ -100,6 +103,31 @@ class DetailRecordsTest {
                 2,
                 Files.readAllLines(RecordFiles.file(folder, LocalDate.of(2026, 11, 22)))
                         .size());
+    }
+
+    @Test
+    void aFileThatCannotBeWrittenCostsItsOwnRecordOnly() throws IOException {
+        Files.createDirectory(RecordFiles.file(folder, LocalDate.of(2026, 11, 20)));
+        try (RecordFiles files = RecordFiles.in(folder)) {
+            files.add(message("1", NOON));
+            files.add(message("2", NOON.minusSeconds(86_400)));
+            files.add(message("3", NOON));
+        }
+
+        List<String> lines = Files.readAllLines(RecordFiles.file(folder, LocalDate.of(2026, 11, 21)));
+        assertEquals(3, lines.size());
+        assertTrue(lines.get(1).startsWith("message,7,1,") && lines.get(2).startsWith("message,7,3,"));
+    }
+
+    @Test
+    void aTornLastLineIsEndedBeforeTheNextRecord() throws IOException {
+        Path file = RecordFiles.file(folder, LocalDate.of(2026, 11, 21));
+        Files.writeString(file, DetailRecord.HEADER + "\r\nmessage,7,to");
+        try (RecordFiles files = RecordFiles.in(folder)) {
+            files.add(message("1", NOON));
+        }
+
+        assertTrue(Files.readAllLines(file).get(2).startsWith("message,7,1,"));
     }
 
     @Test
