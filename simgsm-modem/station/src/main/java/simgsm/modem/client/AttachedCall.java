@@ -199,10 +199,15 @@ final class AttachedCall {
             case START_ANSWER_TIMER -> startAnswerTimer();
             case SEND_ANSWER -> answer();
             case BEGIN -> begin();
-            case SEND_HANG_UP -> dialogue.sendFirst(setup.command(SetupStep.HANG_UP), this::hungUp);
+            case SEND_HANG_UP -> dialogue.sendFirst(hangUpCommand(), this::hungUp);
             case REPORT_RELEASED -> reportReleased();
             case STOP_TIMERS -> stopTimers();
         }
+    }
+
+    /** A modem that has confirmed neither command in its set-up may still take the one of V.250. */
+    private ModemCommand hangUpCommand() {
+        return setup.has(SetupStep.HANG_UP) ? setup.command(SetupStep.HANG_UP) : ModemCommand.ofCall("ATH");
     }
 
     private void hungUp(ModemAnswer answer) {
@@ -229,7 +234,7 @@ final class AttachedCall {
         return ModemCommand.query("AT+CLCC", "+CLCC:").within(POLL_LIMIT_MILLIS);
     }
 
-    private static Optional<Msisdn> number(String text) {
+    static Optional<Msisdn> number(String text) {
         try {
             return text.isEmpty() ? Optional.empty() : Optional.of(Msisdn.parse(text));
         } catch (IllegalArgumentException notANumber) {

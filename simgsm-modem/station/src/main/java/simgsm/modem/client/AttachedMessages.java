@@ -131,7 +131,7 @@ final class AttachedMessages {
     }
 
     private void fetch(int index) {
-        if (ready && index >= 0) {
+        if (ready && index >= 0 && setup.has(SetupStep.MESSAGE_FORMAT)) {
             read(index, "", 1);
         }
     }
@@ -185,7 +185,9 @@ final class AttachedMessages {
     }
 
     private boolean isPduMode() {
-        return setup.command(SetupStep.MESSAGE_FORMAT).text().endsWith("=0");
+        return setup != null
+                && setup.has(SetupStep.MESSAGE_FORMAT)
+                && setup.command(SetupStep.MESSAGE_FORMAT).text().endsWith("=0");
     }
 
     private void reportPdu(String pdu) {
@@ -208,8 +210,8 @@ final class AttachedMessages {
 
     private void received(String from, String text) {
         if (from.startsWith("+")) {
-            Msisdn international = Msisdn.parse(from);
-            senders.put(international.digits(), SmsAddress.of(international));
+            // a damaged number cannot be answered; its message is reported all the same
+            AttachedCall.number(from).ifPresent(number -> senders.put(number.digits(), SmsAddress.of(number)));
         }
         listener.accept(new StationEvent.ShortMessageReceived(from, text));
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
 import simgsm.timer.Timer;
@@ -40,7 +41,11 @@ final class CommandDialogue {
     private static final Set<String> CALL_ENDS = Set.of("NO CARRIER", "BUSY", "NO ANSWER", "NO DIALTONE");
     private static final Set<String> REFUSALS = Set.of("ERROR", "COMMAND NOT SUPPORT", "TOO MANY PARAMETERS");
 
-    private record Pending(ModemCommand command, Consumer<ModemAnswer> receiver) {}
+    private record Pending(ModemCommand command, Consumer<ModemAnswer> receiver) {
+        Pending {
+            Objects.requireNonNull(command, "command");
+        }
+    }
 
     private final Timers timers;
     private final Consumer<String> output;

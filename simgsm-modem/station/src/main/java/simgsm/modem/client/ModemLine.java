@@ -141,7 +141,7 @@ public final class ModemLine implements AutoCloseable {
     private void keepOpen() throws InterruptedException {
         while (closing.getCount() > 0) {
             try (ByteChannel open = address.open()) {
-                outgoing.clear();
+                outgoing.removeIf(octets -> octets != END);
                 channel = open;
                 failureLogged = false;
                 LOG.log(Level.INFO, "the line to the modem at " + address + " is open");

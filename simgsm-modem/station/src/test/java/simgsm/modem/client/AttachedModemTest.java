@@ -209,6 +209,42 @@ class AttachedModemTest {
     }
 
     @Test
+    void aModemThatHasRefusedToHangUpInItsSetUpIsAskedAgainAndGoesOn() {
+        bench.answers.put("ATH", "ERROR");
+        bench.answers.put("AT+CHUP", "ERROR");
+        bench.ready().news();
+        bench.sent.clear();
+        bench.answers.put("AT+CLCC", "+CLCC: 1,1,4,0,0,\"5550100\",129|OK");
+        bench.say("RING");
+        bench.millis(1700);
+        assertEquals(List.of("ringing 5550100", "released 16"), bench.news());
+        assertEquals(Optional.of("ATH"), bench.lastSent());
+        bench.say("+CMTI: \"SM\",3");
+        bench.millis(50);
+        assertTrue(bench.sent.contains("AT+CMGR=3"), bench.sent.toString());
+    }
+
+    @Test
+    void aTextOfADamagedNumberIsReportedAllTheSame() {
+        bench.answers.put("AT+CMGF=0", "ERROR");
+        bench.ready().news();
+        bench.answers.put("AT+CMGR=3", "+CMGR: \"REC UNREAD\",\"+12?4\",,\"26/11/22,08:00:00+00\"|** #*0 **|OK");
+        bench.say("+CMTI: \"SM\",3");
+        bench.millis(50);
+        assertEquals(List.of("sms +12?4 ** #*0 **"), bench.news());
+    }
+
+    @Test
+    void aNoticeToAModemWithoutAMessageFormatIsLeft() {
+        bench.answers.put("AT+CMGF=0", "ERROR");
+        bench.answers.put("AT+CMGF=1", "ERROR");
+        bench.ready().news();
+        bench.say("+CMTI: \"SM\",3");
+        bench.millis(50);
+        assertFalse(bench.sent.contains("AT+CMGR=3"));
+    }
+
+    @Test
     void anOrderUnderWayStopsTheMinute() {
         bench.ready().inCall();
         bench.news();
