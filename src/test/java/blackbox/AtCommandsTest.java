@@ -250,6 +250,14 @@ class AtCommandsTest {
     }
 
     @Test
+    void ofTwoClientsThatAnswerACallAtOnceTheFirstHasIt() {
+        VirtualPhone caller = suite.phone("5550100");
+        caller.dial("5550300");
+        suite.seconds(0.2);
+        assertEquals(List.of("OK", "NO CARRIER"), modem.sayTogether("ATA"));
+    }
+
+    @Test
     void ringsAreNamedByTheirKindAndAnsweredAfterTheirNumber() {
         VirtualPhone caller = suite.phone("5550100");
         modem.say("AT+CRC=1;S0=2");

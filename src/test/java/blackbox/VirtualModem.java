@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.List;
 import java.util.regex.Pattern;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
@@ -99,6 +100,21 @@ final class VirtualModem {
         output.setLength(0);
         send(command + "\r");
         return lines(result());
+    }
+
+    /** Gives a command, and so does a second client before the network has answered. @return the answers of both */
+    List<String> sayTogether(String command) {
+        StringBuilder second = new StringBuilder();
+        AtClient other = at.connect(octets -> second.append(new String(octets, StandardCharsets.ISO_8859_1)));
+        other.received("ATE0\r".getBytes(StandardCharsets.ISO_8859_1));
+        second.setLength(0);
+        output.setLength(0);
+        byte[] line = (command + "\r").getBytes(StandardCharsets.ISO_8859_1);
+        client.received(line);
+        other.received(line);
+        suite.seconds(0.5);
+        other.close();
+        return List.of(lines(heard()), lines(second.toString()));
     }
 
     /** A message at the prompt. */

@@ -56,6 +56,9 @@ final class CallCodes {
     }
 
     AtResult answer(AtRequest request) {
+        if (answering != null) {
+            return AtResult.NO_CARRIER;
+        }
         answering = request;
         if (!modem.terminal().answer()) {
             answering = null;
