@@ -10,6 +10,9 @@ final class IpHeader {
     static final int TCP = 6;
     static final int UDP = 17;
 
+    /** A UDP checksum that is computed as 0 (RFC 768). */
+    private static final short ZERO_AS_SENT = (short) 0xffff;
+
     private static final int VERSION_4_LENGTH_5 = 0x45;
     private static final short DO_NOT_FRAGMENT = 0x4000;
     private static final byte TIME_TO_LIVE = 64;
@@ -77,7 +80,9 @@ final class IpHeader {
     /** The checksum of a segment or datagram whose own is still 0 (RFC 9293, 3.1, and RFC 768: with its pseudo header). */
     short checksum(byte[] packet, int protocol, int from, int segmentLength) {
         long sum = sum(peer, 0, peer.length) + sum(center, 0, center.length) + protocol + segmentLength;
-        return folded(sum + sum(packet, from, segmentLength));
+        short checksum = folded(sum + sum(packet, from, segmentLength));
+        // 0 would say that there is none
+        return protocol == UDP && checksum == 0 ? ZERO_AS_SENT : checksum;
     }
 
     private static long sum(byte[] octets, int from, int length) {
