@@ -102,7 +102,7 @@ public final class VeriCommand {
     }
 
     /**
-     * Answers a question that anybody may ask, as by USSD: an order of nothing but {@code #*0} is answered by status and pose,
+     * Answers a question that any subscriber may ask, as by USSD: an order of nothing but {@code #*0} is answered by status and pose,
      * every other one by what is wrong. Nothing moves, and orders under way go on.
      */
     public String query(String text) {

@@ -24,7 +24,7 @@ import simgsm.station.context.StationEvent;
 /**
  * Received messages: stored on the SIM or passed to clients as +CNMI says, with +CMTI, +CMT, +CDS, +CDSI and +CBM.
  *
- * <p>Until the first client has connected nobody reads the memory, so a message that finds it full replaces the oldest.
+ * <p>Until the first client has connected no program reads the memory, so a message that finds it full replaces the oldest.
  * From then on a full memory refuses messages (RP cause 22), and the network keeps them until there is room.
  */
 final class MessageCodes {

@@ -77,7 +77,7 @@ public final class AtPort implements AutoCloseable {
             }
         }
 
-        /** Gives the modem its time while somebody is connected: each connection wakes itself at the next deadline. */
+        /** Gives the modem its time while a client is connected: each connection wakes itself at the next deadline. */
         private void tick() {
             advanceAll();
             Timers timers = modem.timers();
