@@ -110,7 +110,7 @@ public record MgcpMessage(
 
     /** @throws ProtocolViolation for a text that is none of these messages */
     public static MgcpMessage decode(byte[] octets) throws ProtocolViolation {
-        String[] lines = new String(octets, StandardCharsets.US_ASCII).split("\r?\n");
+        String[] lines = new String(octets, StandardCharsets.US_ASCII).split("\r?\n", -1);
         Matcher first = FIRST_LINE.matcher(lines[0]);
         if (!first.matches()) {
             throw new ProtocolViolation(Cause.PROTOCOL_ERROR, "an MGCP command or answer was expected");

@@ -45,7 +45,7 @@ class MgcpMessageTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "hello", "CRCX", "CRCX x y", "MDCX 1 a MGCP 1.0", "999 1 OK"})
+    @ValueSource(strings = {"", "\n", "\r\n\r\n", "hello", "CRCX", "CRCX x y", "MDCX 1 a MGCP 1.0", "999 1 OK"})
     void anythingElseIsAViolation(String text) {
         assertThrows(ProtocolViolation.class, () -> MgcpMessage.decode(text.getBytes(StandardCharsets.US_ASCII)));
     }
