@@ -100,9 +100,7 @@ public final class RequestedBehaviours implements AutoCloseable {
             simRobot.simulation()
                     .withSimulation(owned -> owned.robots().stream()
                             .map(SimulatedRobot::autonomy)
-                            .filter(autonomy ->
-                                    autonomy.isActive() && autonomy.kind().equals(kind))
-                            .forEach(autonomy -> autonomy.begin(kind)));
+                            .forEach(autonomy -> autonomy.renew(kind)));
         }
 
         @Override

@@ -44,6 +44,9 @@ public final class Autonomy {
     private Decision.End ending;
 
     private BehaviourList choice = new BehaviourList();
+    /** The processes by number, as the robot named them last. */
+    private List<BehaviourKind> announced = List.of();
+
     private long sinceDecisionNanos;
     private long inCollisionNanos;
     /** Called once the robot stands; null if no order waits for that. */
@@ -90,16 +93,19 @@ public final class Autonomy {
     /** The names of the processes that orders can start, by number. */
     SortedMap<Integer, String> processes() {
         SortedMap<Integer, String> names = new TreeMap<>();
-        List<BehaviourKind> kinds = choice.kinds();
-        for (int i = 0; i < Math.min(kinds.size(), BehaviourList.MAX_NUMBER); i++) {
-            names.put(i + 1, kinds.get(i).text());
+        announced = choice.kinds();
+        for (int i = 0; i < Math.min(announced.size(), BehaviourList.MAX_NUMBER); i++) {
+            names.put(i + 1, announced.get(i).text());
         }
         return names;
     }
 
-    /** Begins the process with this number, in status Stopped. */
+    /**
+     * Begins the process that had this number when {@link #processes} was last called, in status Stopped: the list may have
+     * changed since, on another thread.
+     */
     void begin(int number) {
-        if (!begin(choice.kinds().get(number - 1))) {
+        if (!begin(announced.get(number - 1))) {
             throw new IllegalStateException("process " + number + " is not possible in "
                     + robot.status().text());
         }
@@ -134,13 +140,32 @@ public final class Autonomy {
             return false;
         }
         change(next, next.begin(surroundings).orElse(null), new Decision.Replaced());
+        prepare();
+        return true;
+    }
+
+    /**
+     * Goes on with the new version of the running process; the process has not ended by that. Nothing happens if another one
+     * runs, or this one has ended by itself already.
+     */
+    public void renew(BehaviourKind version) {
+        if (!isUnfinished() || !kind.equals(version)) {
+            return;
+        }
+        RobotProcess old = process;
+        kind = version;
+        process = version.begin(surroundings).orElseThrow();
+        old.close();
+        prepare();
+    }
+
+    private void prepare() {
         senses = new RobotSenses(robot);
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
             countAsMoving();
         }
-        return true;
     }
 
     /** Sets the kind that is shown, for a replay; no process runs. */

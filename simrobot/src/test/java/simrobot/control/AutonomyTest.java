@@ -5,10 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
+import simrobot.process.RobotProcess;
+import simrobot.process.Wander;
 import simrobot.world.Position;
 import vericommand.RobotStatus;
 
@@ -141,6 +145,55 @@ class AutonomyTest {
         bench.seconds(3);
         assertEquals(RobotStatus.STOPPED, bench.robot.status());
         assertEquals(BehaviourKind.NONE, bench.robot.autonomy().kind());
+    }
+
+    @Test
+    void aProcessOfACallStaysTheCallsInItsNewVersionAndEndsWithTheCall() {
+        bench.control.callBegan(1, "5550100");
+        bench.press("**#*1**");
+        bench.seconds(1);
+        assertEquals(RobotStatus.MOVING, bench.robot.status());
+        AtomicInteger begun = new AtomicInteger();
+        bench.robot.autonomy().renew(new BehaviourKind("wander", around -> {
+            begun.incrementAndGet();
+            return RobotProcess.inPlace(new Wander(around.robotNumber()));
+        }));
+        bench.seconds(1);
+        assertEquals(1, begun.get());
+        assertEquals(RobotStatus.MOVING, bench.robot.status());
+        bench.control.callEnded(16);
+        bench.seconds(3);
+        assertEquals(BehaviourKind.NONE, bench.robot.autonomy().kind());
+        assertEquals(RobotStatus.STOPPED, bench.robot.status());
+    }
+
+    @Test
+    void aNewVersionOfAnotherProcessAndOneOfAnEndedProcessDoNotBegin() {
+        BehaviourKind version = new BehaviourKind("wall-follow", around -> {
+            throw new AssertionError("begun");
+        });
+        wander();
+        bench.robot.autonomy().renew(version);
+        assertEquals(BehaviourKind.WANDER, bench.robot.autonomy().kind());
+        bench.robot.autonomy().end();
+        bench.robot.autonomy().renew(version);
+        assertFalse(bench.robot.autonomy().isActive());
+    }
+
+    @Test
+    void aProcessIsStartedByTheNumberUnderWhichItWasNamedAlthoughTheListChangesMeanwhile() {
+        BehaviourList list = bench.simulation.behaviours();
+        list.put(new BehaviourKind("Mine", around -> RobotProcess.inPlace(new Wander(1))));
+        assertEquals("Mine", bench.robot.processes().get(3));
+        list.put(new BehaviourKind("Another", around -> RobotProcess.inPlace(new Wander(1))));
+        bench.robot.startProcess(3);
+        assertEquals("Mine", bench.robot.autonomy().kind().text());
+        bench.robot.autonomy().end();
+        bench.seconds(3);
+        assertEquals("Mine", bench.robot.processes().get(4));
+        list.remove("Another");
+        bench.robot.startProcess(4);
+        assertEquals("Mine", bench.robot.autonomy().kind().text());
     }
 
     @Test
