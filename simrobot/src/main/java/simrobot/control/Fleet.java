@@ -224,8 +224,16 @@ public final class Fleet {
                 : simulation.addRobot(name.name());
         robot.setMotors(kit.motors());
         robot.setPower(kit.power());
-        robot.autonomy().begin(kit.behaviour());
+        robot.autonomy().begin(newest(simulation));
         return robot;
+    }
+
+    /** The process of the kit in the version that the list has now; none if the list has it no more. */
+    private BehaviourKind newest(Simulation simulation) {
+        return simulation.behaviours().kinds().stream()
+                .filter(kit.behaviour()::equals)
+                .findFirst()
+                .orElse(BehaviourKind.NONE);
     }
 
     private TelephoneRobot join(Pioneer robot, RobotName name) throws IOException, UsageException {

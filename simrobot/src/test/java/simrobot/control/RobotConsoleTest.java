@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -34,6 +35,8 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simrobot.process.BehaviourKind;
+import simrobot.process.RobotProcess;
+import simrobot.process.Wander;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -93,6 +96,31 @@ class RobotConsoleTest {
         console.run(new BufferedReader(new StringReader(String.join("\n", commands))), robotConsole);
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
         return lines.subList(1, lines.size());
+    }
+
+    @Test
+    void aRobotThatIsAddedLaterRunsTheNewestVersionOfTheProcess() throws Exception {
+        Fleet.Kit kit = new Fleet.Kit(
+                1,
+                true,
+                true,
+                new BehaviourKind("Mine", around -> {
+                    throw new AssertionError("the version of the start");
+                }),
+                SpeechCodec.Kind.A_LAW,
+                1500,
+                robot -> CallAudioListener.NONE,
+                number -> Optional.empty());
+        fleet = new Fleet(simRobot, kit);
+        fleet.add(RobotName.parse("r2=5550202"), Optional.empty());
+        List<String> begun = new ArrayList<>();
+        BehaviourKind version = new BehaviourKind("Mine", around -> {
+            begun.add("new version");
+            return RobotProcess.inPlace(new Wander(around.robotNumber()));
+        });
+        simRobot.simulation().withSimulation(owned -> owned.behaviours().put(version));
+        fleet.add(RobotName.parse("r3=5550203"), Optional.empty());
+        assertEquals(List.of("new version"), begun);
     }
 
     @Test
