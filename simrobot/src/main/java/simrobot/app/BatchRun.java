@@ -33,7 +33,7 @@ public final class BatchRun {
     private static final long MAX_RUNS = 1_000_000;
 
     /** Options that need real time or a peer. */
-    private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os");
+    private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os", "at", "modem");
 
     private BatchRun() {}
 

@@ -1,6 +1,7 @@
 package simrobot.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -109,5 +110,15 @@ class BatchRunTest {
     void theSameSeedGivesTheSameStatesToTheLastBitAsInAWindow(String behaviour) throws Exception {
         BehaviourKind kind = BehaviourKind.ofText(behaviour);
         assertEquals(live(kind), run(kind));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--pioneer=127.0.0.1:1", "--http=0", "--p2os=0", "--at=0", "--modem=127.0.0.1:1"})
+    void anOptionThatNeedsAPeerIsRefused(String option) {
+        UsageException refused = assertThrows(
+                UsageException.class,
+                () -> BatchRun.run(SimRobotMain.options().parse(List.of("--run=1", option)), ROOM));
+        String name = option.substring(0, option.indexOf('='));
+        assertEquals(name + ": a run (--run) has no clients, expected one of the two", refused.getMessage());
     }
 }
