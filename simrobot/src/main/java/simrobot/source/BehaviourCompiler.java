@@ -82,9 +82,16 @@ final class BehaviourCompiler {
         String text =
                 first.getMessage(Locale.ENGLISH).lines().map(String::strip).collect(Collectors.joining("; "));
         JavaFileObject source = first.getSource();
-        Path where = source == null ? file : Path.of(source.toUri());
-        String other = where.getFileName().equals(file.getFileName()) ? "" : where.getFileName() + ": ";
+        String name = file.getFileName().toString();
+        String where = source == null ? name : lastPart(source.toUri());
+        String other = where.equals(name) ? "" : where + ": ";
         return new SourceException((int) Math.max(0, first.getLineNumber()), other + text);
+    }
+
+    /** The name of a file, also of one in a jar. */
+    private static String lastPart(URI place) {
+        String path = place.getSchemeSpecificPart();
+        return path.substring(path.lastIndexOf('/') + 1);
     }
 
     /** Where the interface lies that the source implements. */

@@ -99,7 +99,7 @@ public final class BehaviourFolder implements AutoCloseable {
                 Thread.sleep(PERIOD_MILLIS);
                 try {
                     scan();
-                } catch (IOException e) {
+                } catch (IOException | RuntimeException e) {
                     LOG.log(Level.DEBUG, "{0} cannot be read now: {1}", folder, e.getMessage());
                 }
             }
@@ -186,9 +186,16 @@ public final class BehaviourFolder implements AutoCloseable {
                 }
             }
         } catch (SourceException fault) {
-            list.setFault(new BehaviourList.Fault(base(file), fault.line(), fault.getMessage()));
-            listener.failed(base(file), fault.line(), fault.getMessage());
+            fail(file, fault.line(), fault.getMessage());
+        } catch (RuntimeException | LinkageError e) {
+            // one file that the compiler or the class loader fails at leaves the others
+            fail(file, 0, "cannot be loaded: " + FaultPlace.text(e));
         }
+    }
+
+    private void fail(Path file, int line, String text) {
+        list.setFault(new BehaviourList.Fault(base(file), line, text));
+        listener.failed(base(file), line, text);
     }
 
     private void put(BehaviourKind kind) {
@@ -203,8 +210,9 @@ public final class BehaviourFolder implements AutoCloseable {
             return List.of();
         }
         Class<? extends Behaviour> type = new LoadedClasses(classes).behaviour(base(file));
+        BehaviourKind kind = kind(type, new FaultPlace(file.getFileName().toString()));
         compiled.put(file, classes);
-        return List.of(kind(type, new FaultPlace(file.getFileName().toString())));
+        return List.of(kind);
     }
 
     private static boolean isSame(SortedMap<String, byte[]> classes, SortedMap<String, byte[]> before) {
@@ -221,10 +229,13 @@ public final class BehaviourFolder implements AutoCloseable {
             copy.toFile().deleteOnExit();
             Files.copy(jar, copy, StandardCopyOption.REPLACE_EXISTING);
             ClassLoader loader = new URLClassLoader(new URL[] {copy.toUri().toURL()}, Behaviour.class.getClassLoader());
-            ServiceLoader.load(Behaviour.class, loader).stream()
+            List<? extends Class<? extends Behaviour>> types = ServiceLoader.load(Behaviour.class, loader).stream()
                     .map(ServiceLoader.Provider::type)
                     .filter(type -> type.getClassLoader() == loader)
-                    .forEach(type -> kinds.add(kind(type, new FaultPlace(null))));
+                    .toList();
+            for (Class<? extends Behaviour> type : types) {
+                kinds.add(kind(type, new FaultPlace(null)));
+            }
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
         } catch (ServiceConfigurationError | LinkageError e) {
@@ -237,8 +248,11 @@ public final class BehaviourFolder implements AutoCloseable {
         return kinds;
     }
 
-    private BehaviourKind kind(Class<? extends Behaviour> type, FaultPlace place) {
+    private BehaviourKind kind(Class<? extends Behaviour> type, FaultPlace place) throws SourceException {
         String name = type.getSimpleName();
+        if (BehaviourKind.BUILT_IN.stream().anyMatch(kind -> kind.text().equals(name))) {
+            throw new SourceException(0, "the name " + name + " is taken, expected a class of another name");
+        }
         return new BehaviourKind(
                 name,
                 around -> new BehaviourThread(

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.lang.reflect.Proxy;
 import java.nio.file.Files;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
@@ -13,8 +14,10 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -292,6 +295,36 @@ class BehaviourFolderTest {
         write("Ahead", "        return new Steering(0.5, 0);");
         new BehaviourFolder(folder, list, listener, null);
         assertTrue(told.get(0).startsWith("failed Ahead 0 this Java has no compiler, expected a JDK"), told.get(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"wander", "none"})
+    void aNameThatABuiltInProcessHasIsTakenAlsoAtTheNextLook(String name) throws IOException {
+        String fault = "failed " + name + " 0 the name " + name + " is taken, expected a class of another name";
+        write(name, "        return new Steering(0.5, 0);");
+        BehaviourFolder opened = open();
+        assertEquals(List.of(fault), told);
+        write("Ahead", "        return new Steering(0.5, 0);");
+        opened.scan();
+        assertEquals(List.of(fault, "loaded Ahead", fault), told);
+        assertEquals(List.of("wander", "wall-follow", "Ahead"), names());
+    }
+
+    @Test
+    void aFileThatTheCompilerFailsAtIsAFaultAndTheNextFileIsLoaded() throws IOException {
+        JavaCompiler real = ToolProvider.getSystemJavaCompiler();
+        AtomicInteger files = new AtomicInteger();
+        JavaCompiler failing = (JavaCompiler) Proxy.newProxyInstance(
+                getClass().getClassLoader(), new Class<?>[] {JavaCompiler.class}, (proxy, method, arguments) -> {
+                    if (method.getName().equals("getStandardFileManager") && files.incrementAndGet() == 1) {
+                        throw new IllegalStateException("no file");
+                    }
+                    return method.invoke(real, arguments);
+                });
+        write("Ahead", "        return new Steering(0.5, 0);");
+        write("Back", "        return new Steering(-0.5, 0);");
+        new BehaviourFolder(folder, list, listener, failing);
+        assertEquals(List.of("failed Ahead 0 cannot be loaded: IllegalStateException: no file", "loaded Back"), told);
     }
 
     @Test
