@@ -1,5 +1,7 @@
 package simrobot.route;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -15,9 +17,11 @@ import simrobot.world.World;
 
 /**
  * Drives to a place: plans a way, follows it, and plans anew when the world has changed, after a collision, and when another
- * robot has stood in the way for 1 to 3 s. Gives up when there is no way, or when the way has been blocked for 30 s.
+ * robot has stood in the way for 1 to 3 s. Gives up when there is no way, when the way has been blocked for 30 s, or when the
+ * robot has come no nearer along it for 30 s, as on a treadmill.
  */
 public final class GoTo implements RobotProcess {
+    private static final Logger LOG = System.getLogger(GoTo.class.getName());
     private static final double METERS_PER_SECOND = 0.4;
     private static final double RADIANS_PER_SECOND = Math.toRadians(60);
 
@@ -38,6 +42,7 @@ public final class GoTo implements RobotProcess {
 
     private static final int TICKS_PER_SECOND = (int) (1_000_000_000 / TICK_NANOS);
     private static final int PATIENCE_TICKS = 30 * TICKS_PER_SECOND;
+    private static final double NEARER_METERS = 0.01;
     private static final int MOST_COLLISIONS = 5;
     private static final Decision STAND = new Decision.Go(Steering.STOP);
 
@@ -57,6 +62,10 @@ public final class GoTo implements RobotProcess {
 
     private Position legStart;
     private int blockedTicks;
+    /** The least that was left of the present way, and the time that the robot has come no nearer. */
+    private double leastLeftMeters;
+
+    private int stalledTicks;
     private int backingTicks;
     private int collisions;
     private boolean atGoal;
@@ -107,6 +116,7 @@ public final class GoTo implements RobotProcess {
             }
             way = plan.isFound() ? plan.way() : way;
             legStart = here;
+            leastLeftMeters = leftMeters(here);
         }
         if (way.isEmpty()) {
             return STAND;
@@ -120,7 +130,35 @@ public final class GoTo implements RobotProcess {
         nearest = Double.POSITIVE_INFINITY;
         World here = surroundings.world();
         world = here;
-        executor.execute(() -> planned.set(planner.plan(here, from, goal, robots)));
+        executor.execute(() -> planned.set(planned(here, from, robots)));
+    }
+
+    /** A plan that fails, such as for want of memory in a huge world, is none: the robot must not wait for it for ever. */
+    private RoutePlanner.Plan planned(World here, Position from, List<Position> robots) {
+        try {
+            return planner.plan(here, from, goal, robots);
+        } catch (RuntimeException | OutOfMemoryError fault) {
+            LOG.log(Level.ERROR, "planning a way failed", fault);
+            return RoutePlanner.Plan.none("planning a way failed");
+        }
+    }
+
+    private double leftMeters(Position here) {
+        double left = 0;
+        Position from = here;
+        for (Position next : way) {
+            left += distance(from, next);
+            from = next;
+        }
+        return left;
+    }
+
+    /** Counts the time without coming 1 cm nearer along the way. */
+    private boolean isStalled(Position here) {
+        double left = leftMeters(here);
+        stalledTicks = left < leastLeftMeters - NEARER_METERS ? 0 : stalledTicks + 1;
+        leastLeftMeters = stalledTicks == 0 ? left : leastLeftMeters;
+        return stalledTicks > PATIENCE_TICKS;
     }
 
     private Decision await(Position here) {
@@ -177,6 +215,9 @@ public final class GoTo implements RobotProcess {
         while (way.size() > 1 && hasPassed(here)) {
             legStart = way.get(0);
             way = way.subList(1, way.size());
+        }
+        if (isStalled(here)) {
+            return new Decision.GivenUp("the robot has come no nearer for 30 s.");
         }
         double left = distance(here, goal);
         boolean last = way.size() == 1;

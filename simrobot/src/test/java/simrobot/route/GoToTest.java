@@ -8,7 +8,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.concurrent.Executor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -156,6 +158,32 @@ class GoToTest {
         simulation.addRobot("other", new Position(4, 3), 0);
         go(7, 3);
         assertEquals(new Decision.GivenUp("a robot has stood in the way for 30 s."), awaitEnd());
+    }
+
+    @Test
+    void aBeltThatHoldsTheRobotIsGivenUpAfterHalfAMinute() throws IOException {
+        in(WorldReader.read(Path.of("../worlds", "treadmill.map")), 0, 0);
+        go(3, 0);
+        assertEquals(new Decision.GivenUp("the robot has come no nearer for 30 s."), awaitEnd());
+        assertEquals(RobotStatus.STOPPED, robot.status());
+    }
+
+    /** Here the planner is missing, so that it fails on its own thread. */
+    @Test
+    void aPlanThatFailsIsGivenUp() {
+        in(World.bare(), 0, 0);
+        Executor plans = task -> {
+            try {
+                task.run();
+            } catch (RuntimeException lost) {
+                // as on a thread of an executor
+            }
+        };
+        robot.autonomy()
+                .begin(new BehaviourKind(
+                        "goto 1 0",
+                        around -> new GoTo(around, null, plans, new Position(1, 0), OptionalDouble.empty())));
+        assertEquals(new Decision.GivenUp("planning a way failed."), awaitEnd());
     }
 
     @Test
