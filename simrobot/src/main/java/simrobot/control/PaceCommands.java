@@ -2,6 +2,9 @@ package simrobot.control;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
+import java.util.regex.Pattern;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
@@ -13,6 +16,9 @@ final class PaceCommands {
     static final double MAX_SPEED = 1000;
     /** 100 s of simulated time. */
     static final int MAX_STEPS = 10_000;
+
+    /** Without Java's suffixes and hexadecimal digits. */
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
 
     private final RobotConsole console;
     private final SimulationThread simulation;
@@ -34,13 +40,9 @@ final class PaceCommands {
     }
 
     private static double number(String word) throws CommandException {
-        try {
-            double speed = Double.parseDouble(word);
-            if (speed == 0 || speed >= MIN_SPEED && speed <= MAX_SPEED) {
-                return speed;
-            }
-        } catch (NumberFormatException e) {
-            // reported below
+        double speed = DECIMAL.matcher(word).matches() ? Double.parseDouble(word) : Double.NaN;
+        if (speed == 0 || speed >= MIN_SPEED && speed <= MAX_SPEED) {
+            return speed;
         }
         throw new CommandException("speed: expected 0, or " + MIN_SPEED + " to " + text(MAX_SPEED)
                 + " simulated seconds per second, found " + word);
@@ -60,7 +62,13 @@ final class PaceCommands {
         if (!console.onSimulation(simulation::isPaused)) {
             throw new CommandException("step: the simulation runs, expected speed 0 before");
         }
-        simulation.steps(count);
+        try {
+            simulation.steps(count).get();
+        } catch (InterruptedException e) {
+            throw RobotConsole.interrupted();
+        } catch (ExecutionException | CancellationException ended) {
+            throw new CommandException("step: the simulation has ended");
+        }
         console.answer(console.onSimulation(() -> Event.of("step")
                 .with("count", count)
                 .with(

@@ -203,7 +203,7 @@ public final class RobotConsole implements Console.Commands {
         }
     }
 
-    private static CommandException interrupted() {
+    static CommandException interrupted() {
         Thread.currentThread().interrupt();
         return new CommandException("interrupted");
     }

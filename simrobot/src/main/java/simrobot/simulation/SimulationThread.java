@@ -3,6 +3,7 @@ package simrobot.simulation;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -27,6 +28,7 @@ public final class SimulationThread implements Executor, AutoCloseable {
     /** Longest run of steps before posted acts are performed. */
     private static final long BURST_NANOS = 4_000_000;
 
+    private static final int MOST_STEPS_IN_BURST = 100;
     private static final long SNAPSHOT_NANOS = 15_000_000;
     private static final long CLOSE_MILLIS = 5000;
 
@@ -120,13 +122,41 @@ public final class SimulationThread implements Executor, AutoCloseable {
         steps(1);
     }
 
-    /** Makes steps one after the other; other acts wait meanwhile. */
-    public void steps(int count) {
-        post(() -> {
-            for (int i = 0; i < count; i++) {
+    /**
+     * Makes steps one after the other, in bursts between which other acts are performed.
+     *
+     * @return done after the last step; cancelled if the thread ends before
+     */
+    public CompletableFuture<Void> steps(int count) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
+        post(() -> burst(count, done));
+        return done;
+    }
+
+    private void burst(int count, CompletableFuture<Void> done) {
+        if (closed) {
+            done.cancel(false);
+            return;
+        }
+        int left = count;
+        int last = Math.max(0, count - MOST_STEPS_IN_BURST);
+        long end = System.nanoTime() + BURST_NANOS;
+        try {
+            do {
                 step();
-            }
-        });
+                left--;
+            } while (left > last && System.nanoTime() < end);
+        } catch (RuntimeException | Error fault) {
+            done.completeExceptionally(fault);
+            throw fault;
+        }
+        int rest = left;
+        if (rest > 0) {
+            post(() -> burst(rest, done));
+        } else {
+            done.complete(null);
+        }
+        publish(System.nanoTime());
     }
 
     /** The newest snapshot. Asking for one makes the thread take the next: without readers it takes none. */

@@ -146,7 +146,16 @@ class RobotConsoleTest {
     void speedsAndStepsThatAreNoneAreErrorsAndChangeNothing() throws Exception {
         answers("speed 0");
         for (String command : List.of(
-                "speed", "speed -1", "speed fast", "speed 1001", "speed NaN", "step 0", "step 10001", "step x")) {
+                "speed",
+                "speed -1",
+                "speed fast",
+                "speed 1001",
+                "speed NaN",
+                "speed 1d",
+                "speed 0x1p3",
+                "step 0",
+                "step 10001",
+                "step x")) {
             assertTrue(answers(command).get(0).startsWith("error text="), command);
         }
         assertEquals(List.of("step count=1 time=0.01"), answers("step"));

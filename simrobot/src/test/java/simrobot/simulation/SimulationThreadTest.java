@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Queue;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
@@ -140,6 +141,26 @@ class SimulationThreadTest {
         assertEquals(
                 List.of("a fault made by a test"),
                 told.stream().map(Throwable::getMessage).toList());
+    }
+
+    @Test
+    void manyStepsLetOtherActsPassAndReportTheirEnd() throws Exception {
+        CompletableFuture<Long> passed = new CompletableFuture<>();
+        thread.setPaused(true);
+        long before = ask(simulation::timeNanos);
+        thread.withSimulation(owned ->
+                owned.addStepListener(time -> thread.post(() -> passed.complete(simulation.timeNanos() - before))));
+        thread.steps(10_000).get(20, TimeUnit.SECONDS);
+        assertEquals(before + 10_000 * Simulation.STEP_NANOS, ask(simulation::timeNanos));
+        assertTrue(passed.get(20, TimeUnit.SECONDS) <= 100 * Simulation.STEP_NANOS, "after " + passed.get());
+    }
+
+    @Test
+    void stepsOfAThreadThatEndsAreCancelled() {
+        thread.setPaused(true);
+        thread.withSimulation(owned -> owned.addStepListener(time -> thread.post(thread::close)));
+        CompletableFuture<Void> steps = thread.steps(10_000);
+        assertThrows(CancellationException.class, () -> steps.get(20, TimeUnit.SECONDS));
     }
 
     @Test
