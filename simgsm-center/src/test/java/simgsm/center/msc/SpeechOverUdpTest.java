@@ -137,6 +137,19 @@ class SpeechOverUdpTest {
     }
 
     @Test
+    void aSessionThatIsNotAnsweredYetIsDeletedByItsCall() throws ProtocolViolation {
+        MgcpMessage create = next(call.active.caller());
+        call.active.caller().hangUp(TestMobile.OUR_CALL);
+
+        MgcpMessage delete = next(call.active.caller());
+        assertEquals(Head.DELETE_CONNECTION, delete.head());
+        assertEquals(create.call(), delete.call());
+        assertEquals(Optional.empty(), delete.connection());
+        answer(call.active.caller(), create.created("5", TERMINAL));
+        assertTrue(!call.callerMedia.isOpen && call.callerMedia.peer.isEmpty());
+    }
+
+    @Test
     void theLossOfALinkClosesItsSession() {
         assertTrue(call.calledMedia.isOpen);
         call.active.called().vanish();

@@ -55,8 +55,12 @@ public record MgcpMessage(
 
     /** DLCX: the connection is over. */
     public static MgcpMessage delete(int transaction, String call, String connection) {
-        return new MgcpMessage(
-                Head.DELETE_CONNECTION, transaction, Optional.of(call), Optional.of(connection), Optional.empty());
+        return delete(transaction, call, Optional.of(connection));
+    }
+
+    /** DLCX. @param connection empty for all connections of the call */
+    public static MgcpMessage delete(int transaction, String call, Optional<String> connection) {
+        return new MgcpMessage(Head.DELETE_CONNECTION, transaction, Optional.of(call), connection, Optional.empty());
     }
 
     /** The answer to CRCX. */

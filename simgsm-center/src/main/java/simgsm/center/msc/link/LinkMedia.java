@@ -55,10 +55,10 @@ public final class LinkMedia {
         }
     }
 
+    /** While the connection's identifier is not known, all of the call are deleted (RFC 3435, 2.3.9). */
     private void delete() {
-        if (state == State.OPEN) {
-            send(MgcpMessage.delete(++transaction, callId(), connection));
-        }
+        Optional<String> known = state == State.OPEN ? Optional.of(connection) : Optional.empty();
+        send(MgcpMessage.delete(++transaction, callId(), known));
         close();
     }
 
