@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import simgsm.modem.at.command.AtClient;
 import simgsm.modem.at.command.AtModem;
 import simgsm.net.Acceptor;
@@ -30,7 +33,9 @@ public final class AtPort implements AutoCloseable {
 
     private final AtModem modem;
     private final MobileStation station;
+    private final StationThread thread;
     private final Acceptor acceptor;
+    private final Set<ClientConnection> connections = new HashSet<>();
     private final long originNanos = System.nanoTime();
 
     private final class ClientConnection extends Connection {
@@ -44,6 +49,7 @@ public final class AtPort implements AutoCloseable {
 
         @Override
         protected void opened() {
+            connections.add(this);
             advance();
             client = modem.connect(this::send);
             tick();
@@ -112,6 +118,7 @@ public final class AtPort implements AutoCloseable {
 
         @Override
         protected void closing(boolean isByPeer) {
+            connections.remove(this);
             if (client != null) {
                 client.close();
             }
@@ -122,6 +129,7 @@ public final class AtPort implements AutoCloseable {
             throws IOException {
         this.modem = modem;
         this.station = station;
+        this.thread = thread;
         acceptor = thread.listen(
                 address, new ConnectionLimits(MOST_CLIENTS, MOST_CLIENTS), endpoint -> new ClientConnection(endpoint));
     }
@@ -158,9 +166,10 @@ public final class AtPort implements AutoCloseable {
         modem.timers().advance(System.nanoTime() - originNanos);
     }
 
-    /** Closes the port; connected clients stay until the thread ends. */
+    /** Closes the port and, on the station's thread, the connections of its clients. */
     @Override
     public void close() {
         acceptor.close();
+        thread.execute(() -> List.copyOf(connections).forEach(Connection::dismiss));
     }
 }
