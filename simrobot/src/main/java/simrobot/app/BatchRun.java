@@ -18,6 +18,7 @@ import simrobot.SimRobotMain;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.process.BehaviourKind;
+import simrobot.process.BehaviourList;
 import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
@@ -48,35 +49,36 @@ public final class BatchRun {
                 .toList();
         long seed = SimRobotMain.seed(arguments);
         double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
-        return arguments.has("runs")
-                ? runAll(arguments, world, names, seed, seconds)
-                : runOne(arguments, world, names, seed, seconds);
+        try (RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, new BehaviourList())) {
+            return arguments.has("runs")
+                    ? runAll(arguments, behaviours, world, names, seed, seconds)
+                    : runOne(arguments, behaviours, world, names, seed, seconds);
+        }
     }
 
     /** One run, with its files. */
-    private static int runOne(Arguments arguments, World world, List<String> names, long seed, double seconds)
+    private static int runOne(
+            Arguments arguments,
+            RequestedBehaviours behaviours,
+            World world,
+            List<String> names,
+            long seed,
+            double seconds)
             throws UsageException, IOException {
         Optional<Path> record = arguments.path("record");
         Optional<Path> track = arguments.path("track");
         long began = System.nanoTime();
         Simulation simulation = simulation(arguments, world, names, seed);
         // without a thread that performs acts, records are written when they are full
-        Optional<SessionRecorder> recorder = record.isPresent()
-                ? Optional.of(SessionRecorder.open(record.get(), simulation, act -> {}))
-                : Optional.empty();
-        recorder.ifPresent(open -> simulation.robots().forEach(robot -> record(robot, open)));
-        begin(arguments, simulation);
-        RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
-        try {
+        try (SessionRecorder recorder =
+                        record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null;
+                RunTrack written = begun(arguments, behaviours, simulation, recorder, track)) {
             simulate(simulation, seconds);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } finally {
-            if (written != null) {
-                written.close();
-            }
+            endAll(simulation);
         }
-        recorder.ifPresent(SessionRecorder::close);
         double wall = (System.nanoTime() - began) * 1e-9;
         Program.standardOutput()
                 .println(Event.of("ran")
@@ -88,7 +90,13 @@ public final class BatchRun {
     }
 
     /** {@code --runs N}: a line of CSV for each of N seeds, counting up. */
-    private static int runAll(Arguments arguments, World world, List<String> names, long seed, double seconds)
+    private static int runAll(
+            Arguments arguments,
+            RequestedBehaviours behaviours,
+            World world,
+            List<String> names,
+            long seed,
+            double seconds)
             throws UsageException, IOException {
         for (String file : List.of("record", "track")) {
             if (arguments.has(file)) {
@@ -101,8 +109,12 @@ public final class BatchRun {
         for (long run = seed; run < seed + runs; run++) {
             Simulation simulation = simulation(arguments, world, names, run);
             RunTally tally = new RunTally(simulation);
-            begin(arguments, simulation);
-            simulate(simulation, seconds);
+            try {
+                begin(arguments, behaviours, simulation);
+                simulate(simulation, seconds);
+            } finally {
+                endAll(simulation);
+            }
             out.println(tally.line(run, seconds));
         }
         return ExitStatus.OK;
@@ -118,11 +130,31 @@ public final class BatchRun {
         return simulation;
     }
 
-    private static void begin(Arguments arguments, Simulation simulation) throws UsageException, IOException {
+    /** Begins what is recorded, if a recorder is there, and tracked, if a file is named; else returns null. */
+    private static RunTrack begun(
+            Arguments arguments,
+            RequestedBehaviours behaviours,
+            Simulation simulation,
+            SessionRecorder recorder,
+            Optional<Path> track)
+            throws UsageException, IOException {
+        if (recorder != null) {
+            simulation.robots().forEach(robot -> record(robot, recorder));
+        }
+        begin(arguments, behaviours, simulation);
+        return track.isPresent() ? new RunTrack(track.get(), simulation) : null;
+    }
+
+    /** A process may have a thread, which ends with it. */
+    private static void endAll(Simulation simulation) {
+        simulation.robots().forEach(robot -> robot.autonomy().end());
+    }
+
+    private static void begin(Arguments arguments, RequestedBehaviours behaviours, Simulation simulation)
+            throws UsageException {
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         boolean power = arguments.choice("power", "on", "off").equals("on");
-        BehaviourKind behaviour =
-                RequestedBehaviours.of(arguments, simulation.behaviours()).chosen(arguments);
+        BehaviourKind behaviour = behaviours.chosenForRun(arguments, simulation.behaviours());
         for (SimulatedRobot robot : simulation.robots()) {
             robot.setMotors(motors);
             robot.setPower(power);

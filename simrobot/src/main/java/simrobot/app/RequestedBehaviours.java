@@ -46,17 +46,34 @@ public final class RequestedBehaviours implements AutoCloseable {
 
     /** The process that every robot starts with. */
     public BehaviourKind chosen(Arguments arguments) throws UsageException {
+        return chosen(arguments, list);
+    }
+
+    /**
+     * The same for one of several runs without a clock: gives the loaded processes to the list of its simulation, and chooses
+     * from that, which has goals of its own. Its processes are waited for.
+     */
+    BehaviourKind chosenForRun(Arguments arguments, BehaviourList ofRun) throws UsageException {
+        folder.ifPresent(BehaviourFolder::waitForDecisions);
+        list.kinds().stream()
+                .filter(kind -> !BehaviourKind.BUILT_IN.contains(kind))
+                .forEach(ofRun::put);
+        list.faults().forEach(ofRun::setFault);
+        return chosen(arguments, ofRun);
+    }
+
+    private static BehaviourKind chosen(Arguments arguments, BehaviourList from) throws UsageException {
         Optional<String> name = arguments.value("behaviour", text -> text);
         if (name.isEmpty()) {
             return BehaviourKind.NONE;
         }
-        for (BehaviourList.Fault fault : list.faults()) {
+        for (BehaviourList.Fault fault : from.faults()) {
             if (fault.name().equals(name.get())) {
                 throw new UsageException(
                         "--behaviour " + fault.name() + ": line " + fault.line() + ": " + fault.text());
             }
         }
-        return arguments.value("behaviour", list::of).orElseThrow();
+        return arguments.value("behaviour", from::of).orElseThrow();
     }
 
     /** Reports what was loaded, and from now on what changes; robots go on with the new version of a changed process. */

@@ -65,6 +65,7 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private final Map<Path, Set<String>> names = new HashMap<>();
     private volatile Listener listener;
+    private volatile boolean patient;
 
     /**
      * Looks at the folder once.
@@ -91,6 +92,11 @@ public final class BehaviourFolder implements AutoCloseable {
     public void start(Listener told) {
         listener = told;
         thread.start();
+    }
+
+    /** Processes that begin from now on are waited for: up to 1 s for each decision, instead of 50 ms. */
+    public void waitForDecisions() {
+        patient = true;
     }
 
     private void look() {
@@ -256,7 +262,7 @@ public final class BehaviourFolder implements AutoCloseable {
         return new BehaviourKind(
                 name,
                 around -> new BehaviourThread(
-                        name + "-" + threads.incrementAndGet(), () -> LoadedClasses.create(type), place));
+                        name + "-" + threads.incrementAndGet(), () -> LoadedClasses.create(type), place, patient));
     }
 
     /** Stops looking; running processes go on. */

@@ -15,7 +15,8 @@ import simrobot.process.RobotProcess;
  * for 50 ms, or has not come within 1 s, ends the process. In the first second the limit is 1 s for both, for classes are
  * loaded then.
  *
- * <p>A simulation at its usual pace never waits here; one that is faster waits for a decision at most 50 ms.
+ * <p>A simulation at its usual pace never waits here; one that is faster waits for a decision at most 50 ms. A run without a
+ * clock waits 1 s: there no decision is late, and a loaded machine changes no pose.
  */
 final class BehaviourThread implements RobotProcess {
     private static final long PERIOD_NANOS = 50_000_000;
@@ -26,6 +27,7 @@ final class BehaviourThread implements RobotProcess {
 
     private final Callable<Behaviour> maker;
     private final FaultPlace place;
+    private final long waitNanos;
     private final Thread thread;
 
     // ---- guarded by this -----------------------------------------------------------------------------------------
@@ -49,10 +51,12 @@ final class BehaviourThread implements RobotProcess {
      *
      * @param maker called on that thread
      * @param place finds the line of a fault
+     * @param patient whether to wait for every decision until it ends the process
      */
-    BehaviourThread(String name, Callable<Behaviour> maker, FaultPlace place) {
+    BehaviourThread(String name, Callable<Behaviour> maker, FaultPlace place, boolean patient) {
         this.maker = maker;
         this.place = place;
+        waitNanos = patient ? LATEST_NANOS : COMPUTING_NANOS;
         thread = new Thread(this::run, "behaviour " + name);
         thread.setDaemon(true);
         thread.setPriority(Thread.MIN_PRIORITY);
@@ -90,13 +94,13 @@ final class BehaviourThread implements RobotProcess {
         notifyAll();
     }
 
-    /** Null if there is no decision 50 ms after the question. */
+    /** Null if there is no decision in time after the question. */
     private synchronized Decision await() {
-        long left = askedNanos + COMPUTING_NANOS - System.nanoTime();
+        long left = askedNanos + waitNanos - System.nanoTime();
         try {
             while (answer == null && left > 0) {
                 wait(left / 1_000_000, (int) (left % 1_000_000));
-                left = askedNanos + COMPUTING_NANOS - System.nanoTime();
+                left = askedNanos + waitNanos - System.nanoTime();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -1,16 +1,20 @@
 package simrobot.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -120,5 +124,72 @@ class BatchRunTest {
                 () -> BatchRun.run(SimRobotMain.options().parse(List.of("--run=1", option)), ROOM));
         String name = option.substring(0, option.indexOf('='));
         assertEquals(name + ": a run (--run) has no clients, expected one of the two", refused.getMessage());
+    }
+
+    @Test
+    void theThreadsOfStudentsProcessesEndWithEachOfSeveralRuns() throws Exception {
+        save("Mine", "");
+        BatchRun.run(SimRobotMain.options().parse(options("Mine", "--run=0.5", "--runs=3")), ROOM);
+        assertNoThreads("behaviour Mine");
+    }
+
+    @Test
+    void theThreadsAndTheRecordEndWhenTheTrackCannotBeWritten() throws Exception {
+        save("Untracked", "");
+        Path record = folder.resolve("untracked.rec");
+        assertThrows(
+                IOException.class,
+                () -> BatchRun.run(
+                        SimRobotMain.options()
+                                .parse(options(
+                                        "Untracked",
+                                        "--run=0.5",
+                                        "--record=" + record,
+                                        "--track=" + folder.resolve("nowhere/track.csv"))),
+                        ROOM));
+        assertNoThreads("behaviour Untracked");
+        try (Recording recording = Recording.open(record)) {
+            assertEquals(1, new ReplayCursor(recording).robots().size());
+        }
+    }
+
+    @Test
+    void aDecisionThatTakesLongerThanAStepOfTheClockChangesNoPose() throws Exception {
+        save("Quick", "");
+        save("Slow", "try { Thread.sleep(70); } catch (InterruptedException e) { return null; }");
+        assertEquals(track("Quick"), track("Slow"));
+    }
+
+    private List<String> track(String behaviour) throws Exception {
+        Path file = folder.resolve(behaviour + ".csv");
+        BatchRun.run(SimRobotMain.options().parse(options(behaviour, "--run=0.5", "--track=" + file)), ROOM);
+        return Files.readAllLines(file);
+    }
+
+    private List<String> options(String behaviour, String... more) {
+        List<String> options =
+                new ArrayList<>(List.of("--robot=anna=5550201", "--behaviours=" + folder, "--behaviour=" + behaviour));
+        options.addAll(List.of(more));
+        return options;
+    }
+
+    private void save(String name, String statements) throws IOException {
+        Files.writeString(
+                folder.resolve(name + ".java"),
+                "import simrobot.behaviour.*;\n"
+                        + "public class " + name + " implements Behaviour {\n"
+                        + "    public Steering decide(Senses senses) {\n" + statements + "\n"
+                        + "        return new Steering(0.5, 0.1);\n"
+                        + "    }\n"
+                        + "}\n");
+    }
+
+    private static void assertNoThreads(String name) throws InterruptedException {
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().startsWith(name)) {
+                thread.join(TimeUnit.SECONDS.toMillis(20));
+                assertFalse(thread.isAlive(), thread.getName());
+            }
+        }
     }
 }
