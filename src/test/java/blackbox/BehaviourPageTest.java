@@ -1,17 +1,22 @@
 package blackbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The page "Your first behaviour", step by step, and the examples that it names. */
 class BehaviourPageTest {
@@ -109,7 +114,8 @@ class BehaviourPageTest {
     }
 
     @Test
-    void theWallFollowerGoesOnWithoutACollision() throws Exception {
+    void theWallFollowerGoesOnWithoutACollision(@TempDir Path folder) throws Exception {
+        Path track = folder.resolve("track.csv");
         FinishedProgram run = FinishedProgram.run(
                 "simrobot",
                 "--behaviours",
@@ -121,9 +127,20 @@ class BehaviourPageTest {
                 "--robots",
                 "all",
                 "--run",
-                "60");
+                "60",
+                "--track",
+                track.toString());
         assertEquals(0, run.status(), run.error());
         assertTrue(run.output().startsWith("ran robots=8 simulated=60.000"), run.output());
+        List<String> lines = Files.readAllLines(track);
+        Map<String, Set<String>> placesOfRobots = new TreeMap<>();
+        for (String line : lines.subList(1, lines.size())) {
+            String[] fields = line.split(",");
+            assertNotEquals("Collision", fields[5], line);
+            placesOfRobots.computeIfAbsent(fields[0], robot -> new HashSet<>()).add(fields[2] + " " + fields[3]);
+        }
+        assertEquals(8, placesOfRobots.size());
+        placesOfRobots.forEach((robot, places) -> assertTrue(places.size() > 1, robot + " has not moved"));
     }
 
     private static RunningProgram example(Scenario scenario, String name) {
