@@ -71,9 +71,19 @@ public final class BatchRun {
         Simulation simulation = simulation(arguments, world, names, seed);
         // without a thread that performs acts, records are written when they are full
         try (SessionRecorder recorder =
-                        record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null;
-                RunTrack written = begun(arguments, behaviours, simulation, recorder, track)) {
-            simulate(simulation, seconds);
+                record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null) {
+            if (recorder != null) {
+                simulation.robots().forEach(robot -> record(robot, recorder));
+            }
+            begin(arguments, behaviours, simulation);
+            RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
+            try {
+                simulate(simulation, seconds);
+            } finally {
+                if (written != null) {
+                    written.close();
+                }
+            }
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } finally {
@@ -128,21 +138,6 @@ public final class BatchRun {
         simulation.setTrails(false);
         simulation.addRobots(names);
         return simulation;
-    }
-
-    /** Begins what is recorded, if a recorder is there, and tracked, if a file is named; else returns null. */
-    private static RunTrack begun(
-            Arguments arguments,
-            RequestedBehaviours behaviours,
-            Simulation simulation,
-            SessionRecorder recorder,
-            Optional<Path> track)
-            throws UsageException, IOException {
-        if (recorder != null) {
-            simulation.robots().forEach(robot -> record(robot, recorder));
-        }
-        begin(arguments, behaviours, simulation);
-        return track.isPresent() ? new RunTrack(track.get(), simulation) : null;
     }
 
     /** A process may have a thread, which ends with it. */
