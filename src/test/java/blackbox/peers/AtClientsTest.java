@@ -183,7 +183,7 @@ class AtClientsTest {
             assertTrue(printed.contains("delivered True"), printed);
             assertTrue(printed.contains("reply +5550200 3 Done: #**20."), printed);
             assertTrue(printed.contains("ussd 5550100"), printed);
-            assertTrue(printed.contains("call to the robot: keys 1, 6 and 3 heard"), printed);
+            assertTrue(printed.contains("call to the robot: its reply 3 heard"), printed);
             assertTrue(printed.contains("call from +5550101 answered, keys heard in both directions"), printed);
         } finally {
             end();
