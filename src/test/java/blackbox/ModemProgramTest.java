@@ -106,10 +106,11 @@ class ModemProgramTest {
             scenario.tell("the modem is unplugged");
             modem.unplug();
             robot.expectBefore(Set.of("status"), "released", "cause", "41");
-            robot.expectBefore(Set.of("status"), "unregistered");
+            // The robot brakes while the modem is taken off the network: their events come in either order.
             robot.expect("status", "value", "Stopped");
             modem.plugIn();
             robot.expect("registered");
+            robot.said("unregistered");
             scenario.tell("an order by SMS");
             modem.message(Scenario.PHONE, "** #*#90 **");
             robot.expect("sms", "from", Scenario.PHONE);
