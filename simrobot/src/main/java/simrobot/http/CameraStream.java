@@ -21,7 +21,6 @@ final class CameraStream implements Runnable {
 
     private static final Logger LOG = System.getLogger(CameraStream.class.getName());
     private static final long SAME_AGAIN_NANOS = 1_000_000_000;
-    private static final long NOT_WRITING = Long.MIN_VALUE;
 
     private final HttpExchange exchange;
     private final String robot;
@@ -30,7 +29,6 @@ final class CameraStream implements Runnable {
     private final CameraPictureCache cameras;
     private final Thread thread;
     private Runnable whenEnded = () -> {};
-    private volatile long writingSince = NOT_WRITING;
     private byte[] sent = {};
     private long sentNanos;
 
@@ -104,21 +102,13 @@ final class CameraStream implements Runnable {
         return true;
     }
 
-    private void write(OutputStream body, byte[] octets) throws IOException {
-        writingSince = System.nanoTime();
+    private static void write(OutputStream body, byte[] octets) throws IOException {
         body.write(octets);
         body.flush();
-        writingSince = NOT_WRITING;
     }
 
     private static byte[] ascii(String text) {
         return text.getBytes(StandardCharsets.US_ASCII);
-    }
-
-    /** Whether a write has been blocked for longer than the limit. */
-    boolean isBlocked(long nowNanos, long limitNanos) {
-        long since = writingSince;
-        return since != NOT_WRITING && nowNanos - since > limitNanos;
     }
 
     /** Interrupts the thread that runs the stream: the JDK's server closes a connection whose write is interrupted. */

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.web.RequestException;
@@ -21,29 +20,16 @@ final class CameraStreams implements AutoCloseable {
     private static final double USUAL_RATE = 10;
 
     private static final int MOST_RATE = 20;
-    /** Less than the 10 s after which a viewer that does not read loses its stream, by the time of a look. */
-    static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(8);
-
-    private static final long CHECK_MILLIS = 1000;
     private static final Pattern RATE = Pattern.compile("(?:.*&)?fps=([^&]*)(?:&.*)?");
 
-    private final long writeLimitNanos;
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
     private final Semaphore places = new Semaphore(MOST);
     private final Set<CameraStream> running = ConcurrentHashMap.newKeySet();
-    private final Thread watchdog = new Thread(this::watch, "camera streams");
 
-    /** @param writeLimitNanos a viewer whose connection takes nothing for longer loses its stream */
-    CameraStreams(long writeLimitNanos, SceneCache scenes, CameraPictureCache cameras) {
-        this.writeLimitNanos = writeLimitNanos;
+    CameraStreams(SceneCache scenes, CameraPictureCache cameras) {
         this.scenes = scenes;
         this.cameras = cameras;
-        watchdog.setDaemon(true);
-    }
-
-    void start() {
-        watchdog.start();
     }
 
     /** Answers GET with a stream, HEAD with the headers only. */
@@ -103,23 +89,8 @@ final class CameraStreams implements AutoCloseable {
                 WebResponse.BAD_REQUEST, "fps: expected a whole number of 1 to " + MOST_RATE + ", found " + text);
     }
 
-    private void watch() {
-        try {
-            while (true) {
-                Thread.sleep(CHECK_MILLIS);
-                long now = System.nanoTime();
-                running.stream()
-                        .filter(stream -> stream.isBlocked(now, writeLimitNanos))
-                        .forEach(CameraStream::close);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
     @Override
     public void close() {
-        watchdog.interrupt();
         running.forEach(CameraStream::close);
     }
 }

@@ -21,15 +21,16 @@ public final class WebServer implements AutoCloseable {
      * @throws IOException with the port's number if it cannot be opened
      */
     public WebServer(InetAddress address, int port, Locale language, WebSource source) throws IOException {
-        this(address, port, language, source, CameraStreams.WRITE_LIMIT_NANOS);
+        this(address, port, language, source, WebPort.WRITE_LIMIT_NANOS);
     }
 
     WebServer(InetAddress address, int port, Locale language, WebSource source, long writeLimitNanos)
             throws IOException {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
-        streams = new CameraStreams(writeLimitNanos, scenes, cameras);
-        this.port = new WebPort(address, port, new Router(source, scenes, cameras, streams, new Page(language)));
+        streams = new CameraStreams(scenes, cameras);
+        this.port = new WebPort(
+                address, port, new Router(source, scenes, cameras, streams, new Page(language)), writeLimitNanos);
     }
 
     public int port() {
@@ -38,7 +39,6 @@ public final class WebServer implements AutoCloseable {
 
     public void start() {
         port.start();
-        streams.start();
         LOG.log(Level.INFO, "pictures and status on {0}", port.url());
     }
 

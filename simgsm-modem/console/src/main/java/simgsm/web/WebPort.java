@@ -10,7 +10,10 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** A port for HTTP, with at most 512 threads that end after 10 s without work. */
+/**
+ * A port for HTTP, with at most 512 threads that end after 10 s without work. A client that reads nothing of its answer loses
+ * the connection within 10 s.
+ */
 public final class WebPort implements AutoCloseable {
     private static final int BACKLOG = 64;
 
@@ -18,6 +21,8 @@ public final class WebPort implements AutoCloseable {
     private static final int MOST_WORKERS = 512;
 
     private static final int IDLE_SECONDS = 10;
+    /** Less than the 10 s after which a stuck connection ends, by the time of a look. */
+    public static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(8);
 
     static {
         // The JDK's server takes these from system properties only: a connection without a complete request after 3 s
@@ -28,6 +33,7 @@ public final class WebPort implements AutoCloseable {
 
     private final HttpServer server;
     private final ThreadPoolExecutor workers;
+    private final WriteLimit writeLimit;
 
     /**
      * Opens the port; requests are answered after {@link #start}.
@@ -36,6 +42,12 @@ public final class WebPort implements AutoCloseable {
      * @throws IOException with the port's number if it cannot be opened
      */
     public WebPort(InetAddress address, int port, HttpHandler pages) throws IOException {
+        this(address, port, pages, WRITE_LIMIT_NANOS);
+    }
+
+    /** @param writeLimitNanos how long a connection may take nothing of its answer */
+    public WebPort(InetAddress address, int port, HttpHandler pages, long writeLimitNanos) throws IOException {
+        writeLimit = new WriteLimit(writeLimitNanos);
         try {
             server = HttpServer.create(new InetSocketAddress(address, port), BACKLOG);
         } catch (IOException e) {
@@ -49,7 +61,7 @@ public final class WebPort implements AutoCloseable {
                     return thread;
                 });
         server.setExecutor(workers);
-        server.createContext("/", pages);
+        server.createContext("/", pages).getFilters().add(writeLimit);
     }
 
     public int port() {
@@ -65,10 +77,12 @@ public final class WebPort implements AutoCloseable {
 
     public void start() {
         server.start();
+        writeLimit.start();
     }
 
     @Override
     public void close() {
+        writeLimit.close();
         server.stop(0);
         workers.shutdownNow();
     }
