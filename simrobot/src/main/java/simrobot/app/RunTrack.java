@@ -5,11 +5,9 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import simrobot.control.TrackSeries;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
-import vericommand.Pose;
 
 /** {@code --track FILE.csv}: the robots of a run every 0.1 s, from its beginning to its end. */
 final class RunTrack implements AutoCloseable {
@@ -38,18 +36,8 @@ final class RunTrack implements AutoCloseable {
     }
 
     private void write(long timeNanos) throws IOException {
-        String time = String.format(Locale.ROOT, "%.2f", timeNanos * 1e-9);
         for (SimulatedRobot robot : simulation.robots()) {
-            Pose pose = robot.pose();
-            out.write(String.join(
-                            ",",
-                            robot.name(),
-                            time,
-                            pose.xText(4),
-                            pose.yText(4),
-                            pose.headingText(2),
-                            robot.status().text())
-                    + "\n");
+            out.write(robot.name() + "," + TrackSeries.row(timeNanos, robot.pose(), robot.status()) + "\n");
         }
     }
 

@@ -48,16 +48,7 @@ public final class TrackSeries {
             for (int i = 0; i < count; i++) {
                 Block block = blocks.get(i / BLOCK_SAMPLES);
                 int at = i % BLOCK_SAMPLES;
-                Pose pose = block.pose(at);
-                out.append(String.format(Locale.ROOT, "%.2f", block.times[at] * 1e-9))
-                        .append(',')
-                        .append(pose.xText(4))
-                        .append(',')
-                        .append(pose.yText(4))
-                        .append(',')
-                        .append(pose.headingText(2))
-                        .append(',')
-                        .append(block.statuses[at].text())
+                out.append(row(block.times[at], block.pose(at), block.statuses[at]))
                         .append('\n');
             }
         }
@@ -72,6 +63,17 @@ public final class TrackSeries {
             }
             return text.toString();
         }
+    }
+
+    /** A line of CSV without its end: seconds, metres, degrees anticlockwise from +X, and the status in words. */
+    public static String row(long timeNanos, Pose pose, RobotStatus status) {
+        return String.join(
+                ",",
+                String.format(Locale.ROOT, "%.2f", timeNanos * 1e-9),
+                pose.xText(4),
+                pose.yText(4),
+                pose.headingText(2),
+                status.text());
     }
 
     private final Deque<Block> blocks = new ArrayDeque<>();
