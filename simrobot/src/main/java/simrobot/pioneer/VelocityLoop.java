@@ -233,7 +233,7 @@ final class VelocityLoop {
         }
     }
 
-    /** The robot was told to stop for want of information packets; the drive goes on from rest with the next. */
+    /** No information packet came for 0.5 s and the robot was told to stop; the drive goes on from rest with the next one. */
     void interrupt() {
         commanded = 0;
     }

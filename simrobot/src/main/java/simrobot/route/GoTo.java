@@ -133,7 +133,7 @@ public final class GoTo implements RobotProcess {
         executor.execute(() -> planned.set(planned(here, from, robots)));
     }
 
-    /** A plan that fails, such as for want of memory in a huge world, is none: the robot must not wait for it for ever. */
+    /** A plan that fails counts as none, also by an OutOfMemoryError in a large world; else the robot would stay in Moving. */
     private RoutePlanner.Plan planned(World here, Position from, List<Position> robots) {
         try {
             return planner.plan(here, from, goal, robots);

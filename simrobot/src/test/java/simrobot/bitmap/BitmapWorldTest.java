@@ -259,7 +259,7 @@ class BitmapWorldTest {
         }
     }
 
-    /** A device has size 0 and never ends; nobody writes into a pipe. */
+    /** A device has size 0 and no end. */
     @ParameterizedTest
     @ValueSource(strings = {"device.map", "device.wld", "device.yaml"})
     @DisabledOnOs(OS.WINDOWS)

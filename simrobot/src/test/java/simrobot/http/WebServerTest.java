@@ -420,7 +420,7 @@ class WebServerTest {
     }
 
     @Test
-    void halfRequestsHoldNobodyUp() throws Exception {
+    void halfRequestsDoNotDelayOthers() throws Exception {
         List<Socket> half = new ArrayList<>();
         try {
             for (int i = 0; i < 100; i++) {

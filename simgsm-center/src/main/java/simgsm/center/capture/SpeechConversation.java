@@ -13,7 +13,7 @@ import simgsm.abis.MgcpMessage.MediaAddress;
  * speech has ports of its own and is announced by MGCP within the TCP conversation; 400 ms of silence end it.
  */
 final class SpeechConversation {
-    /** The first port of RTP sessions, as media gateways use them; there are so many pairs. */
+    /** The first port of RTP sessions, as media gateways use them. */
     static final int FIRST_PORT = 16_384;
 
     private static final int SESSIONS = 4_096;

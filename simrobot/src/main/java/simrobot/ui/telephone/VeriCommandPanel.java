@@ -1,7 +1,6 @@
 package simrobot.ui.telephone;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JPanel;
@@ -19,8 +18,6 @@ import vericommand.VeriCommandSnapshot;
 
 /** VeriCommand's state: the keys received, the order in words, the verdict, the replies. */
 public final class VeriCommandPanel extends JPanel {
-    private static final int WIDTH_UNITS = 340;
-
     private final Card card;
     private boolean isCompact;
 
@@ -58,12 +55,6 @@ public final class VeriCommandPanel extends JPanel {
         card.setTitleVisible(!compact);
         from.setVisible(!compact);
         reply.setVisible(!compact);
-    }
-
-    /** As high as the row of the tone scope requires. */
-    @Override
-    public Dimension getPreferredSize() {
-        return new Dimension(Theme.px(WIDTH_UNITS), super.getPreferredSize().height);
     }
 
     public void show(TelephoneSnapshot line) {
