@@ -137,7 +137,7 @@ final class RowsPanel<T> extends JPanel {
             setBorder(Theme.padding(0, 6, 0, 2));
             setToolTipText(String.valueOf(value));
             if (value instanceof Digits) {
-                int room = table.getColumnModel().getColumn(column).getWidth() - Theme.px(8);
+                int room = table.getColumnModel().getColumn(column).getWidth() - Theme.px(12);
                 setText(Drawing.fittedEnd(getFont(), String.valueOf(value), room));
             }
             return this;

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
@@ -54,14 +55,25 @@ final class Inspector extends JPanel {
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
-    /** @param wanted run when a tab is chosen, by its key also while the inspector is hidden */
-    Inspector(TextBundle texts, Consumer<String> selection, OperatorActions operator, WorldView view, Runnable wanted) {
+    /**
+     * The inspector of a window.
+     *
+     * @param page visible also while the inspector is hidden; the keys are bound to it
+     * @param wanted run when a tab is chosen
+     */
+    Inspector(
+            TextBundle texts,
+            Consumer<String> selection,
+            OperatorActions operator,
+            WorldView view,
+            JComponent page,
+            Runnable wanted) {
         super(new BorderLayout());
         this.wanted = wanted;
         setOpaque(false);
         low = texts.of("pose.battery.low");
         newRobot = new NewRobotForm(texts, operator, view);
-        robots = new RobotsCard(texts, selection, operator, this::toggleNewRobotForm);
+        robots = new RobotsCard(texts, selection, operator, page, this::toggleNewRobotForm);
         events = new EventsCard(texts);
         processes = new ProcessesCard(texts, operator);
         x = new ValueRow("pose.x", "x", "m");
@@ -81,7 +93,7 @@ final class Inspector extends JPanel {
         sheet.add(ComponentNames.name(state, "inspector", texts.of("tab.robot")), ROBOT);
         sheet.add(events, EVENTS);
         sheet.add(processes, PROCESSES);
-        JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts));
+        JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts, page));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
     }
 
@@ -101,10 +113,10 @@ final class Inspector extends JPanel {
     }
 
     /** The lower part shows the robot, the events or the processes. */
-    private JPanel tabs(TextBundle texts) {
-        JToggleButton robot = tab("tab.robot", texts, KeyEvent.VK_1, ROBOT);
-        JToggleButton log = tab("tab.events", texts, KeyEvent.VK_2, EVENTS);
-        JToggleButton own = tab("tab.processes", texts, KeyEvent.VK_3, PROCESSES);
+    private JPanel tabs(TextBundle texts, JComponent page) {
+        JToggleButton robot = tab("tab.robot", texts, page, KeyEvent.VK_1, ROBOT);
+        JToggleButton log = tab("tab.events", texts, page, KeyEvent.VK_2, EVENTS);
+        JToggleButton own = tab("tab.processes", texts, page, KeyEvent.VK_3, PROCESSES);
         ButtonGroup one = new ButtonGroup();
         one.add(robot);
         one.add(log);
@@ -113,14 +125,14 @@ final class Inspector extends JPanel {
         return Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log), Arrange.growing(own));
     }
 
-    private JToggleButton tab(String id, TextBundle texts, int key, String name) {
+    private JToggleButton tab(String id, TextBundle texts, JComponent page, int key, String name) {
         JToggleButton button = new JToggleButton();
         UserAction action = new UserAction(id, texts.of(id), () -> {
             wanted.run();
             button.setSelected(true);
             sheets.show(sheet, name);
         });
-        return ToolButtons.named(button, action.onKey(this, key, InputEvent.ALT_DOWN_MASK));
+        return ToolButtons.named(button, action.onKey(page, key, InputEvent.ALT_DOWN_MASK));
     }
 
     private void toggleNewRobotForm() {

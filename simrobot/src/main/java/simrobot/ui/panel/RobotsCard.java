@@ -45,15 +45,25 @@ final class RobotsCard extends JPanel {
     private List<BehaviourKind> choice = List.of();
     private boolean showing;
 
-    /** @param newRobot opens and closes the form for a new robot */
-    RobotsCard(TextBundle texts, Consumer<String> selection, OperatorActions operator, Runnable newRobot) {
+    /**
+     * The robots of a window.
+     *
+     * @param page the keys are bound to it
+     * @param newRobot opens and closes the form for a new robot
+     */
+    RobotsCard(
+            TextBundle texts,
+            Consumer<String> selection,
+            OperatorActions operator,
+            JComponent page,
+            Runnable newRobot) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
         add = new UserAction("robot.add", texts.of("robot.add"), newRobot).with(Symbol.PLUS.icon(12));
-        add.onKey(this, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
+        add.onKey(page, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
         remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
                 .with(Symbol.MINUS.icon(12));
         remove.described(texts.of("robot.remove.hint"));
@@ -70,16 +80,16 @@ final class RobotsCard extends JPanel {
         JLabel label = new JLabel(texts.of("robot.behaviour"));
         label.setLabelFor(behaviour);
         process = Arrange.row(Theme.GRID, label, Arrange.growing(behaviour));
-        step(KeyEvent.VK_DOWN, 1);
-        step(KeyEvent.VK_UP, -1);
+        step(page, KeyEvent.VK_DOWN, 1);
+        step(page, KeyEvent.VK_UP, -1);
         add(new Card(
                 texts.of("robots.title"), Arrange.column(10, robots.component(), buttons, statuses, process, ports)));
     }
 
     /** Ctrl and an arrow select the next or the previous robot from everywhere in the window. */
-    private void step(int key, int by) {
+    private void step(JComponent page, int key, int by) {
         new UserAction("robots.step." + by, "", () -> robots.step(by))
-                .bindInWindow(this, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
+                .bindInWindow(page, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
     }
 
     /** The robots of a recording cannot be changed. */

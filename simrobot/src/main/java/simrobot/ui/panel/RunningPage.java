@@ -24,7 +24,7 @@ final class RunningPage extends JPanel {
     private static final int FULL_HEIGHT_UNITS = 640;
     private static final int COLUMN_UNITS = 312;
     /** The floor's width from which the inspector stands beside the column of modem and VeriCommand. */
-    private static final int WIDE_FLOOR_UNITS = 640;
+    private static final int WIDE_FLOOR_UNITS = 600;
 
     /** A column of at least this height shows modem and VeriCommand with all they have. */
     private static final int TALL_COLUMN_UNITS = 610;

@@ -46,6 +46,9 @@ public final class SimRobotPanel extends JPanel {
     private final JPanel noticeRow;
     private final CardLayout pages = new CardLayout();
     private final JPanel page = new JPanel(pages);
+    /** Holds the running page and its keys, which are off while the editor is shown. */
+    private final JPanel running = new JPanel(new BorderLayout());
+
     private final EditorPanel editor;
     private boolean pausedBefore;
     private WindowSnapshot shown;
@@ -62,9 +65,9 @@ public final class SimRobotPanel extends JPanel {
         texts = SimRobotTexts.in(language);
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
-        tools = new ToolRow(texts, language, operator, world, this::edit, this::switchInspector);
+        tools = new ToolRow(texts, language, operator, world, this::edit, running, this::switchInspector);
         editor = new EditorPanel(texts, operator, this::stopEditing);
-        inspector = new Inspector(texts, this::select, operator, world, this::showInspector);
+        inspector = new Inspector(texts, this::select, operator, world, running, this::showInspector);
         modem = new ModemPanel(texts, language, operator);
         orders = new VeriCommandPanel(texts, language);
         noticeRow = new Card(notice);
@@ -80,13 +83,15 @@ public final class SimRobotPanel extends JPanel {
                 new RunningPage(tools, noticeRow, floor, busyNotice, modem, orders, timeline, inspector, presentation);
         page.setOpaque(false);
         page.setBorder(Theme.padding(Theme.GRID));
-        page.add(runningPage, RUNNING);
+        running.setOpaque(false);
+        running.add(runningPage);
+        page.add(running, RUNNING);
         page.add(editor, EDITING);
         add(page, BorderLayout.CENTER);
         Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         setName("simrobot");
         UserAction presenting = new UserAction("presentation", texts.of("presentation"), this::switchPresentation);
-        presenting.bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+        presenting.bindInWindow(running, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
         show(first);
     }
 

@@ -37,6 +37,9 @@ final class ToolRow extends JPanel {
     private final Locale language;
     private final OperatorActions operator;
     private final WorldView view;
+    /** The keys are bound to it: it is visible also while this row is hidden. */
+    private final JComponent page;
+
     private final WorldChoice worlds;
     private final Lamp link;
     private final JToggleButton power;
@@ -60,12 +63,14 @@ final class ToolRow extends JPanel {
             OperatorActions operator,
             WorldView view,
             Consumer<Boolean> editing,
+            JComponent page,
             Runnable inspectorSwitch) {
         super(new BorderLayout());
         this.texts = texts;
         this.language = language;
         this.operator = operator;
         this.view = view;
+        this.page = page;
         setOpaque(false);
         worlds = new WorldChoice(texts, operator, editing);
         link = Lamp.ofLink(language);
@@ -195,6 +200,6 @@ final class ToolRow extends JPanel {
     /** @param key with Ctrl, 0 for none */
     private UserAction action(String id, Icon icon, int key, Runnable task) {
         UserAction action = new UserAction("tool." + id, texts.of("tool." + id), task).with(icon);
-        return key == 0 ? action.described(action.name()) : action.onKey(this, key, InputEvent.CTRL_DOWN_MASK);
+        return key == 0 ? action.described(action.name()) : action.onKey(page, key, InputEvent.CTRL_DOWN_MASK);
     }
 }

@@ -5,10 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -109,10 +114,10 @@ class RunningPageTest {
     @Test
     void theKeyOfATabOpensTheHiddenInspector() throws Exception {
         WindowBench bench = bench(Locale.ENGLISH, 940, 400);
-        bench.click("tab.events");
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK));
         bench.resize(940, 400).resize(940, 400);
         assertTrue(isShown(bench.component("events"), bench.panel));
-        bench.click("tab.events");
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK));
         bench.resize(940, 400).resize(940, 400);
         assertTrue(isShown(bench.component("events"), bench.panel));
     }
@@ -139,8 +144,51 @@ class RunningPageTest {
         assertEquals(false, isShown(bench.component("presentation"), bench.panel));
     }
 
+    @Test
+    void theStateOfTheRobotIsShownOnTheMostUsualScreen() throws Exception {
+        Theme.zoomTo(1.2);
+        for (Locale language : List.of(Locale.ENGLISH, new Locale("es"))) {
+            WindowBench bench = bench(language, 1512, 664);
+            assertTrue(isShown(bench.component("status.stopped"), bench.panel));
+            assertTrue(isShown(bench.component("scope.picture"), bench.panel));
+        }
+    }
+
+    @Test
+    void theKeysOfTheToolsWorkInAPresentation() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
+        press(bench);
+        bench.resize(1100, 800).resize(1100, 800);
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, InputEvent.CTRL_DOWN_MASK));
+        assertTrue(bench.paused);
+    }
+
     private static void press(WindowBench bench) {
-        bench.panel.getActionMap().get("presentation").actionPerformed(new ActionEvent(bench.panel, 0, ""));
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+    }
+
+    /** As Swing does it: the key's binding in a component that is shown. */
+    private static void press(WindowBench bench, KeyStroke key) {
+        JComponent bound = binding(bench.panel, key);
+        assertTrue(bound != null && isShown(bound, bench.panel), "no component that is shown has " + key);
+        Object id = bound.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(key);
+        bound.getActionMap().get(id).actionPerformed(new ActionEvent(bound, 0, ""));
+    }
+
+    private static JComponent binding(Component root, KeyStroke key) {
+        if (root instanceof JComponent component
+                && component.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(key) != null) {
+            return component;
+        }
+        if (root instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                JComponent found = child.isVisible() ? binding(child, key) : null;
+                if (found != null) {
+                    return found;
+                }
+            }
+        }
+        return null;
     }
 
     @Test
