@@ -37,7 +37,8 @@ final class RunTrack implements AutoCloseable {
 
     private void write(long timeNanos) throws IOException {
         for (SimulatedRobot robot : simulation.robots()) {
-            out.write(robot.name() + "," + TrackSeries.row(timeNanos, robot.pose(), robot.status()) + "\n");
+            out.write(robot.name() + ",");
+            TrackSeries.writeRow(out, timeNanos, robot.pose(), robot.status());
         }
     }
 

@@ -48,8 +48,7 @@ public final class TrackSeries {
             for (int i = 0; i < count; i++) {
                 Block block = blocks.get(i / BLOCK_SAMPLES);
                 int at = i % BLOCK_SAMPLES;
-                out.append(row(block.times[at], block.pose(at), block.statuses[at]))
-                        .append('\n');
+                writeRow(out, block.times[at], block.pose(at), block.statuses[at]);
             }
         }
 
@@ -65,15 +64,18 @@ public final class TrackSeries {
         }
     }
 
-    /** A line of CSV without its end: seconds, metres, degrees anticlockwise from +X, and the status in words. */
-    public static String row(long timeNanos, Pose pose, RobotStatus status) {
-        return String.join(
-                ",",
-                String.format(Locale.ROOT, "%.2f", timeNanos * 1e-9),
-                pose.xText(4),
-                pose.yText(4),
-                pose.headingText(2),
-                status.text());
+    /** Writes a line of CSV: seconds, metres, degrees anticlockwise from +X, and the status in words. */
+    public static void writeRow(Appendable out, long timeNanos, Pose pose, RobotStatus status) throws IOException {
+        out.append(String.format(Locale.ROOT, "%.2f", timeNanos * 1e-9))
+                .append(',')
+                .append(pose.xText(4))
+                .append(',')
+                .append(pose.yText(4))
+                .append(',')
+                .append(pose.headingText(2))
+                .append(',')
+                .append(status.text())
+                .append('\n');
     }
 
     private final Deque<Block> blocks = new ArrayDeque<>();
