@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** How every program answers its command line: help, version, clear usage errors, the right exit status. */
 class CommandLineTest {
     @ParameterizedTest
-    @ValueSource(strings = {"simgsm-center", "simgsm-phone", "simrobot", "simgsm-modem", "vericommand"})
+    @ValueSource(strings = {"simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot", "simgsm-modem", "vericommand"})
     void helpAndVersionGoToStandardOutputWithStatusZero(String program) throws Exception {
         for (String option : new String[] {"-h", "--help"}) {
             FinishedProgram help = FinishedProgram.run(program, option);
@@ -34,6 +34,9 @@ class CommandLineTest {
         "simgsm-center,--bogus",
         "simgsm-center,--port=x",
         "simgsm-center,--port=65536",
+        "simgsm-cells,--bogus",
+        "simgsm-cells,--town",
+        "simgsm-cells,--controller=theirs",
         "simgsm-phone,--bogus",
         "simgsm-phone,--number=abc",
         "simgsm-phone,--number=12345678901",

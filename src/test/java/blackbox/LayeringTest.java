@@ -84,6 +84,10 @@ class LayeringTest {
             simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
+            simgsm.cells.town        : simgsm.octets
+            simgsm.cells.radio       : simgsm.cells.town
+            simgsm.cells.app         : simgsm.console simgsm.cells.town
+            simgsm.cells             : simgsm.console simgsm.cells.town simgsm.cells.app
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.bitmap          : simgsm.octets simrobot.world
@@ -165,7 +169,7 @@ class LayeringTest {
 
     @Test
     void theLibrariesDoNotKnowTheProgramsNorAProgramAnother() {
-        for (String program : List.of("simgsm.center", "simgsm.phone", "simrobot", "simgsm.tools")) {
+        for (String program : List.of("simgsm.center", "simgsm.cells", "simgsm.phone", "simrobot", "simgsm.tools")) {
             MAY_USE.forEach((from, used) -> {
                 if (!isIn(program, from)) {
                     assertEquals(

@@ -1,0 +1,44 @@
+package simgsm.cells.app;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import simgsm.cells.town.Town;
+import simgsm.cells.town.TownFile;
+import simgsm.console.Arguments;
+import simgsm.console.HostPort;
+import simgsm.console.UsageException;
+
+/**
+ * The options of the command line.
+ *
+ * @param port for terminals; 0 for any free one
+ * @param controller the centre or osmo-bsc
+ * @param isOsmocom whether the controller is osmo-bsc
+ */
+public record CellsSettings(
+        Town town, InetAddress address, int port, HostPort controller, boolean isOsmocom, long seed) {
+    public static final String PROGRAM = "simgsm-cells";
+    public static final int DEFAULT_PORT = 3013;
+    private static final int MAX_PORT = 0xffff;
+
+    /** @throws IOException naming the town file that cannot be read */
+    public static CellsSettings read(Arguments arguments) throws UsageException, IOException {
+        int port = (int) arguments.integer("port", DEFAULT_PORT, 0, MAX_PORT);
+        boolean isOsmocom = arguments.choice("controller", "ours", "osmo-bsc").equals("osmo-bsc");
+        HostPort controller = arguments.hostPort("center").orElse(HostPort.parse("127.0.0.1:3003"));
+        InetAddress address = arguments.value("bind", CellsSettings::address).orElse(InetAddress.getLoopbackAddress());
+        long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+        Town town = TownFile.read(
+                arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed")));
+        return new CellsSettings(town, address, port, controller, isOsmocom, seed);
+    }
+
+    private static InetAddress address(String text) {
+        try {
+            return InetAddress.getByName(text);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("expected an address of this machine, found " + text);
+        }
+    }
+}

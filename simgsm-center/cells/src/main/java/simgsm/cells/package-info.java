@@ -1,0 +1,2 @@
+/** The main of simgsm-cells.jar. */
+package simgsm.cells;
