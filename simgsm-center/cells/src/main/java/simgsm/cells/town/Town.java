@@ -1,15 +1,94 @@
 package simgsm.cells.town;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
-/** What a town file holds. Immutable. */
-public record Town(List<Tower> towers) {
+/**
+ * A town: what a {@code .town} file holds.
+ *
+ * @param name shown as the window's title
+ * @param westMetres x of its western edge
+ * @param southMetres y of its southern edge
+ * @param widthMetres from west to east
+ * @param heightMetres from south to north
+ * @param shadowDecibels standard deviation of the shadowing; 0 for none
+ * @param shadowMetres distance at which its correlation has fallen to 1/e
+ * @param radioLinkTimeout SACCH blocks, 4 to 64 in steps of 4 (RADIO_LINK_TIMEOUT)
+ * @param starts where mobiles appear, by number
+ */
+public record Town(
+        String name,
+        double westMetres,
+        double southMetres,
+        double widthMetres,
+        double heightMetres,
+        Surroundings surroundings,
+        double shadowDecibels,
+        double shadowMetres,
+        int radioLinkTimeout,
+        List<Tower> towers,
+        List<Building> buildings,
+        List<Hill> hills,
+        List<Walk> walks,
+        Map<String, Place> starts) {
+    private static final double SIDE_METRES = 20_000;
+    private static final int STANDARD_RADIO_LINK_TIMEOUT = 16;
+
     public Town {
         towers = List.copyOf(towers);
+        buildings = List.copyOf(buildings);
+        hills = List.copyOf(hills);
+        walks = List.copyOf(walks);
+        starts = Map.copyOf(starts);
     }
 
-    public Optional<Tower> tower(String name) {
-        return towers.stream().filter(tower -> tower.name().equals(name)).findFirst();
+    /** A town of towers alone, without shadowing, with a radio link time-out of 16 blocks. */
+    public Town(List<Tower> towers) {
+        this(
+                "",
+                -SIDE_METRES / 2,
+                -SIDE_METRES / 2,
+                SIDE_METRES,
+                SIDE_METRES,
+                Surroundings.URBAN,
+                0,
+                1,
+                STANDARD_RADIO_LINK_TIMEOUT,
+                towers,
+                List.of(),
+                List.of(),
+                List.of(),
+                Map.of());
+    }
+
+    /** Where a mobile appears: its own line, the begin of its walk, or the town's middle. */
+    public Place start(String number) {
+        Place own = starts.get(number);
+        return own != null
+                ? own
+                : walkOf(number)
+                        .map(walk -> walk.points().get(0))
+                        .orElse(new Place(westMetres + widthMetres / 2, southMetres + heightMetres / 2));
+    }
+
+    /** The walk on which a mobile sets out when it appears. */
+    public Optional<Walk> walkOf(String number) {
+        return walks.stream().filter(walk -> walk.number().equals(number)).findFirst();
+    }
+
+    public Optional<Walk> walk(String walkName) {
+        return walks.stream().filter(walk -> walk.name().equals(walkName)).findFirst();
+    }
+
+    public Optional<Tower> tower(String towerName) {
+        return towers.stream().filter(tower -> tower.name().equals(towerName)).findFirst();
+    }
+
+    /** The nearest place within the town. */
+    public Place within(double xMetres, double yMetres) {
+        return new Place(
+                Math.max(westMetres, Math.min(westMetres + widthMetres, xMetres)),
+                Math.max(southMetres, Math.min(southMetres + heightMetres, yMetres)));
     }
 }

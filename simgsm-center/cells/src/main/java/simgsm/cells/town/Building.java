@@ -1,0 +1,19 @@
+package simgsm.cells.town;
+
+/**
+ * A building or a tunnel: a rectangle that weakens what is received inside.
+ *
+ * @param lossDecibels from its wall inwards
+ */
+public record Building(
+        String name,
+        double westMetres,
+        double southMetres,
+        double eastMetres,
+        double northMetres,
+        double lossDecibels) {
+
+    public boolean contains(double xMetres, double yMetres) {
+        return xMetres >= westMetres && xMetres <= eastMetres && yMetres >= southMetres && yMetres <= northMetres;
+    }
+}

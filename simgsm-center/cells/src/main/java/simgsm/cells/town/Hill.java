@@ -1,0 +1,15 @@
+package simgsm.cells.town;
+
+/**
+ * A hill: a round obstacle between antennas.
+ *
+ * @param radiusMetres at its foot
+ * @param heightMetres of its top; it falls to the foot as half a period of a cosine
+ */
+public record Hill(String name, Place top, double radiusMetres, double heightMetres) {
+    /** Height of the ground at a place. */
+    public double heightMetres(double xMetres, double yMetres) {
+        double distance = Math.hypot(xMetres - top.xMetres(), yMetres - top.yMetres());
+        return distance >= radiusMetres ? 0 : heightMetres * (1 + Math.cos(Math.PI * distance / radiusMetres)) / 2;
+    }
+}

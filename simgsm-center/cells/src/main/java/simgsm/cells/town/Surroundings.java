@@ -1,0 +1,27 @@
+package simgsm.cells.town;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What stands around, which Hata's formulas distinguish. */
+public enum Surroundings {
+    /** A large city with high buildings; COST 231 adds 3 dB. */
+    METROPOLITAN,
+    /** A town of medium size. */
+    URBAN,
+    SUBURBAN,
+    /** Fields without obstacles. */
+    OPEN;
+
+    /** The word of town files. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    static Optional<Surroundings> of(String word) {
+        return Arrays.stream(values())
+                .filter(value -> value.word().equals(word))
+                .findFirst();
+    }
+}

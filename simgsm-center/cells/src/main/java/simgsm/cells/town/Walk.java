@@ -1,0 +1,24 @@
+package simgsm.cells.town;
+
+import java.util.List;
+
+/**
+ * A path that mobiles can walk to and fro.
+ *
+ * @param number of the mobile that begins to walk when it appears; empty for a path that is only offered
+ * @param points at least two
+ */
+public record Walk(String name, String number, double metersPerSecond, List<Place> points) {
+    public Walk {
+        points = List.copyOf(points);
+    }
+
+    /** The length from the first to the last point in metres. */
+    public double lengthMetres() {
+        double length = 0;
+        for (int i = 1; i < points.size(); i++) {
+            length += points.get(i - 1).distanceMetres(points.get(i));
+        }
+        return length;
+    }
+}
