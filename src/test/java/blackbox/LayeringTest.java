@@ -86,6 +86,7 @@ class LayeringTest {
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simgsm.cells.town        : simgsm.octets
             simgsm.cells.radio       : simgsm.cells.town
+            simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.app         : simgsm.console simgsm.cells.town
             simgsm.cells             : simgsm.console simgsm.cells.town simgsm.cells.app
             simrobot.behaviour       :

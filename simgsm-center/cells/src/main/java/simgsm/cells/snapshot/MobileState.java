@@ -1,0 +1,60 @@
+package simgsm.cells.snapshot;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import simgsm.cells.town.Place;
+
+/**
+ * A phone or robot in the town.
+ *
+ * @param number its own, or as long as that is not known a word for its connection
+ * @param cell the tower on which it is camped or in a connection; empty for none
+ * @param isInCall whether it has a traffic channel
+ * @param path the points ahead on its walk; empty if it stands
+ * @param levels the serving cell first, then up to six neighbours, the strongest first
+ * @param quality RXQUAL of the serving cell, 0 to 7; empty in idle mode
+ * @param timingAdvance steps of 553.5 m; empty in idle mode
+ * @param linkCounter radio link counter, SACCH blocks left; empty in idle mode
+ * @param reportsToDecision reports until neighbours are compared the next time; empty in idle mode
+ * @param marginDecibels by which a neighbour's average must exceed the serving level; C2 hysteresis in idle mode
+ * @param gapMillis silence that the phone heard across its last handover; empty before
+ */
+public record MobileState(
+        String number,
+        Place place,
+        String cell,
+        State state,
+        boolean isInCall,
+        List<Place> path,
+        List<Level> levels,
+        OptionalInt quality,
+        OptionalInt timingAdvance,
+        OptionalInt linkCounter,
+        OptionalInt reportsToDecision,
+        double marginDecibels,
+        OptionalInt gapMillis) {
+    /** What a mobile is doing. */
+    public enum State {
+        /** No cell is good enough. */
+        SEARCHING,
+        IDLE,
+        DEDICATED,
+        /** Between two cells. */
+        HANDOVER
+    }
+
+    /**
+     * How a mobile receives one cell.
+     *
+     * @param dbm of the last measurement
+     * @param averageDbm over the reports that the decision looks at; empty where there are too few
+     * @param c2 the criterion of idle mode in dB; empty in a connection
+     */
+    public record Level(String cell, double dbm, OptionalDouble averageDbm, OptionalDouble c2) {}
+
+    public MobileState {
+        path = List.copyOf(path);
+        levels = List.copyOf(levels);
+    }
+}

@@ -1,0 +1,42 @@
+package simgsm.cells.snapshot;
+
+/**
+ * One step of what passes between a mobile, its towers and the controller.
+ *
+ * @param nanos the owner thread's time
+ * @param number of the mobile
+ * @param from the tower that carries it; the old one of a handover
+ * @param to the new tower of a handover; empty for the other kinds
+ * @param figure the report's number, the cause of a failure, the gap in milliseconds, the location area
+ */
+public record Passing(long nanos, String number, Kind kind, String from, String to, int figure) {
+    /** The kinds, in the order in which a handover shows them. */
+    public enum Kind {
+        /** MEASUREMENT REPORT; figure: its number. */
+        REPORT,
+        /** HANDOVER COMMAND. */
+        HANDOVER_COMMAND,
+        /** HANDOVER ACCESS on the new cell. */
+        HANDOVER_ACCESS,
+        /** PHYSICAL INFORMATION; figure: the timing advance. */
+        PHYSICAL_INFORMATION,
+        HANDOVER_COMPLETE,
+        /** Back on the old channel; figure: the cause. */
+        HANDOVER_FAILURE,
+        /** Silence that the phone heard; figure: milliseconds. */
+        SPEECH_GAP,
+        /** Another cell was chosen in idle mode. */
+        RESELECTION,
+        /** Figure: the new location area. */
+        LOCATION_UPDATE,
+        ASSIGNMENT_COMMAND,
+        ASSIGNMENT_COMPLETE,
+        CHANNEL_REQUEST,
+        IMMEDIATE_ASSIGNMENT,
+        CHANNEL_RELEASE,
+        PAGING,
+        RADIO_LINK_FAILURE,
+        TOWER_ON,
+        TOWER_OFF
+    }
+}

@@ -1,0 +1,43 @@
+package simgsm.cells.snapshot;
+
+import java.util.List;
+import simgsm.cells.town.Town;
+
+/**
+ * The whole program at one moment.
+ *
+ * @param nanos the owner thread's time
+ * @param port on which terminals are accepted
+ * @param controller its address, as "127.0.0.1:3003"
+ * @param isOsmocom whether the controller is osmo-bsc
+ * @param isPaused whether walking mobiles stand still
+ * @param cells in the order of the town's towers
+ * @param mobiles in the order of their numbers
+ * @param passing the newest last, at most some hundreds
+ */
+public record TownSnapshot(
+        long nanos,
+        Town town,
+        int port,
+        String controller,
+        boolean isOsmocom,
+        ControllerLink link,
+        boolean isPaused,
+        List<CellState> cells,
+        List<MobileState> mobiles,
+        List<Passing> passing) {
+    /** The state of the towers' connections to the controller. */
+    public enum ControllerLink {
+        /** All towers that are on are connected. */
+        UP,
+        /** Some are not. */
+        PARTLY,
+        SEARCHING
+    }
+
+    public TownSnapshot {
+        cells = List.copyOf(cells);
+        mobiles = List.copyOf(mobiles);
+        passing = List.copyOf(passing);
+    }
+}
