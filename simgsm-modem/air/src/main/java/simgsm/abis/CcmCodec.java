@@ -16,8 +16,9 @@ public final class CcmCodec {
 
     private static final int SERIAL_NUMBER_TAG = 0x00;
     private static final int UNIT_NAME_TAG = 0x01;
+    private static final int UNIT_ID_TAG = 0x08;
     /** Unit id, MAC address, location, type, hardware, software, name, serial number. */
-    private static final int[] ALL_TAGS = {8, 7, 2, 3, 4, 5, UNIT_NAME_TAG, SERIAL_NUMBER_TAG};
+    private static final int[] ALL_TAGS = {UNIT_ID_TAG, 7, 2, 3, 4, 5, UNIT_NAME_TAG, SERIAL_NUMBER_TAG};
 
     private CcmCodec() {}
 
@@ -35,6 +36,9 @@ public final class CcmCodec {
             }
         } else if (message instanceof CcmMessage.IdentityResponse response) {
             out.octet(IDENTITY_RESPONSE);
+            if (response.isTower()) {
+                writeTag(out, UNIT_ID_TAG, response.unitId());
+            }
             writeTag(out, UNIT_NAME_TAG, response.unitName());
             writeTag(out, SERIAL_NUMBER_TAG, response.serialNumber());
         } else {
@@ -65,6 +69,7 @@ public final class CcmCodec {
     private static CcmMessage identityResponse(MessageReader in) throws ProtocolViolation {
         String unitName = "";
         String serialNumber = "";
+        String unitId = "";
         while (in.hasMore()) {
             MessageReader element = in.part(in.twoOctets("identity tag length"), "identity tag");
             int tag = element.octet("identity tag");
@@ -72,9 +77,11 @@ public final class CcmCodec {
                 unitName = text(element);
             } else if (tag == SERIAL_NUMBER_TAG) {
                 serialNumber = text(element);
+            } else if (tag == UNIT_ID_TAG) {
+                unitId = text(element);
             }
         }
-        return new CcmMessage.IdentityResponse(unitName, serialNumber);
+        return new CcmMessage.IdentityResponse(unitName, serialNumber, unitId);
     }
 
     /** The text up to a zero octet or the end. Control characters are refused, because names are shown in logs and windows. */

@@ -9,8 +9,24 @@ public sealed interface CcmMessage {
     /** Asks the terminal for all identity tags. */
     record IdentityRequest() implements CcmMessage {}
 
-    /** @param unitName the kind of terminal, as "SimGSM phone"; @param serialNumber its IMEI */
-    record IdentityResponse(String unitName, String serialNumber) implements CcmMessage {}
+    /**
+     * Who the peer is.
+     *
+     * @param unitName the kind of terminal, as "SimGSM phone"
+     * @param serialNumber of a terminal its IMEI
+     * @param unitId of a tower site, BTS and transceiver, as "6969/0/0"; empty for a terminal
+     */
+    record IdentityResponse(String unitName, String serialNumber, String unitId) implements CcmMessage {
+        /** That of a terminal. */
+        public IdentityResponse(String unitName, String serialNumber) {
+            this(unitName, serialNumber, "");
+        }
+
+        /** Whether the peer is a tower. */
+        public boolean isTower() {
+            return !unitId.isEmpty();
+        }
+    }
 
     record IdentityAcknowledge() implements CcmMessage {}
 }

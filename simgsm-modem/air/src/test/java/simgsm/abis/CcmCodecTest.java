@@ -24,6 +24,9 @@ public class CcmCodecTest {
                 new Example(new CcmMessage.Pong(), "01"),
                 new Example(new CcmMessage.IdentityRequest(), "0401080107010201030104010501010100"),
                 new Example(new CcmMessage.IdentityResponse("M2", "49"), "05" + "0004014d3200" + "000400343900"),
+                new Example(
+                        new CcmMessage.IdentityResponse("M1", "49", "1001/0/0"),
+                        "05" + "000a08313030312f302f3000" + "0004014d3100" + "000400343900"),
                 new Example(new CcmMessage.IdentityAcknowledge(), "06"));
     }
 
@@ -52,7 +55,7 @@ public class CcmCodecTest {
     @Test
     void tagsThatWeDoNotNeedAreReadOver() throws ProtocolViolation {
         assertEquals(
-                new CcmMessage.IdentityResponse("M1", ""), decode("05" + "000a08313030312f302f3000" + "0004014d3100"));
+                new CcmMessage.IdentityResponse("M1", ""), decode("05" + "000a03313030312f302f3000" + "0004014d3100"));
     }
 
     @ParameterizedTest
