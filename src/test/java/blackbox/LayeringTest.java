@@ -34,6 +34,7 @@ class LayeringTest {
             simgsm.air               : simgsm.octets
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.rr                : simgsm.octets simgsm.air
+            simgsm.abis.rsl          : simgsm.octets simgsm.air
             simgsm.sim               : simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms

@@ -27,7 +27,9 @@ public final class OptionalElements {
         /** Local time zone 1 octet, universal time and zone 7 octets. */
         MOBILITY_MANAGEMENT(0x46, 1, 0x47, 7),
         /** Signal and keypad facility, 1 octet each. */
-        CALL_CONTROL(0x34, 1, 0x2c, 1);
+        CALL_CONTROL(0x34, 1, 0x2c, 1),
+        /** Channel mode 1 octet. */
+        RADIO_RESOURCE(0x63, 1);
 
         private final int[] lengths = new int[128];
 

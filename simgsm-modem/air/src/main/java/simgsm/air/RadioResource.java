@@ -1,9 +1,16 @@
 package simgsm.air;
 
+import java.util.Optional;
 import simgsm.octets.Bounds;
 
-/** Radio resource messages (TS 44.018, 9.1), protocol discriminator 6; those of a network with one cell. */
+/** Radio resource messages (TS 44.018, 9.1), protocol discriminator 6, of dedicated channels. */
 public sealed interface RadioResource extends Layer3Message {
+    /** RR cause of normal events (TS 44.018, 10.5.2.31). */
+    int NORMAL_EVENT = 0;
+
+    /** Channel mode: speech, full rate version 1. */
+    int SPEECH_FULL_RATE = 0x01;
+
     /** The mobile's answer to paging; opens a radio connection for a mobile-terminated call or message. */
     record PagingResponse(int keySequence, MobileIdentity identity) implements RadioResource {
         public PagingResponse {
@@ -24,4 +31,76 @@ public sealed interface RadioResource extends Layer3Message {
             Bounds.checkOctet("RR cause", cause);
         }
     }
+
+    /**
+     * Moves the mobile to another channel of its cell.
+     *
+     * @param powerLevel MS power control level, 0 to 31 (TS 45.005)
+     * @param channelMode (TS 44.018, 10.5.2.6); {@link #SPEECH_FULL_RATE}
+     */
+    record AssignmentCommand(ChannelDescription channel, int powerLevel, int channelMode) implements RadioResource {
+        public AssignmentCommand {
+            Bounds.check("power level", powerLevel, 0, 31);
+            Bounds.checkOctet("channel mode", channelMode);
+        }
+    }
+
+    /** @param cause RR cause */
+    record AssignmentComplete(int cause) implements RadioResource {
+        public AssignmentComplete {
+            Bounds.checkOctet("RR cause", cause);
+        }
+    }
+
+    /** The mobile is back on the old channel. @param cause RR cause */
+    record AssignmentFailure(int cause) implements RadioResource {
+        public AssignmentFailure {
+            Bounds.checkOctet("RR cause", cause);
+        }
+    }
+
+    /**
+     * Moves the mobile to a channel of another cell. The cells are not synchronised: the mobile sends access bursts until
+     * PHYSICAL INFORMATION comes.
+     *
+     * @param reference 0 to 255, in the access bursts
+     * @param powerLevel MS power control level, 0 to 31
+     * @param channelMode absent if the mode stays
+     */
+    record HandoverCommand(
+            CellDescription cell,
+            ChannelDescription channel,
+            int reference,
+            int powerLevel,
+            Optional<Integer> channelMode)
+            implements RadioResource {
+        public HandoverCommand {
+            Bounds.checkOctet("handover reference", reference);
+            Bounds.check("power level", powerLevel, 0, 31);
+        }
+    }
+
+    /** The first message on the new channel. @param cause RR cause */
+    record HandoverComplete(int cause) implements RadioResource {
+        public HandoverComplete {
+            Bounds.checkOctet("RR cause", cause);
+        }
+    }
+
+    /** The mobile is back on the old channel. @param cause RR cause */
+    record HandoverFailure(int cause) implements RadioResource {
+        public HandoverFailure {
+            Bounds.checkOctet("RR cause", cause);
+        }
+    }
+
+    /** Stops the access bursts. @param timingAdvance 0 to 63, in bits of 3.69 us */
+    record PhysicalInformation(int timingAdvance) implements RadioResource {
+        public PhysicalInformation {
+            Bounds.check("timing advance", timingAdvance, 0, 63);
+        }
+    }
+
+    /** Sent every 480 ms on the SACCH. */
+    record MeasurementReport(MeasurementResults results) implements RadioResource {}
 }

@@ -19,6 +19,7 @@ import simgsm.air.CallControl.Status;
 import simgsm.air.CallControl.StatusEnquiry;
 import simgsm.air.CallControl.StopDtmf;
 import simgsm.air.CallControl.StopDtmfAcknowledge;
+import simgsm.air.MeasurementResults.Neighbour;
 import simgsm.air.MobilityManagement.AuthenticationFailure;
 import simgsm.air.MobilityManagement.AuthenticationReject;
 import simgsm.air.MobilityManagement.AuthenticationRequest;
@@ -38,9 +39,7 @@ import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
-import simgsm.air.RadioResource.ChannelRelease;
-import simgsm.air.RadioResource.PagingResponse;
-import simgsm.air.RadioResource.RrStatus;
+import simgsm.air.RadioResource.*;
 import simgsm.air.RelayMessage.RpAck;
 import simgsm.air.RelayMessage.RpData;
 import simgsm.air.RelayMessage.RpError;
@@ -144,10 +143,31 @@ public final class Examples {
             up(new StatusEnquiry(ours(0)), "0334"),
             down(new Status(theirs(0), Cause.RESPONSE_TO_STATUS_ENQUIRY, 10), "833d02e09eca"));
 
+    private static final ChannelDescription TRAFFIC =
+            new ChannelDescription(ChannelNumber.of(ChannelNumber.Kind.TCH_F, 2), 2, 100);
+
     static final List<Example> RADIO_RESOURCE = List.of(
             up(new PagingResponse(7, new Tmsi(0x1234abcd)), "0627070333198105f41234abcd"),
             down(new ChannelRelease(0), "060d00"),
-            up(new RrStatus(97), "061261"));
+            up(new RrStatus(97), "061261"),
+            down(new AssignmentCommand(TRAFFIC, 15, RadioResource.SPEECH_FULL_RATE), "062e0a40640f6301"),
+            up(new AssignmentComplete(0), "062900"),
+            up(new AssignmentFailure(0x6f), "062f6f"),
+            down(
+                    new HandoverCommand(
+                            new CellDescription(11, 110),
+                            new ChannelDescription(ChannelNumber.of(ChannelNumber.Kind.TCH_F, 1), 3, 110),
+                            1,
+                            14,
+                            Optional.of(RadioResource.SPEECH_FULL_RATE)),
+                    "062b0b6e09606e010e6301"),
+            up(new HandoverComplete(0), "062c00"),
+            up(new HandoverFailure(0x6f), "06286f"),
+            down(new PhysicalInformation(5), "062d05"),
+            up(
+                    new MeasurementReport(
+                            MeasurementResults.of(50, 1, List.of(new Neighbour(30, 0, 11), new Neighbour(20, 3, 10)))),
+                    "06153232129e016a0ca00000000000000000"));
 
     static final List<Example> SHORT_MESSAGES = List.of(
             up(

@@ -1,0 +1,174 @@
+package simgsm.abis.rsl;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.ChannelNumber;
+import simgsm.air.MessageReader;
+import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+
+/**
+ * One RSL message between a base station and its controller: the type, and the elements in the order in which they are sent.
+ * A message of a terminal that carries its own cell is a {@link simgsm.abis.RslMessage}.
+ *
+ * <p>Unknown elements are read as TLV and dropped. Of two equal elements the first is kept.
+ */
+public final class RslPdu {
+    private final RslType type;
+    private final Map<RslElement, OctetString> elements;
+
+    private RslPdu(RslType type, Map<RslElement, OctetString> elements) {
+        this.type = type;
+        this.elements = elements;
+    }
+
+    /** A message without elements. */
+    public static RslPdu of(RslType type) {
+        return new RslPdu(type, Map.of());
+    }
+
+    /** A message about a channel. */
+    public static RslPdu of(RslType type, ChannelNumber channel) {
+        return of(type).with(RslElement.CHANNEL_NUMBER, channel.code());
+    }
+
+    /** A message of a radio link. @param link SAPI in bits 3-1; bit 7 set for the SACCH (TS 48.058, 9.3.2) */
+    public static RslPdu of(RslType type, ChannelNumber channel, int link) {
+        return of(type, channel).with(RslElement.LINK_IDENTIFIER, link);
+    }
+
+    /** The same message with one more element. @param octets the low 8 bits of each are its value */
+    public RslPdu with(RslElement element, int... octets) {
+        OctetWriter value = new OctetWriter();
+        for (int octet : octets) {
+            value.octet(octet);
+        }
+        return with(element, value.toOctetString());
+    }
+
+    /** The same message with one more element. @throws IllegalArgumentException for another length than the element's */
+    public RslPdu with(RslElement element, OctetString value) {
+        if (element.length() >= 0) {
+            value.requireLength(element.toString(), element.length());
+        }
+        Map<RslElement, OctetString> more = new LinkedHashMap<>(elements);
+        more.put(element, value);
+        return new RslPdu(type, more);
+    }
+
+    public RslType type() {
+        return type;
+    }
+
+    /** The elements in their order. */
+    public Map<RslElement, OctetString> elements() {
+        return Collections.unmodifiableMap(elements);
+    }
+
+    public boolean has(RslElement element) {
+        return elements.containsKey(element);
+    }
+
+    /** The value of an optional element. */
+    public Optional<OctetString> find(RslElement element) {
+        return Optional.ofNullable(elements.get(element));
+    }
+
+    /** The value of a mandatory element. @throws ProtocolViolation if it is missing */
+    public OctetString value(RslElement element) throws ProtocolViolation {
+        return find(element)
+                .orElseThrow(() -> new ProtocolViolation(
+                        Cause.INVALID_MANDATORY_INFORMATION, "RSL " + type.title() + " without " + element));
+    }
+
+    /** A reader of a mandatory element's value. */
+    public MessageReader reader(RslElement element) throws ProtocolViolation {
+        return new MessageReader(value(element));
+    }
+
+    /** The first octet of a mandatory element. */
+    public int octet(RslElement element) throws ProtocolViolation {
+        return reader(element).octet(element.toString());
+    }
+
+    /** The first two octets of a mandatory element as a number. */
+    public int twoOctets(RslElement element) throws ProtocolViolation {
+        return reader(element).twoOctets(element.toString());
+    }
+
+    /** The channel that the message is about. */
+    public ChannelNumber channel() throws ProtocolViolation {
+        return ChannelNumber.ofCode(octet(RslElement.CHANNEL_NUMBER));
+    }
+
+    /** The service access point of a radio link, 0 to 7. */
+    public int sapi() throws ProtocolViolation {
+        return octet(RslElement.LINK_IDENTIFIER) & 0x07;
+    }
+
+    /** The payload of an {@link simgsm.abis.IpaFrame#RSL} frame. */
+    public byte[] encode() {
+        OctetWriter out = new OctetWriter().octet(type.discriminator()).octet(type.code());
+        elements.forEach((element, value) -> {
+            out.octet(element.tag());
+            if (element.length() == RslElement.LONG) {
+                out.twoOctets(value.length());
+            } else if (element.length() == RslElement.VARIABLE) {
+                out.octet(value.length());
+            }
+            out.string(value);
+        });
+        return out.toArray();
+    }
+
+    /** The message of a payload. @throws ProtocolViolation for an unknown type or an element that is cut off */
+    public static RslPdu decode(byte[] payload) throws ProtocolViolation {
+        MessageReader in = new MessageReader(payload);
+        int discriminator = in.octet("RSL discriminator");
+        int code = in.octet("RSL message type");
+        RslType type = RslType.of(discriminator, code)
+                .orElseThrow(() -> new ProtocolViolation(
+                        Cause.MESSAGE_TYPE_NON_EXISTENT,
+                        String.format("RSL message type 0x%02x of discriminator 0x%02x", code, discriminator)));
+        Map<RslElement, OctetString> elements = new LinkedHashMap<>();
+        while (in.hasMore() && type != RslType.MEASUREMENT_PREPROCESSING_DEFAULTS) {
+            RslElement element = RslElement.ofTag(in.octet("RSL element"));
+            OctetString value = value(in, element);
+            if (element != null) {
+                elements.putIfAbsent(element, value);
+            }
+        }
+        return new RslPdu(type, elements);
+    }
+
+    private static OctetString value(MessageReader in, RslElement element) throws ProtocolViolation {
+        String what = element == null ? "RSL element" : element.toString();
+        int length = element == null ? RslElement.VARIABLE : element.length();
+        if (length == RslElement.LONG) {
+            length = in.twoOctets(what);
+        } else if (length == RslElement.VARIABLE) {
+            length = in.octet(what);
+        }
+        return in.string(length, what);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof RslPdu that && type == that.type && elements.equals(that.elements);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * type.hashCode() + elements.hashCode();
+    }
+
+    /** The title, and the elements with their octets. */
+    @Override
+    public String toString() {
+        return type.title() + " " + elements;
+    }
+}
