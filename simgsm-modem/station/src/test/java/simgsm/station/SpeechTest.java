@@ -110,12 +110,25 @@ class SpeechTest {
     }
 
     @Test
-    void lostFramesBecomeSilenceOfTheirLength() {
+    void lostFramesAreSubstitutedByTheLastOneWeakerAndWeaker() {
         speak(0xfffe, LOUD);
         speak(0x0002, LOUD);
         assertEquals(5, scene.reported.heard.size());
-        assertTrue(isSilence(1) && isSilence(2) && isSilence(3));
-        assertTrue(!isSilence(4));
+        int[] levels = scene.reported.heard.stream()
+                .mapToInt(frame -> Math.abs(frame[0]))
+                .toArray();
+        assertEquals(levels[0], levels[1]);
+        assertEquals(levels[0] * Math.sqrt(0.5), levels[2], 1);
+        assertEquals(levels[0] * 0.5, levels[3], 1);
+        assertEquals(levels[0], levels[4]);
+    }
+
+    @Test
+    void after320MillisecondsOfLossThereIsSilence() {
+        speak(100, LOUD);
+        speak(120, LOUD);
+        assertEquals(21, scene.reported.heard.size());
+        assertTrue(!isSilence(16) && isSilence(17) && isSilence(19));
     }
 
     @Test

@@ -8,6 +8,7 @@ import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
+import simgsm.speech.SubstitutingDecoder;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
@@ -33,7 +34,7 @@ public final class SpeechPath {
     /** Opened for each call, as the decoders are: a codec may have a state. */
     private SpeechCodec coder;
     /** By payload type. */
-    private Map<Integer, SpeechCodec> decoders = Map.of();
+    private Map<Integer, SubstitutingDecoder> decoders = Map.of();
 
     private final long synchronizationSource;
     private boolean active;
@@ -86,8 +87,8 @@ public final class SpeechPath {
         heard = false;
         coder = codec.open();
         decoders = Map.of(
-                RtpPacket.A_LAW, SpeechCodec.Kind.A_LAW.open(),
-                RtpPacket.GSM_FULL_RATE, SpeechCodec.Kind.GSM_FULL_RATE.open());
+                RtpPacket.A_LAW, new SubstitutingDecoder(SpeechCodec.Kind.A_LAW),
+                RtpPacket.GSM_FULL_RATE, new SubstitutingDecoder(SpeechCodec.Kind.GSM_FULL_RATE));
         recorder.callBegan();
         nextFrameNanos = context.timers().nowNanos();
         scheduleFrame();
@@ -153,10 +154,10 @@ public final class SpeechPath {
         if (lost < 0) {
             return;
         }
+        SubstitutingDecoder decoder = decoders.get(packet.payloadType());
         for (int i = 0; i < lost; i++) {
-            report(new short[SpeechCodec.SAMPLES_PER_FRAME]);
+            report(decoder.substitute());
         }
-        SpeechCodec decoder = decoders.get(packet.payloadType());
         heardCodec = decoder.kind();
         report(decoder.decode(packet.payload()));
         heard = true;
