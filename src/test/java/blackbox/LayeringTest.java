@@ -42,6 +42,7 @@ class LayeringTest {
             simgsm.dtmf              :
             simgsm.speech            :
             simgsm.console           :
+            simgsm.lesson            : simgsm.console
             simgsm.web               :
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
@@ -85,7 +86,8 @@ class LayeringTest {
             simgsm.center.ui         : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
-            simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
+            simgsm.center.lesson     : simgsm.air simgsm.dtmf simgsm.console simgsm.lesson simgsm.center.msc simgsm.center.app simgsm.center.demo
+            simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.lesson simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simgsm.cells.town        : simgsm.octets
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
@@ -270,6 +272,7 @@ class LayeringTest {
         "simgsm.center.smsc",
         "simgsm.center.subscriber",
         "simgsm.phone.handset",
+        "simgsm.lesson",
         "simrobot.behaviour",
         "simrobot.robot",
         "simrobot.simulation"
@@ -277,7 +280,7 @@ class LayeringTest {
 
     /** Give the cores of their packages time and sockets. */
     private static final Set<String> SHELLS =
-            Set.of("StationThread", "StationLink", "IpaConnection", "SimulationThread", "ModemLine");
+            Set.of("StationThread", "StationLink", "IpaConnection", "SimulationThread", "ModemLine", "LessonLibrary");
 
     private static GivenClassesConjunction coreClasses() {
         return noClasses()

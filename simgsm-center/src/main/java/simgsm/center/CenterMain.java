@@ -13,12 +13,14 @@ import simgsm.center.app.NewSims;
 import simgsm.center.capture.CapturePlan;
 import simgsm.center.demo.HeadlessDemo;
 import simgsm.center.demo.WindowedDemo;
+import simgsm.center.lesson.LessonCheck;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
 import simgsm.console.Options;
 import simgsm.console.Program;
+import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 
@@ -39,6 +41,17 @@ public final class CenterMain {
                         "demo",
                         "the whole suite: the centre, one phone and one SimRobot, ready to dial; without a display a"
                                 + "\nscripted session whose transcript is printed")
+                .flag("lessons", "list the lessons and end")
+                .value(
+                        "lesson",
+                        "NAME",
+                        "with --check: the lesson to play; with --demo: the lesson to show beside the suite")
+                .value(
+                        "check",
+                        "FILE|right|wrong",
+                        "with --lesson: play a solution without windows, print pass or fail for each step, and end: 0 only"
+                                + "\nif all passed. right and wrong are the lesson's own; --seed N chooses the student's numbers")
+                .value("result", "FILE", "with --check: write the result for the teacher")
                 .value(
                         "port",
                         "N",
@@ -113,6 +126,14 @@ public final class CenterMain {
         if (arguments.has("new-sim")) {
             return NewSims.make(arguments);
         }
+        if (arguments.has("lessons")) {
+            return LessonCheck.list(arguments);
+        }
+        requireTogether(arguments, "check", "lesson");
+        requireTogether(arguments, "result", "check");
+        if (arguments.has("check")) {
+            return LessonCheck.run(arguments);
+        }
         CenterSettings settings = CenterSettings.read(arguments);
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
@@ -127,6 +148,12 @@ public final class CenterMain {
             return window.isPresent()
                     ? CenterWindow.run(center, arguments, settings, null, window.get())
                     : runConsole(center, arguments, settings);
+        }
+    }
+
+    private static void requireTogether(Arguments arguments, String option, String needed) throws UsageException {
+        if (arguments.has(option) && !arguments.has(needed)) {
+            throw new UsageException("--" + option + " needs --" + needed);
         }
     }
 

@@ -223,7 +223,16 @@ public final class Center implements AutoCloseable {
 
     /** Updates {@link #snapshot} from now on, at most 10 times a second. To be called before {@link #start}. */
     void publishSnapshots() {
-        loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> snapshot.set(exchange.snapshot()));
+        publishSnapshots(each -> {});
+    }
+
+    /** The same, and shows each to a listener on the exchange's thread. */
+    public void publishSnapshots(Consumer<ExchangeSnapshot> listener) {
+        loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> {
+            ExchangeSnapshot newest = exchange.snapshot();
+            snapshot.set(newest);
+            listener.accept(newest);
+        });
     }
 
     AtomicReference<ExchangeSnapshot> snapshot() {

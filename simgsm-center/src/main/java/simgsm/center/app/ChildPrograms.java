@@ -76,6 +76,34 @@ public final class ChildPrograms implements AutoCloseable {
         return process;
     }
 
+    /**
+     * Starts a program that ends by itself and registers nowhere. Its standard error is merged into its standard output,
+     * which the caller reads.
+     *
+     * @param folder in which it runs
+     */
+    public Process startTool(String jar, List<String> arguments, Path folder) throws IOException {
+        return startJava(List.of("-jar", jars.resolve(jar).toString()), arguments, folder);
+    }
+
+    /** Starts a Java source file as a program, likewise. */
+    public Process startSource(Path source, List<String> arguments, Path folder) throws IOException {
+        return startJava(List.of(source.toString()), arguments, folder);
+    }
+
+    private static Process startJava(List<String> what, List<String> arguments, Path folder) throws IOException {
+        List<String> command = new ArrayList<>(List.of(java()));
+        command.addAll(QUICK_START);
+        command.addAll(what);
+        command.addAll(arguments);
+        Process process = new ProcessBuilder(command)
+                .directory(folder.toFile())
+                .redirectErrorStream(true)
+                .start();
+        process.getOutputStream().close();
+        return process;
+    }
+
     /** The number of the first program of this jar that was started here and has ended since. */
     public Optional<String> endedNumber(String jar) {
         return started.stream()

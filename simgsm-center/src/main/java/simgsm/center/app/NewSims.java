@@ -37,13 +37,23 @@ public final class NewSims {
                 .path("hlr")
                 .orElseThrow(() -> new UsageException("--new-sim needs --hlr FILE, the list to which SIMs are added"));
         Set<Msisdn> numbers = arguments.value("new-sim", NewSims::numbers).orElseThrow();
+        make(list, numbers, Program.standardOutput());
+        return ExitStatus.OK;
+    }
+
+    /**
+     * Makes SIMs for these numbers.
+     *
+     * @param out names the written files
+     * @throws UsageException if there is one already
+     */
+    public static void make(Path list, Set<Msisdn> numbers, PrintStream out) throws UsageException, IOException {
         SimFile present = Files.exists(list) ? SimFile.read(list) : SimFile.EMPTY;
         List<SimCard> cards = new ArrayList<>();
         for (Msisdn number : numbers) {
             cards.add(newCard(number, present));
         }
-        write(list, cards, Program.standardOutput());
-        return ExitStatus.OK;
+        write(list, cards, out);
     }
 
     /** @throws IllegalArgumentException saying what was expected */

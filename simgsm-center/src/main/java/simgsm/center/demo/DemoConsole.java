@@ -1,24 +1,17 @@
 package simgsm.center.demo;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import simgsm.console.CommandException;
-import simgsm.console.ConsoleCommand;
+import simgsm.center.app.ChildConsole;
 import simgsm.console.Event;
 
 /** The console of one program of the demo: commands go in, events come out and into the transcript. */
-final class DemoConsole {
+final class DemoConsole implements ChildConsole.Listener {
     private final String name;
     private final Process process;
-    private final OutputStream commands;
+    private final ChildConsole console;
     private final DemoTranscript transcript;
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
     private boolean ended;
@@ -26,19 +19,15 @@ final class DemoConsole {
     DemoConsole(String name, Process process, DemoTranscript transcript) {
         this.name = name;
         this.process = process;
-        this.commands = process.getOutputStream();
         this.transcript = transcript;
-        Thread reader = new Thread(this::read, "console of " + name);
-        reader.setDaemon(true);
-        reader.start();
+        this.console = new ChildConsole(name, process, this);
     }
 
     /** Enters a command and adds it to the transcript. */
     void command(String line) throws DemoFailure {
         transcript.line(name, "> " + line);
         try {
-            commands.write((line + "\n").getBytes(StandardCharsets.UTF_8));
-            commands.flush();
+            console.command(line);
         } catch (IOException e) {
             throw new DemoFailure(name + " takes no commands: " + e.getMessage());
         }
@@ -90,43 +79,24 @@ final class DemoConsole {
         return true;
     }
 
-    private void read() {
-        try (BufferedReader lines =
-                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                transcript.line(name, line);
-                add(line);
-            }
-        } catch (IOException e) {
-            transcript.line(name, "its output broke off: " + e.getMessage());
-        }
+    @Override
+    public void line(String line) {
+        transcript.line(name, line);
+    }
+
+    @Override
+    public void event(Event event) {
         synchronized (unread) {
-            ended = true;
+            unread.addLast(event);
             unread.notifyAll();
         }
     }
 
-    private void add(String line) {
-        try {
-            Event event = parse(line);
-            synchronized (unread) {
-                unread.addLast(event);
-                unread.notifyAll();
-            }
-        } catch (CommandException e) {
-            transcript.line(name, "that line is no event: " + e.getMessage());
+    @Override
+    public void ended() {
+        synchronized (unread) {
+            ended = true;
+            unread.notifyAll();
         }
-    }
-
-    private static Event parse(String line) throws CommandException {
-        ConsoleCommand words = ConsoleCommand.parse(line);
-        Map<String, String> fields = new LinkedHashMap<>();
-        for (String word : words.words()) {
-            int equals = word.indexOf('=');
-            if (equals > 0) {
-                fields.put(word.substring(0, equals), word.substring(equals + 1));
-            }
-        }
-        return new Event(words.name(), fields);
     }
 }

@@ -17,7 +17,7 @@ import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 
 /** The demo's centre with its temporary data, and its phone and SimRobot as child processes. */
-final class DemoPrograms implements AutoCloseable {
+public final class DemoPrograms implements AutoCloseable {
     static final String PHONE_NUMBER = "5550100";
     static final String ROBOT_NUMBER = "5550200";
     private static final String WORLD = "worlds/demo.map";
@@ -46,7 +46,7 @@ final class DemoPrograms implements AutoCloseable {
     }
 
     /** Opens the centre, on any free port if the default one is taken. The children are not started. */
-    static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
+    public static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
         requireCards(settings.home());
         ChildPrograms children = ChildPrograms.besideOwnJar();
         Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
@@ -67,11 +67,11 @@ final class DemoPrograms implements AutoCloseable {
         }
     }
 
-    Center center() {
+    public Center center() {
         return center;
     }
 
-    ChildPrograms children() {
+    public ChildPrograms children() {
         return children;
     }
 
@@ -84,6 +84,17 @@ final class DemoPrograms implements AutoCloseable {
         List<String> words = words(center.home().wordsFor(ROBOT_NUMBER), more);
         words.addAll(List.of("--world", WORLD));
         return children.start("simrobot.jar", ROBOT_NUMBER, words, output);
+    }
+
+    /**
+     * Starts any program of the suite with the centre's address, this run's language and these options.
+     *
+     * @param number with which it registers
+     */
+    public Process start(String jar, String number, ProcessBuilder.Redirect output, List<String> options)
+            throws IOException {
+        return children.start(
+                jar, number, words(center.home().wordsFor(number), options.toArray(String[]::new)), output);
     }
 
     private List<String> words(List<String> own, String... more) {

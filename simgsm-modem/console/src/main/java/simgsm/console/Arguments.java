@@ -1,6 +1,7 @@
 package simgsm.console;
 
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -16,6 +17,13 @@ public final class Arguments {
     Arguments(Map<String, List<String>> given, List<String> rest) {
         this.given = given;
         this.rest = List.copyOf(rest);
+    }
+
+    /** The same with one more option, or with another value of it. */
+    public Arguments with(String name, String value) {
+        Map<String, List<String>> more = new LinkedHashMap<>(given);
+        more.put(name, List.of(value));
+        return new Arguments(more, rest);
     }
 
     /** Whether the option was given. */

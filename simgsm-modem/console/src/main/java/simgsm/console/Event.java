@@ -26,6 +26,23 @@ public record Event(String name, Map<String, String> fields) {
         return new Event(name, more);
     }
 
+    /**
+     * Reads a line as a program prints it; words without {@code =} are left out.
+     *
+     * @throws CommandException for a broken quote
+     */
+    public static Event parse(String line) throws CommandException {
+        ConsoleCommand words = ConsoleCommand.parse(line);
+        Map<String, String> fields = new LinkedHashMap<>();
+        for (String word : words.words()) {
+            int equals = word.indexOf('=');
+            if (equals > 0) {
+                fields.put(word.substring(0, equals), word.substring(equals + 1));
+            }
+        }
+        return new Event(words.name(), fields);
+    }
+
     /** Whether name and all fields of {@code wanted} are equal to those here. */
     boolean matches(Event wanted) {
         return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());

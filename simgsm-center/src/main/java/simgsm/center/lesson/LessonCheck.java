@@ -1,0 +1,118 @@
+package simgsm.center.lesson;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import simgsm.center.demo.DemoPrograms;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.ExitStatus;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonException;
+import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.LessonRun;
+import simgsm.lesson.LessonStep;
+import simgsm.lesson.LessonTexts;
+
+/** {@code --lessons}, and {@code --lesson NAME --check SOLUTION}: a lesson without windows, and its marks. */
+public final class LessonCheck {
+    private static final System.Logger LOG = System.getLogger(LessonCheck.class.getName());
+    /** The numbers of a student who has none of his own. */
+    static final long FIRST_SEED = 1;
+    /** The trace is read ten times a second. */
+    private static final long SETTLE_MILLIS = 250;
+
+    private LessonCheck() {}
+
+    /** Prints the lessons. */
+    public static int list(Arguments arguments) throws UsageException, LessonException {
+        PrintStream out = Program.standardOutput();
+        for (String name : LessonLibrary.names()) {
+            out.print(Event.of("lesson")
+                            .with("name", name)
+                            .with(
+                                    "title",
+                                    LessonLibrary.texts(name, arguments.language())
+                                            .of("title"))
+                            .with("minutes", LessonLibrary.lesson(name).minutes())
+                    + "\n");
+        }
+        out.flush();
+        return ExitStatus.OK;
+    }
+
+    /** Plays a solution and prints a line for each step, then the score. */
+    public static int run(Arguments arguments)
+            throws UsageException, IOException, LessonException, InterruptedException {
+        Lesson lesson = lesson(arguments);
+        LessonTexts texts = LessonLibrary.texts(lesson.name(), arguments.language());
+        Solution solution = Solution.of(lesson.name(), arguments.text("check").orElseThrow());
+        Optional<Path> result = arguments.path("result");
+        Path folder = LessonNetwork.newFolder();
+        LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
+        try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
+            LessonSession session =
+                    new LessonSession(run, programs, folder, program -> List.of("--headless", "--no-sound"));
+            play(session, solution, programs);
+            session.events().withRun(each -> print(each, texts));
+            if (result.isPresent()) {
+                session.events().withRun(each -> write(result.get(), LessonResult.text(each, "", Instant.now())));
+            }
+        } finally {
+            LessonNetwork.remove(folder);
+        }
+        return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
+    }
+
+    static Lesson lesson(Arguments arguments) throws UsageException {
+        try {
+            return LessonLibrary.lesson(arguments.text("lesson").orElseThrow());
+        } catch (LessonException e) {
+            throw new UsageException("--lesson: " + e.getMessage());
+        }
+    }
+
+    static long seed(Arguments arguments) throws UsageException {
+        return arguments.integer("seed", FIRST_SEED, Long.MIN_VALUE, Long.MAX_VALUE);
+    }
+
+    private static void play(LessonSession session, Solution solution, DemoPrograms programs)
+            throws IOException, InterruptedException {
+        programs.center().publishSnapshots(session.trace());
+        programs.center().start(session.centerEvents());
+        try {
+            session.start();
+            solution.play(session);
+            Thread.sleep(SETTLE_MILLIS);
+        } catch (LessonFailure e) {
+            LOG.log(System.Logger.Level.WARNING, e.getMessage());
+        }
+    }
+
+    private static void print(LessonRun run, LessonTexts texts) {
+        PrintStream out = Program.standardOutput();
+        for (LessonStep step : run.lesson().steps()) {
+            out.print(Event.of("check")
+                            .with("step", step.name())
+                            .with("result", run.isDone(step.name()) ? "pass" : "fail")
+                            .with("text", run.shown(texts.of("step " + step.name())))
+                    + "\n");
+        }
+        out.print("score=" + run.score() + " of=" + run.lesson().steps().size() + "\n");
+        out.flush();
+    }
+
+    private static void write(Path file, String text) {
+        try {
+            Files.writeString(file, text);
+        } catch (IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package simgsm.center.lesson;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import simgsm.air.Msisdn;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.NewSims;
+import simgsm.center.demo.DemoPrograms;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.lesson.Lesson;
+
+/** The folder of a lesson and its centre, closed or with a capture as the lesson asks. */
+final class LessonNetwork {
+    /** In the lesson's folder. */
+    static final String CAPTURE = "lesson.pcap";
+
+    static final String SIMS = "class.hlr";
+
+    private LessonNetwork() {}
+
+    static Path newFolder() throws IOException {
+        return Files.createTempDirectory("simgsm-lesson");
+    }
+
+    /** Opens the centre of a lesson; nothing is started. */
+    static DemoPrograms open(Lesson lesson, Path folder, Arguments arguments) throws IOException, UsageException {
+        Arguments own = arguments;
+        if (!lesson.closed().isEmpty()) {
+            Set<Msisdn> numbers = new LinkedHashSet<>();
+            lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));
+            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+            NewSims.make(folder.resolve(SIMS), numbers, nowhere);
+            own = own.with("hlr", folder.resolve(SIMS).toString());
+        }
+        if (lesson.isCaptured()) {
+            own = own.with("capture", folder.resolve(CAPTURE).toString());
+        }
+        return DemoPrograms.open(own, CenterSettings.read(own));
+    }
+
+    static void remove(Path folder) {
+        try {
+            Files.walkFileTree(folder, new SimpleFileVisitor<>() {
+                @Override
+                public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                    Files.delete(file);
+                    return FileVisitResult.CONTINUE;
+                }
+
+                @Override
+                public FileVisitResult postVisitDirectory(Path visited, IOException failure) throws IOException {
+                    Files.delete(visited);
+                    return FileVisitResult.CONTINUE;
+                }
+            });
+        } catch (IOException e) {
+            // The system clears its folder of temporary files some day.
+        }
+    }
+}

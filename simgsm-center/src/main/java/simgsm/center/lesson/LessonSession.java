@@ -1,0 +1,247 @@
+package simgsm.center.lesson;
+
+import java.io.IOException;
+import java.lang.ProcessBuilder.Redirect;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import simgsm.center.app.CenterEventPrinter;
+import simgsm.center.app.ChildConsole;
+import simgsm.center.demo.DemoPrograms;
+import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.console.CommandException;
+import simgsm.console.ConsoleCommand;
+import simgsm.console.Event;
+import simgsm.lesson.LessonProgram;
+import simgsm.lesson.LessonRun;
+
+/**
+ * The programs of a lesson and what happens in them. Lines of solutions and of the lesson's actions are performed here; any
+ * thread may, one at a time.
+ */
+final class LessonSession implements AutoCloseable {
+    /** Starting Java programs on a slow machine. */
+    private static final double START_SECONDS = 60;
+
+    private static final double WAIT_SECONDS = 20;
+    private static final int END_SECONDS = 10;
+
+    private final LessonRun run;
+    private final DemoPrograms programs;
+    private final LessonEvents events;
+    private final LessonTools tools;
+    private final Path folder;
+    private final Function<LessonProgram, List<String>> manner;
+    private final Map<String, ChildConsole> consoles = new LinkedHashMap<>();
+    private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
+
+    /**
+     * @param folder in which tools run and files are handed in
+     * @param manner the further options of a program, such as {@code --headless}
+     */
+    LessonSession(LessonRun run, DemoPrograms programs, Path folder, Function<LessonProgram, List<String>> manner) {
+        this.run = run;
+        this.programs = programs;
+        this.folder = folder;
+        this.manner = manner;
+        events = new LessonEvents(run);
+        tools = new LessonTools(programs.children(), folder);
+        events.withRun(each -> each.put("folder", folder.toString()));
+    }
+
+    LessonEvents events() {
+        return events;
+    }
+
+    /** A line with the values of its names in braces; {@code isAll}: also of those that students have to find. */
+    String replaced(String line, boolean isAll) {
+        String[] text = new String[1];
+        events.withRun(each -> text[0] = isAll ? each.solved(line) : each.shown(line));
+        return text[0];
+    }
+
+    /** Takes the centre's events. */
+    Consumer<ExchangeEvent> centerEvents() {
+        return event -> events.add("centre", CenterEventPrinter.of(event));
+    }
+
+    /** Takes the centre's ladder. */
+    Consumer<ExchangeSnapshot> trace() {
+        return new TraceEvents(event -> events.add("trace", event));
+    }
+
+    /** Starts the programs of the lesson, all at once, and waits until they are registered. */
+    void start() throws IOException, LessonFailure, InterruptedException {
+        List<LessonProgram> first = run.lesson().programs().stream()
+                .filter(program -> !program.isLater())
+                .toList();
+        for (LessonProgram program : first) {
+            launch(program);
+        }
+        for (LessonProgram program : first) {
+            events.await(program.name(), Event.of("registered"), START_SECONDS);
+        }
+    }
+
+    private void launch(LessonProgram program) throws IOException {
+        List<String> options = new ArrayList<>();
+        program.options().forEach(option -> options.add(run.solved(option)));
+        options.addAll(manner.apply(program));
+        int number = options.indexOf("--number");
+        String name = program.name();
+        events.skip(name);
+        events.begun(name);
+        Process process = programs.start(
+                program.jar() + ".jar", number < 0 ? name : options.get(number + 1), Redirect.PIPE, options);
+        consoles.put(name, new ChildConsole(name, process, new ChildConsole.Listener() {
+            @Override
+            public void line(String line) {}
+
+            @Override
+            public void event(Event event) {
+                if (event.name().equals("ready") && event.fields().containsKey("at")) {
+                    atPorts.put(name, Integer.valueOf(event.fields().get("at").split(",")[0]));
+                }
+                events.add(name, event);
+            }
+
+            @Override
+            public void ended() {
+                events.ended(name);
+            }
+        }));
+    }
+
+    /**
+     * Performs one line: {@code answer NAME TEXT}, {@code start} or {@code stop PROGRAM}, {@code tool WORDS}, {@code java
+     * FILE WORDS}, {@code at} or {@code submit PROGRAM TEXT}, {@code act NAME INPUT}, {@code SOURCE wait EVENT
+     * [FIELD=VALUE]... [SECONDS]}, or a command of a program's console, {@code PROGRAM COMMAND}.
+     */
+    void perform(String line) throws LessonFailure, InterruptedException {
+        String[] parts = line.strip().split("\\s+", 2);
+        String rest = parts.length == 2 ? parts[1] : "";
+        try {
+            switch (parts[0]) {
+                case "predict" -> events.withRun(each -> each.predict(rest));
+                case "answer" -> answer(rest);
+                case "start" -> launch(program(rest));
+                case "stop" -> stop(rest);
+                case "tool" -> events.add("tool", tools.tool(words(rest)));
+                case "java" -> events.add("tool", tools.source(words(rest)));
+                case "at", "submit" -> at(parts[0], rest);
+                case "act" -> act(rest);
+                default -> command(parts[0], rest);
+            }
+        } catch (IOException | IllegalArgumentException e) {
+            throw new LessonFailure(line + ": " + e.getMessage());
+        }
+    }
+
+    private void answer(String rest) {
+        String[] parts = rest.split("\\s+", 2);
+        events.withRun(each -> each.answer(parts[0], parts.length == 2 ? parts[1] : ""));
+    }
+
+    private LessonProgram program(String name) throws LessonFailure {
+        return run.lesson()
+                .program(name)
+                .orElseThrow(() -> new LessonFailure("expected a program of the lesson, found " + name));
+    }
+
+    private void stop(String name) throws LessonFailure, IOException, InterruptedException {
+        ChildConsole console = console(name);
+        console.process().getOutputStream().close();
+        if (!console.process().waitFor(END_SECONDS, TimeUnit.SECONDS)) {
+            throw new LessonFailure(name + ": expected to end within " + END_SECONDS + " s");
+        }
+    }
+
+    private ChildConsole console(String name) throws LessonFailure {
+        program(name);
+        ChildConsole console = consoles.get(name);
+        if (console == null || !console.process().isAlive()) {
+            throw new LessonFailure(name + " does not run; start it first");
+        }
+        return console;
+    }
+
+    private void at(String verb, String rest) throws LessonFailure, IOException {
+        String[] parts = rest.split("\\s+", 2);
+        Integer port = atPorts.get(parts[0]);
+        if (port == null || parts.length < 2) {
+            throw new LessonFailure("expected a program with --at and a text, found " + rest);
+        }
+        try (AtLine line = new AtLine(port)) {
+            events.add(parts[0], verb.equals("at") ? line.command(parts[1]) : line.submit(parts[1].replace(" ", "")));
+        }
+    }
+
+    private void act(String rest) throws LessonFailure, InterruptedException {
+        String[] parts = rest.split("\\s+", 2);
+        List<String> lines = run.lesson().actions().get(parts[0]);
+        if (lines == null) {
+            throw new LessonFailure("expected an action of the lesson, found " + parts[0]);
+        }
+        String input = parts.length == 2 ? parts[1] : "";
+        for (String line : lines) {
+            perform(replaced(line.replace("{input}", input), true));
+        }
+    }
+
+    private void command(String name, String command) throws LessonFailure, IOException, InterruptedException {
+        if (command.startsWith("wait ")) {
+            await(name, command);
+        } else {
+            console(name).command(command);
+        }
+    }
+
+    private void await(String source, String command) throws LessonFailure, InterruptedException {
+        List<String> words = new ArrayList<>(words(command));
+        words.remove(0);
+        double seconds = WAIT_SECONDS;
+        String last = words.isEmpty() ? "" : words.get(words.size() - 1);
+        if (last.matches("[0-9]+(\\.[0-9]+)?")) {
+            seconds = Double.parseDouble(last);
+            words.remove(words.size() - 1);
+        }
+        if (words.isEmpty()) {
+            throw new LessonFailure("wait: expected EVENT [FIELD=VALUE]... [SECONDS]");
+        }
+        Event wanted = Event.of(words.get(0));
+        for (String word : words.subList(1, words.size())) {
+            int equals = word.indexOf('=');
+            if (equals <= 0) {
+                throw new LessonFailure("wait: expected FIELD=VALUE, found " + word);
+            }
+            wanted = wanted.with(word.substring(0, equals), word.substring(equals + 1));
+        }
+        events.await(source, wanted, seconds);
+    }
+
+    private static List<String> words(String text) throws LessonFailure {
+        try {
+            return new ConsoleCommand("", text).words();
+        } catch (CommandException e) {
+            throw new LessonFailure(e.getMessage());
+        }
+    }
+
+    /** Puts a file into the lesson's folder. */
+    void handIn(String name, byte[] content) throws IOException {
+        Files.write(folder.resolve(name), content);
+    }
+
+    @Override
+    public void close() {
+        programs.close();
+    }
+}

@@ -1,0 +1,43 @@
+package simgsm.lesson;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import simgsm.console.CommandException;
+import simgsm.console.ConsoleCommand;
+import simgsm.console.Event;
+
+/**
+ * Which events a condition means.
+ *
+ * @param source the program that prints it, or {@code student}, {@code trace}, {@code tool}
+ */
+record EventPattern(String source, String event, List<FieldTest> tests) {
+    /** Reads {@code SOURCE EVENT [TEST]...}. */
+    static EventPattern parse(String text) throws LessonException {
+        List<String> words = words(text);
+        if (words.size() < 2) {
+            throw new LessonException("expected SOURCE EVENT [FIELD=VALUE]..., found " + text);
+        }
+        List<FieldTest> tests = new ArrayList<>();
+        for (String word : words.subList(2, words.size())) {
+            tests.add(FieldTest.parse(word));
+        }
+        return new EventPattern(words.get(0), words.get(1), List.copyOf(tests));
+    }
+
+    /** The words of a line; quotes may hold blanks. */
+    static List<String> words(String text) throws LessonException {
+        try {
+            return new ConsoleCommand("", text).words();
+        } catch (CommandException e) {
+            throw new LessonException(e.getMessage());
+        }
+    }
+
+    boolean matches(String from, Event found, UnaryOperator<String> variables) {
+        return source.equals(from)
+                && event.equals(found.name())
+                && tests.stream().allMatch(test -> test.isPassedBy(found.fields(), variables));
+    }
+}

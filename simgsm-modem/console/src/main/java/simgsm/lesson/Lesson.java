@@ -1,0 +1,39 @@
+package simgsm.lesson;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A lesson without its texts.
+ *
+ * @param name of its folder
+ * @param minutes that a class takes
+ * @param closed numbers whose SIMs the network accepts; empty for an open network
+ * @param actions lines of a solution by the action's name, which a button of the window performs; {@code {input}} is what the
+ *     student has typed or chosen
+ * @param isCaptured whether the centre writes {@code lesson.pcap}
+ */
+public record Lesson(
+        String name,
+        int minutes,
+        List<LessonProgram> programs,
+        List<String> closed,
+        boolean isCaptured,
+        Map<String, List<String>> actions,
+        List<LessonStep> steps,
+        List<LessonVariable> variables) {
+    public Lesson {
+        programs = List.copyOf(programs);
+        closed = List.copyOf(closed);
+        actions = Map.copyOf(actions);
+        steps = List.copyOf(steps);
+        variables = List.copyOf(variables);
+    }
+
+    public Optional<LessonProgram> program(String wanted) {
+        return programs.stream()
+                .filter(program -> program.name().equals(wanted))
+                .findFirst();
+    }
+}

@@ -1,0 +1,153 @@
+package simgsm.lesson;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import simgsm.console.Event;
+
+/** One student's way through a lesson: events come in, steps become done. One thread at a time. */
+public final class LessonRun {
+    /** The source of what the student types; the event's name is the answer's. */
+    public static final String STUDENT = "student";
+
+    private final Lesson lesson;
+    private final long seed;
+    private final LessonVariables variables;
+    private final List<Progress> steps = new ArrayList<>();
+    private final Map<String, String> answers = new LinkedHashMap<>();
+    private String prediction = "";
+
+    /** @param seed chooses the student's own numbers */
+    public LessonRun(Lesson lesson, long seed, LessonFunctions functions) {
+        this.lesson = lesson;
+        this.seed = seed;
+        variables = new LessonVariables(lesson, seed, functions);
+        lesson.steps().forEach(step -> steps.add(new Progress(step)));
+    }
+
+    public Lesson lesson() {
+        return lesson;
+    }
+
+    public long seed() {
+        return seed;
+    }
+
+    /** Gives a name a value that the task may show, such as a folder. */
+    public void put(String name, String value) {
+        variables.put(name, value);
+    }
+
+    /** What the student expects to see; it is not marked. */
+    public void predict(String text) {
+        prediction = text.strip();
+    }
+
+    public String prediction() {
+        return prediction;
+    }
+
+    /** An answer in the student's words; its numbers are the fields n1, n2 ... */
+    public void answer(String name, String text) {
+        answers.put(name, text.strip());
+        Event event = Event.of(name).with("text", text.strip());
+        int count = 0;
+        for (String word : LessonReader.list(text.replace(';', ' '))) {
+            count++;
+            event = event.with("n" + count, word.replaceAll("[,;]$", ""));
+        }
+        event(STUDENT, event.with("count", count));
+    }
+
+    /** An event that a program has printed. */
+    public void event(String source, Event event) {
+        variables.take(source, event);
+        // A step that this event makes possible begins with the next one.
+        List<Progress> open = steps.stream().filter(this::isOpen).toList();
+        open.forEach(step -> step.event(source, event));
+    }
+
+    private boolean isOpen(Progress progress) {
+        return progress.step.after().map(this::isDone).orElse(true);
+    }
+
+    /** Whether all conditions of a step hold. */
+    public boolean isDone(String name) {
+        return steps.stream().anyMatch(progress -> progress.step.name().equals(name) && progress.isDone());
+    }
+
+    /** Whether a limit of a step is exceeded, so that only a new run can pass it. */
+    public boolean isLost(String name) {
+        return steps.stream().anyMatch(progress -> progress.step.name().equals(name) && progress.isLost());
+    }
+
+    public int score() {
+        return (int) steps.stream().filter(Progress::isDone).count();
+    }
+
+    /** The answers in the order in which they were first given; the newest text of each. */
+    public Map<String, String> answers() {
+        return Collections.unmodifiableMap(answers);
+    }
+
+    /** The student's own numbers. */
+    public Map<String, String> drawn() {
+        return variables.drawn();
+    }
+
+    /** A text of the task with the student's own numbers. */
+    public String shown(String text) {
+        return variables.replace(text, false);
+    }
+
+    /** A text of the lesson's own solutions, with the values that the student has to find. */
+    public String solved(String text) {
+        return variables.replace(text, true);
+    }
+
+    private final class Progress {
+        private final LessonStep step;
+        /** By condition: matched patterns of a chain, or counted events. */
+        private final int[] counts;
+
+        Progress(LessonStep step) {
+            this.step = step;
+            counts = new int[step.conditions().size()];
+        }
+
+        void event(String source, Event event) {
+            for (int i = 0; i < counts.length; i++) {
+                LessonCondition condition = step.conditions().get(i);
+                List<EventPattern> chain = condition.patterns();
+                int next = chain.size() == 1 ? 0 : counts[i];
+                if (next < chain.size() && chain.get(next).matches(source, event, LessonRun.this::solved)) {
+                    counts[i]++;
+                }
+            }
+        }
+
+        boolean isDone() {
+            for (int i = 0; i < counts.length; i++) {
+                LessonCondition condition = step.conditions().get(i);
+                int wanted = condition.patterns().size() == 1
+                        ? condition.least()
+                        : condition.patterns().size();
+                if (counts[i] < wanted || counts[i] > condition.most()) {
+                    return false;
+                }
+            }
+            return isOpen(this);
+        }
+
+        boolean isLost() {
+            for (int i = 0; i < counts.length; i++) {
+                if (counts[i] > step.conditions().get(i).most()) {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

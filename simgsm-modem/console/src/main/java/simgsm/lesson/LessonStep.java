@@ -1,0 +1,18 @@
+package simgsm.lesson;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A step of a lesson, with a lamp of its own.
+ *
+ * @param name by which texts and results refer to it
+ * @param after the step that has to be done before its conditions count; empty for none
+ * @param answer the name of the answer that the student types here; empty for none
+ */
+public record LessonStep(
+        String name, Optional<String> after, Optional<String> answer, List<LessonCondition> conditions) {
+    public LessonStep {
+        conditions = List.copyOf(conditions);
+    }
+}

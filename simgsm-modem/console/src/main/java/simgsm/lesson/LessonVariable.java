@@ -1,0 +1,19 @@
+package simgsm.lesson;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A name in braces and where its value comes from.
+ *
+ * @param words for a drawn value the values to choose from; for a computed one the function and its arguments
+ * @param pattern for a value that is taken from an event; its field is the only word
+ */
+record LessonVariable(Kind kind, List<String> names, List<String> words, Optional<EventPattern> pattern) {
+    /** Drawn values are part of the task; the others belong to the solution. */
+    enum Kind {
+        DRAWN,
+        COMPUTED,
+        KEPT
+    }
+}

@@ -1,0 +1,140 @@
+package simgsm.lesson;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import simgsm.console.Event;
+
+class LessonRunTest {
+    private static LessonRun run(String... lines) throws LessonException {
+        return run(1, lines);
+    }
+
+    private static LessonRun run(long seed, String... lines) throws LessonException {
+        Lesson lesson = LessonReader.read("sample", "minutes 5\n" + String.join("\n", lines));
+        return new LessonRun(lesson, seed, (function, arguments) -> function + String.join("", arguments));
+    }
+
+    private static void event(LessonRun run, String source, String line) {
+        try {
+            run.event(source, Event.parse(line));
+        } catch (simgsm.console.CommandException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
+    void aStepIsDoneWhenTheEventWithItsFieldsHasCome() throws Exception {
+        LessonRun run = run("step a", "when phone tone key=3");
+        event(run, "robot", "tone key=3");
+        event(run, "phone", "tone key=4");
+        assertFalse(run.isDone("a"));
+        event(run, "phone", "tone key=3 meaning=done");
+        assertTrue(run.isDone("a"));
+        assertEquals(1, run.score());
+    }
+
+    @Test
+    void aChainNeedsItsEventsInOrder() throws Exception {
+        LessonRun run = run("step a", "when phone tone key=6", "then phone tone key=3");
+        event(run, "phone", "tone key=3");
+        event(run, "phone", "tone key=6");
+        assertFalse(run.isDone("a"));
+        event(run, "phone", "tone key=3");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void aStepBehindAnotherCountsOnlyWhatComesAfterIt() throws Exception {
+        LessonRun run = run("step a", "when p x", "step b", "after a", "when p y");
+        event(run, "p", "y");
+        event(run, "p", "x");
+        assertFalse(run.isDone("b"));
+        event(run, "p", "y");
+        assertTrue(run.isDone("b"));
+    }
+
+    @Test
+    void aLimitIsLostWithOneEventTooMany() throws Exception {
+        LessonRun run = run("step a", "when p end", "at-most 1 p order");
+        event(run, "p", "order");
+        event(run, "p", "end");
+        assertTrue(run.isDone("a"));
+        event(run, "p", "order");
+        assertFalse(run.isDone("a"));
+        assertTrue(run.isLost("a"));
+    }
+
+    @Test
+    void atLeastCountsEvents() throws Exception {
+        LessonRun run = run("step a", "at-least 2 p order verdict=accepted");
+        event(run, "p", "order verdict=accepted");
+        event(run, "p", "order verdict=refused");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "order verdict=accepted");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void anAnswersNumbersAreComparedWithinTheirTolerance() throws Exception {
+        LessonRun run = run("step a", "answer f", "when student f n1=697+-1.5% n2=1209+-2 count=2");
+        run.answer("f", "697 1212");
+        assertFalse(run.isDone("a"));
+        run.answer("f", "697, 1210.5");
+        assertTrue(run.isDone("a"));
+        assertEquals("697, 1210.5", run.answers().get("f"));
+    }
+
+    @Test
+    void aPartOfATextAndAlternativesAreCompared() throws Exception {
+        LessonRun run = run("step a", "when phone sms text~\"is done\" from=1|2");
+        event(run, "phone", "sms from=3 text=\"It is  done.\"");
+        assertFalse(run.isDone("a"));
+        event(run, "phone", "sms from=2 text=\"It IS  done.\"");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void numbersAreComparedAndWhatIsNoneFails() throws Exception {
+        LessonRun run = run("step a", "when robot pose x>=1.5 y<0");
+        event(run, "robot", "pose x=abc y=-1");
+        event(run, "robot", "pose x=1.4 y=-1");
+        event(run, "robot", "pose y=-1");
+        assertFalse(run.isDone("a"));
+        event(run, "robot", "pose x=1.5 y=-0.1");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void drawnValuesFollowFromTheSeedAndDiffer() throws Exception {
+        String draw = "draw a b c from 1 2 3";
+        LessonRun run = run(7, draw, "step s", "when p x");
+        assertEquals(run(7, draw, "step s", "when p x").shown("{a}{b}{c}"), run.shown("{a}{b}{c}"));
+        assertEquals(3, run.shown("{a}{b}{c}").chars().distinct().count());
+    }
+
+    @Test
+    void computedAndKeptValuesAreShownOnlyInTheLessonsOwnSolutions() throws Exception {
+        LessonRun run = run("keep x n p event", "let y twice {x}", "step s", "when student q text={y}");
+        assertEquals("{y}", run.solved("{y}"));
+        event(run, "p", "event n=5");
+        assertEquals("twice5 {x}", run.solved("{y}") + " " + run.shown("{x}"));
+        run.answer("q", "Twice 5");
+        assertTrue(run.isDone("s"));
+    }
+
+    @Test
+    void aFaultInALessonIsReportedWithItsLine() {
+        String text = assertThrows(LessonException.class, () -> run("step a", "when phone"))
+                .getMessage();
+        assertEquals("sample/lesson.txt, line 3: expected SOURCE EVENT [FIELD=VALUE]..., found phone", text);
+        assertThrows(LessonException.class, () -> run("when phone tone"));
+        assertThrows(LessonException.class, () -> run("step a"));
+        assertThrows(LessonException.class, () -> run("step a", "after b", "when p x"));
+        assertThrows(LessonException.class, () -> run("draw a b from 1", "step s", "when p x"));
+        assertThrows(LessonException.class, () -> run("nonsense"));
+    }
+}

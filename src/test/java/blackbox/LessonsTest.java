@@ -1,0 +1,93 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every lesson is played with real programs: its right solution passes every step, its wrong one does not. */
+@Execution(ExecutionMode.CONCURRENT)
+class LessonsTest {
+    private static final Pattern SCORE = Pattern.compile("score=([0-9]+) of=([0-9]+)");
+
+    static Stream<String> lessons() throws Exception {
+        return FinishedProgram.run("simgsm-center", "--lessons", "--lang", "en")
+                .output()
+                .lines()
+                .map(line -> line.replaceFirst("lesson name=(\\S+) .*", "$1"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("lessons")
+    void theRightSolutionPassesEveryStep(String lesson) throws Exception {
+        FinishedProgram run =
+                FinishedProgram.run("simgsm-center", "--lesson", lesson, "--check", "right", "--lang", "en");
+        assertEquals(0, run.status(), run.output() + run.error());
+        Matcher score = score(run);
+        assertEquals(score.group(2), score.group(1), run.output());
+        assertTrue(
+                run.output()
+                                .lines()
+                                .filter(line -> line.startsWith("check step="))
+                                .count()
+                        > 2,
+                run.output());
+    }
+
+    @ParameterizedTest
+    @MethodSource("lessons")
+    void theWrongSolutionFailsSomeSteps(String lesson) throws Exception {
+        FinishedProgram run =
+                FinishedProgram.run("simgsm-center", "--lesson", lesson, "--check", "wrong", "--lang", "es");
+        assertEquals(1, run.status(), run.output() + run.error());
+        Matcher score = score(run);
+        assertTrue(Integer.parseInt(score.group(1)) < Integer.parseInt(score.group(2)), run.output());
+        assertTrue(run.output().contains("result=fail"), run.output());
+    }
+
+    private static Matcher score(FinishedProgram run) {
+        String last = run.output().lines().reduce("", (first, second) -> second);
+        Matcher score = SCORE.matcher(last);
+        assertTrue(score.matches(), run.output() + run.error());
+        return score;
+    }
+
+    @Test
+    void aStudentsOwnFileIsPlayedAndItsResultWritten(@TempDir Path folder) throws Exception {
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("predict none", "answer key1 1 2"));
+        Path result = folder.resolve("result.txt");
+        FinishedProgram run = FinishedProgram.run(
+                "simgsm-center",
+                "--lesson",
+                "twelve-keys",
+                "--check",
+                solution.toString(),
+                "--seed",
+                "5",
+                "--result",
+                result.toString());
+        assertEquals(1, run.status(), run.output() + run.error());
+        String text = Files.readString(result);
+        assertTrue(text.startsWith("result lesson=twelve-keys student=\"\" seed=5 time="), text);
+        assertTrue(text.contains("\nanswer name=key1 text=\"1 2\"\n"), text);
+        assertTrue(text.contains("\nscore of=7 passed=0\nhash sha256="), text);
+    }
+
+    @Test
+    void anUnknownLessonIsAUsageError() throws Exception {
+        FinishedProgram run = FinishedProgram.run("simgsm-center", "--lesson", "nothing", "--check", "right");
+        assertEquals(2, run.status(), run.error());
+        assertTrue(run.error().contains("twelve-keys"), run.error());
+    }
+}
