@@ -6,6 +6,7 @@ import sys
 import threading
 import time
 
+from gsmmodem.exceptions import TimeoutException
 from gsmmodem.modem import GsmModem
 
 PATIENCE_SECONDS = 30
@@ -33,12 +34,16 @@ def wait(condition, what):
 
 def dial(modem, number):
     """Dials until the call is seen to be answered: the library takes a key that is reported between two of its questions
-    for the answer to one, and then sees the call no more."""
+    for the answer to one, and then sees the call no more, or never sees it begin."""
     for _ in range(ATTEMPTS):
-        call = modem.dial(number)
-        if comes(lambda: call.answered, ANSWER_SECONDS):
-            return call
+        try:
+            call = modem.dial(number)
+            if comes(lambda: call.answered, ANSWER_SECONDS):
+                return call
+        except TimeoutException:
+            pass
         modem.write("ATH")
+        wait(lambda: modem.write("AT+CLCC") == ["OK"], "the end of the call that was not answered")
         modem.dtmfpool.clear()
         incoming.clear()
     sys.exit("not answered: " + number)

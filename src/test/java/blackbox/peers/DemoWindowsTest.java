@@ -1,5 +1,6 @@
 package blackbox.peers;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -82,8 +83,12 @@ class DemoWindowsTest {
     }
 
     private void screen(int width, int height) throws Exception {
-        Process server = start(Peer.XVFB.process(
-                "-displayfd", "1", "-screen", "0", width + "x" + height + "x24", "-noreset", "-nolisten", "tcp"));
+        // Xvfb complains of displays that are taken; only the number of its own belongs to standard output.
+        Process server = start(Peer.XVFB
+                .process(
+                        "-displayfd", "1", "-screen", "0", width + "x" + height + "x24", "-noreset", "-nolisten", "tcp")
+                .redirectErrorStream(false)
+                .redirectError(ProcessBuilder.Redirect.DISCARD));
         BufferedReader output =
                 new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
         display = ":" + output.readLine().strip();
@@ -155,6 +160,8 @@ class DemoWindowsTest {
     private String run(Peer peer, String... words) throws Exception {
         Process process = onDisplay(peer.process(words)).start();
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), peer + " " + List.of(words));
-        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.exitValue(), peer + " " + List.of(words) + ": " + printed);
+        return printed;
     }
 }

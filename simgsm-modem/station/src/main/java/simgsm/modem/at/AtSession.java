@@ -12,7 +12,7 @@ import simgsm.timer.Timers;
 /**
  * The dialogue with one client: octets in, octets out. Command lines are performed one after the other; each ends with one
  * final result. Unsolicited codes are held back from the first character of a line until its final result, at most 2 s
- * while the line is incomplete. Characters stand for octets, as in ISO 8859-1. Owned by one thread.
+ * while the line is incomplete, and behind an announcement until a command has followed it or 500 ms have passed. Characters stand for octets, as in ISO 8859-1. Owned by one thread.
  */
 public final class AtSession<C> {
     /** A longer line is answered with ERROR. */
@@ -24,6 +24,8 @@ public final class AtSession<C> {
 
     static final long PROMPT_NANOS = TimeUnit.SECONDS.toNanos(60);
     static final long INCOMPLETE_LINE_NANOS = TimeUnit.SECONDS.toNanos(2);
+    /** Clients read an announced message at once, and take a code that meets their command for its answer. */
+    static final long ANNOUNCED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final int INPUT_ENOUGH = 16_384;
     private static final char BACKSPACE = 0x08;
@@ -37,13 +39,16 @@ public final class AtSession<C> {
         TEXT
     }
 
+    /** A code that is ready to be sent. @param isAnnouncement whether a command is expected to follow it */
+    private record Code(String octets, boolean isAnnouncement) {}
+
     private final AtCommandTable<C> table;
     private final C client;
     private final Timers timers;
     private final Consumer<byte[]> output;
     private final StringBuilder unsent = new StringBuilder();
     private final Deque<Byte> input = new ArrayDeque<>();
-    private final Deque<String> held = new ArrayDeque<>();
+    private final Deque<Code> held = new ArrayDeque<>();
     private final StringBuilder line = new StringBuilder();
     private final StringBuilder text = new StringBuilder();
 
@@ -61,6 +66,7 @@ public final class AtSession<C> {
     private boolean textOfLines;
     private AtRequest.TextReceiver receiver;
     private Timer timer;
+    private Timer afterAnnouncement;
 
     /** @param output receives what is to be sent, at the end of each call */
     public AtSession(AtCommandTable<C> table, C client, Timers timers, Consumer<byte[]> output) {
@@ -103,6 +109,7 @@ public final class AtSession<C> {
         isClosed = true;
         request = null;
         timers.cancel(timer);
+        timers.cancel(afterAnnouncement);
     }
 
     private void process() {
@@ -257,6 +264,7 @@ public final class AtSession<C> {
         request = null;
         mode = Mode.COMMAND;
         send(result);
+        timers.cancel(afterAnnouncement);
         sendHeld();
     }
 
@@ -349,22 +357,32 @@ public final class AtSession<C> {
 
     /** Sends an unsolicited line of information, now or after the present command. */
     public void report(String information) {
-        reportFormatted(format.line(information));
+        reportFormatted(new Code(format.line(information), false));
+    }
+
+    /** Sends an unsolicited line that a client answers with a command, such as +CMTI; later codes wait for that command. */
+    public void announce(String information) {
+        reportFormatted(new Code(format.line(information), true));
     }
 
     /** Sends an unsolicited result code such as NO CARRIER, likewise. */
     public void report(AtResult code) {
-        reportFormatted(format.result(code));
+        reportFormatted(new Code(format.result(code), false));
     }
 
-    private void reportFormatted(String octets) {
-        if (isClosed || octets.isEmpty()) {
+    private void reportFormatted(Code code) {
+        if (isClosed || code.octets().isEmpty()) {
             return;
         }
         if (held.size() == MAX_HELD) {
             held.remove();
         }
-        held.add(octets);
+        held.add(code);
+        sendOrWait();
+    }
+
+    /** Sends what is held between two lines; behind an incomplete line after 2 s; else the end of the command does. */
+    private void sendOrWait() {
         if (mode == Mode.COMMAND && line.length() == 0 && !isProcessing) {
             sendHeld();
             flush();
@@ -377,8 +395,16 @@ public final class AtSession<C> {
     }
 
     private void sendHeld() {
-        for (String octets = held.poll(); octets != null; octets = held.poll()) {
-            send(octets);
+        while (!held.isEmpty() && !isAwaitingCommand()) {
+            Code code = held.remove();
+            send(code.octets());
+            if (code.isAnnouncement()) {
+                afterAnnouncement = timers.start(ANNOUNCED_NANOS, this::sendOrWait);
+            }
         }
+    }
+
+    private boolean isAwaitingCommand() {
+        return afterAnnouncement != null && afterAnnouncement.isRunning();
     }
 }

@@ -257,6 +257,39 @@ class AtSessionTest {
     }
 
     @Test
+    void aCodeBehindAnAnnouncementWaitsForTheCommandThatFollows() {
+        silent();
+        session.announce("+CMTI: 1");
+        session.announce("+CMTI: 2");
+        session.report(AtResult.RING);
+        assertEquals("|+CMTI: 1|", heard());
+        assertEquals("", say("AT+WAIT\r"));
+        timers.advance(AtSession.ANNOUNCED_NANOS);
+        assertEquals("", heard());
+        pending.finish(AtResult.OK);
+        assertEquals("|OK||+CMTI: 2|", heard());
+        assertEquals("|OK||RING|", say("AT\r"));
+    }
+
+    @Test
+    void aCodeBehindAnAnnouncementThatNoCommandFollowsWaits500Milliseconds() {
+        silent();
+        session.announce("+CMTI: 1");
+        session.report(AtResult.RING);
+        timers.advance(AtSession.ANNOUNCED_NANOS - 1);
+        assertEquals("|+CMTI: 1|", heard());
+        timers.advance(AtSession.ANNOUNCED_NANOS);
+        assertEquals("|RING|", heard());
+        session.announce("+CMTI: 2");
+        session.report(AtResult.RING);
+        assertEquals("|+CMTI: 2|", heard());
+        say("A");
+        timers.advance(2 * AtSession.ANNOUNCED_NANOS);
+        assertEquals("", heard());
+        assertEquals("|OK||RING|", say("T\r"));
+    }
+
+    @Test
     void newsWaitForTheResultOfACommand() {
         silent();
         session.report("+NEWS: 1");

@@ -59,6 +59,10 @@ public final class AtClient {
         session.report(line);
     }
 
+    void announce(String line) {
+        session.announce(line);
+    }
+
     void report(AtResult code) {
         session.report(code);
     }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import simgsm.air.Msisdn;
@@ -146,7 +147,7 @@ final class MessageCodes {
                 client -> isDirect(client) || client.settings().deliverMode == CLASS_3_DIRECT && isOfClass3;
         if (modem.clients().stream().noneMatch(direct)) {
             int place = store(octets);
-            to(client -> client.settings().deliverMode != 0, client -> "+CMTI: \"SM\"," + place);
+            to(client -> client.settings().deliverMode != 0, client -> "+CMTI: \"SM\"," + place, AtClient::announce);
             return;
         }
         PduText pdu = new PduText(serviceCenter, octets);
@@ -183,7 +184,7 @@ final class MessageCodes {
             OptionalInt place = memory.add(SimMemory.Status.RECEIVED_UNREAD, octets);
             memoryChanged();
             if (place.isPresent()) {
-                to(stored, client -> "+CDSI: \"SM\"," + place.getAsInt());
+                to(stored, client -> "+CDSI: \"SM\"," + place.getAsInt(), AtClient::announce);
             }
         }
     }
@@ -207,13 +208,17 @@ final class MessageCodes {
     }
 
     private void to(Predicate<AtClient> wish, Function<AtClient, String> code) {
+        to(wish, code, AtClient::report);
+    }
+
+    private void to(Predicate<AtClient> wish, Function<AtClient, String> code, BiConsumer<AtClient, String> way) {
         for (AtClient client : modem.clients()) {
             if (!wish.test(client)) {
                 continue;
             }
             String text = code.apply(client);
             if (client.settings().indicationMode > 0) {
-                client.report(text);
+                way.accept(client, text);
             } else {
                 buffer(client, text);
             }

@@ -27,7 +27,8 @@ public final class AtPort implements AutoCloseable {
     /** Answers and codes that wait for a client; one that reads nothing loses its connection. */
     private static final int MOST_WAITING = 10_000;
 
-    private static final long MOST_WAIT_NANOS = 1_000_000_000;
+    /** A timer that starts between two ticks is late by at most this. */
+    private static final long MOST_WAIT_NANOS = 250_000_000;
     /** How long a client that has sent its last command may wait for the result. */
     private static final long LAST_RESULT_NANOS = 10_000_000_000L;
 
