@@ -42,11 +42,16 @@ def dial(modem, number):
                 return call
         except TimeoutException:
             pass
-        modem.write("ATH")
-        wait(lambda: modem.write("AT+CLCC") == ["OK"], "the end of the call that was not answered")
+        hang_up(modem)
         modem.dtmfpool.clear()
         incoming.clear()
     sys.exit("not answered: " + number)
+
+
+def hang_up(modem):
+    """Ends the call by commands: the library sends none for a call that it sees no more."""
+    modem.write("ATH")
+    wait(lambda: modem.write("AT+CLCC") == ["OK"], "the end of the call")
 
 
 def heard(modem, keys, send):
@@ -89,6 +94,7 @@ print("ussd", first.sendUssd("*100#").message)
 call = dial(first, robot)
 heard(first, "3", lambda: call.sendDtmfTone("**#**20**"))
 call.hangup()
+hang_up(first)
 print("call to the robot: its reply 3 heard")
 
 second = GsmModem(second_device, 115200)
@@ -98,6 +104,7 @@ wait(answered.is_set, "the call")
 heard(first, "42#", lambda: back.sendDtmfTone("42#"))
 heard(second, "7", lambda: incoming[0].sendDtmfTone("7"))
 incoming[0].hangup()
+hang_up(first)
 wait(lambda: not back.active, "the end of the call")
 print("call from", incoming[0].number, "answered, keys heard in both directions")
 first.close()

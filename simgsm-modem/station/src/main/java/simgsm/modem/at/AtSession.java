@@ -12,7 +12,7 @@ import simgsm.timer.Timers;
 /**
  * The dialogue with one client: octets in, octets out. Command lines are performed one after the other; each ends with one
  * final result. Unsolicited codes are held back from the first character of a line until its final result, at most 2 s
- * while the line is incomplete, and behind an announcement until a command has followed it or 500 ms have passed. Characters stand for octets, as in ISO 8859-1. Owned by one thread.
+ * while the line is incomplete, and behind an announcement until 500 ms have passed without a command, at most 2 s. Characters stand for octets, as in ISO 8859-1. Owned by one thread.
  */
 public final class AtSession<C> {
     /** A longer line is answered with ERROR. */
@@ -24,8 +24,10 @@ public final class AtSession<C> {
 
     static final long PROMPT_NANOS = TimeUnit.SECONDS.toNanos(60);
     static final long INCOMPLETE_LINE_NANOS = TimeUnit.SECONDS.toNanos(2);
-    /** Clients read an announced message at once, and take a code that meets their command for its answer. */
+    /** Clients read an announced message at once, and take a code that meets one of their commands for its answer. */
     static final long ANNOUNCED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
+    static final long MOST_ANNOUNCED_NANOS = TimeUnit.SECONDS.toNanos(2);
 
     private static final int INPUT_ENOUGH = 16_384;
     private static final char BACKSPACE = 0x08;
@@ -67,6 +69,7 @@ public final class AtSession<C> {
     private AtRequest.TextReceiver receiver;
     private Timer timer;
     private Timer afterAnnouncement;
+    private long latestAnnouncedNanos;
 
     /** @param output receives what is to be sent, at the end of each call */
     public AtSession(AtCommandTable<C> table, C client, Timers timers, Consumer<byte[]> output) {
@@ -264,7 +267,9 @@ public final class AtSession<C> {
         request = null;
         mode = Mode.COMMAND;
         send(result);
-        timers.cancel(afterAnnouncement);
+        if (isAwaitingCommand()) {
+            awaitCommand();
+        }
         sendHeld();
     }
 
@@ -360,7 +365,7 @@ public final class AtSession<C> {
         reportFormatted(new Code(format.line(information), false));
     }
 
-    /** Sends an unsolicited line that a client answers with a command, such as +CMTI; later codes wait for that command. */
+    /** Sends an unsolicited line that a client answers with a command, such as +CMTI; later codes wait for that. */
     public void announce(String information) {
         reportFormatted(new Code(format.line(information), true));
     }
@@ -399,8 +404,17 @@ public final class AtSession<C> {
             Code code = held.remove();
             send(code.octets());
             if (code.isAnnouncement()) {
-                afterAnnouncement = timers.start(ANNOUNCED_NANOS, this::sendOrWait);
+                latestAnnouncedNanos = timers.nowNanos() + MOST_ANNOUNCED_NANOS;
+                awaitCommand();
             }
+        }
+    }
+
+    private void awaitCommand() {
+        timers.cancel(afterAnnouncement);
+        long mostNanos = latestAnnouncedNanos - timers.nowNanos();
+        if (mostNanos > 0) {
+            afterAnnouncement = timers.start(Math.min(ANNOUNCED_NANOS, mostNanos), this::sendOrWait);
         }
     }
 

@@ -257,7 +257,7 @@ class AtSessionTest {
     }
 
     @Test
-    void aCodeBehindAnAnnouncementWaitsForTheCommandThatFollows() {
+    void aCodeBehindAnAnnouncementWaits500MillisecondsForTheNextCommand() {
         silent();
         session.announce("+CMTI: 1");
         session.announce("+CMTI: 2");
@@ -268,7 +268,27 @@ class AtSessionTest {
         assertEquals("", heard());
         pending.finish(AtResult.OK);
         assertEquals("|OK||+CMTI: 2|", heard());
-        assertEquals("|OK||RING|", say("AT\r"));
+        assertEquals("|OK|", say("AT\r"));
+        timers.advance(2 * AtSession.ANNOUNCED_NANOS - 1);
+        assertEquals("|OK|", say("AT\r"));
+        timers.advance(3 * AtSession.ANNOUNCED_NANOS - 2);
+        assertEquals("", heard());
+        timers.advance(3 * AtSession.ANNOUNCED_NANOS - 1);
+        assertEquals("|RING|", heard());
+    }
+
+    @Test
+    void aCodeBehindAnAnnouncementWaitsTwoSecondsAtMost() {
+        silent();
+        session.announce("+CMTI: 1");
+        session.report(AtResult.RING);
+        heard();
+        for (long nanos = 0; nanos < AtSession.MOST_ANNOUNCED_NANOS; nanos += AtSession.ANNOUNCED_NANOS / 2) {
+            timers.advance(nanos);
+            assertEquals("|OK|", say("AT\r"));
+        }
+        timers.advance(AtSession.MOST_ANNOUNCED_NANOS);
+        assertEquals("|RING|", heard());
     }
 
     @Test
