@@ -1,21 +1,20 @@
 package simrobot.app;
 
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.security.CodeSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import simgsm.console.Arguments;
+import simgsm.console.ProgramFolder;
 import simgsm.console.UsageException;
 import simrobot.bitmap.BitmapWorld;
 import simrobot.world.World;
 
-/** Finds a world file: as named, in {@code worlds/}, or upward from the jar's folder, with or without {@code worlds/}. */
+/** Finds a world file: as named, in {@code worlds/}, or upward from the folder of the jar or the image, with or without {@code worlds/}. */
 public final class WorldFile {
     private static final String DEFAULT = "worlds/demo.map";
     /** The jar lies in target/dist of the source tree, or next to worlds/. */
@@ -58,24 +57,12 @@ public final class WorldFile {
 
     private static List<Path> places(Path wanted) {
         List<Path> places = new ArrayList<>(List.of(wanted, Path.of("worlds").resolve(wanted)));
-        Path folder = programFolder();
+        Path folder = ProgramFolder.above(WorldFile.class).orElse(null);
         for (int i = 0; i < FOLDERS_UPWARD && folder != null; i++) {
             places.add(folder.resolve(wanted));
             places.add(folder.resolve("worlds").resolve(wanted));
             folder = folder.getParent();
         }
         return places;
-    }
-
-    /** Null if the program was not started from a file. */
-    private static Path programFolder() {
-        try {
-            CodeSource source = WorldFile.class.getProtectionDomain().getCodeSource();
-            return source == null
-                    ? null
-                    : Path.of(source.getLocation().toURI()).toAbsolutePath().getParent();
-        } catch (URISyntaxException | IllegalArgumentException e) {
-            return null;
-        }
     }
 }

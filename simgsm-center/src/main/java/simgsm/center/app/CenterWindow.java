@@ -139,7 +139,7 @@ public final class CenterWindow implements CenterActions {
     private synchronized void start(String jar, AtomicLong next, Function<WindowCascade, WindowPlace> place)
             throws IOException {
         if (children == null) {
-            children = ChildPrograms.besideOwnJar();
+            children = ChildPrograms.besideOwn();
         }
         Optional<String> ended = children.endedNumber(jar);
         String number = ended.isPresent() ? ended.get() : numberFor(next);

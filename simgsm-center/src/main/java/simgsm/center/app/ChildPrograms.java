@@ -1,15 +1,11 @@
 package simgsm.center.app;
 
-import java.io.File;
 import java.io.IOException;
-import java.net.URISyntaxException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import simgsm.console.ProgramFolder;
 
 /**
  * Other programs of the suite as child processes. The standard input of each is a pipe from this process, and each ends with
@@ -20,35 +16,22 @@ public final class ChildPrograms implements AutoCloseable {
     /** A window program starts in half the CPU time with the first compiler and the serial collector only. */
     private static final List<String> QUICK_START = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
-    private final Path jars;
+    private final ProgramFolder programs;
     private final List<Child> started = new CopyOnWriteArrayList<>();
 
     private record Child(String jar, String number, Process process) {}
 
-    private ChildPrograms(Path jars) {
-        this.jars = jars;
+    private ChildPrograms(ProgramFolder programs) {
+        this.programs = programs;
     }
 
     /**
-     * Looks for the programs in the folder of this program's jar.
+     * Looks for the programs where this program lies.
      *
-     * @throws IOException if this program does not run from a jar
+     * @throws IOException if this program runs neither from a jar nor from an image
      */
-    public static ChildPrograms besideOwnJar() throws IOException {
-        try {
-            Path own = Path.of(ChildPrograms.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-            if (Files.isDirectory(own)) {
-                throw new IOException(
-                        "other programs can only be started from the built jars (target/dist), not from " + own);
-            }
-            return new ChildPrograms(own.toAbsolutePath().getParent());
-        } catch (URISyntaxException e) {
-            throw new IOException("cannot tell where our own jar is: " + e.getMessage(), e);
-        }
+    public static ChildPrograms besideOwn() throws IOException {
+        return new ChildPrograms(ProgramFolder.of(ChildPrograms.class));
     }
 
     /**
@@ -58,13 +41,7 @@ public final class ChildPrograms implements AutoCloseable {
      */
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
-        Path program = jars.resolve(jar);
-        if (!Files.isReadable(program)) {
-            throw new IOException(program + ": no such program");
-        }
-        List<String> command = new ArrayList<>(List.of(java()));
-        command.addAll(QUICK_START);
-        command.addAll(List.of("-jar", program.toString()));
+        List<String> command = programs.command(jar, QUICK_START);
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .redirectInput(ProcessBuilder.Redirect.PIPE)
@@ -110,10 +87,6 @@ public final class ChildPrograms implements AutoCloseable {
                 .filter(child -> child.jar.equals(jar) && !child.process.isAlive())
                 .map(Child::number)
                 .findFirst();
-    }
-
-    private static String java() {
-        return System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
     }
 
     /** Closes their standard input, and destroys those that have not ended after 3 s. */

@@ -48,7 +48,7 @@ public final class DemoPrograms implements AutoCloseable {
     /** Opens the centre, on any free port if the default one is taken. The children are not started. */
     public static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
         requireCards(settings.home());
-        ChildPrograms children = ChildPrograms.besideOwnJar();
+        ChildPrograms children = ChildPrograms.besideOwn();
         Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
         Center center = open(settings, settings.data().orElse(temporary));
         DemoPrograms programs = new DemoPrograms(arguments, temporary, center, children);

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /** The options and arguments of a command line, converted to types; errors name the option. */
 public final class Arguments {
@@ -122,7 +123,18 @@ public final class Arguments {
 
     /** The language of {@code --lang en|es}; without it Spanish on a Spanish system, else English. */
     public Locale language() throws UsageException {
-        String system = Locale.getDefault().getLanguage().equals("es") ? "es" : "en";
+        String system = isSpanish(System.getenv(), Locale.getDefault()) ? "es" : "en";
         return Locale.forLanguageTag(has("lang") ? choice("lang", "en", "es") : system);
+    }
+
+    /** Java itself takes no language from LANG on a system that has not generated that locale, as in containers. */
+    static boolean isSpanish(Map<String, String> environment, Locale system) {
+        return system.getLanguage().equals("es")
+                || Stream.of("LC_ALL", "LC_MESSAGES", "LANG")
+                        .map(name -> environment.getOrDefault(name, ""))
+                        .filter(value -> !value.isEmpty())
+                        .findFirst()
+                        .filter(value -> value.matches("es([_.@].*)?"))
+                        .isPresent();
     }
 }

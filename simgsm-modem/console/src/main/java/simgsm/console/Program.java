@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.lang.module.ModuleDescriptor;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -90,9 +91,11 @@ public final class Program {
         }
     }
 
-    /** The version of the jar that a class lies in. */
+    /** The version of the jar, or of the image's module, that a class lies in. */
     public static String version(Class<?> member) {
         return Optional.ofNullable(member.getPackage().getImplementationVersion())
+                .or(() ->
+                        Optional.ofNullable(member.getModule().getDescriptor()).flatMap(ModuleDescriptor::rawVersion))
                 .orElse("(not packaged)");
     }
 

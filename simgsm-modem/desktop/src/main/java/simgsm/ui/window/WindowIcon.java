@@ -25,7 +25,8 @@ public final class WindowIcon {
         return images;
     }
 
-    private static BufferedImage image(Symbol symbol, int size) {
+    /** @param size of a side, in pixels */
+    public static BufferedImage image(Symbol symbol, int size) {
         BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
         Graphics2D g = Drawing.on(image.createGraphics());
         g.setColor(new Color(Ink.ACCENT.rgb(Appearance.LIGHT)));

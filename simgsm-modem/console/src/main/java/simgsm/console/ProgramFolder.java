@@ -1,0 +1,96 @@
+package simgsm.console;
+
+import java.io.File;
+import java.io.IOException;
+import java.lang.module.ModuleDescriptor;
+import java.lang.module.ModuleFinder;
+import java.lang.module.ModuleReference;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.CodeSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where the programs of the suite lie: as jars in one folder, or as modules of a runtime image.
+ *
+ * @param path the jars' folder, or the runtime image's
+ * @param isImage whether the programs are modules of the image, and no jars
+ */
+public record ProgramFolder(Path path, boolean isImage) {
+    private static final String IMAGE_SCHEME = "jrt";
+
+    /**
+     * The folder of a program's own class.
+     *
+     * @throws IOException if the class comes neither from a jar nor from an image
+     */
+    public static ProgramFolder of(Class<?> member) throws IOException {
+        URI own = location(member)
+                .orElseThrow(() -> new IOException("the Java machine does not tell where " + member + " lies"));
+        if (own.getScheme().equals(IMAGE_SCHEME)) {
+            return new ProgramFolder(Path.of(System.getProperty("java.home")), true);
+        }
+        Path jar = Path.of(own).toAbsolutePath();
+        if (Files.isDirectory(jar)) {
+            throw new IOException(
+                    "other programs can only be started from the built jars (target/dist), not from " + jar);
+        }
+        return new ProgramFolder(jar.getParent(), false);
+    }
+
+    /** The folder above the files of a program's own class, jar or not; empty if the Java machine does not tell it. */
+    public static Optional<Path> above(Class<?> member) {
+        return location(member)
+                .map(own -> own.getScheme().equals(IMAGE_SCHEME)
+                        ? Path.of(System.getProperty("java.home"))
+                        : Path.of(own).toAbsolutePath().getParent());
+    }
+
+    private static Optional<URI> location(Class<?> member) {
+        CodeSource source = member.getProtectionDomain().getCodeSource();
+        try {
+            return source == null
+                    ? Optional.empty()
+                    : Optional.of(source.getLocation().toURI());
+        } catch (URISyntaxException e) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * The command that starts a program, to which its arguments are appended.
+     *
+     * @param jar the program by its jar's name, {@code simgsm-phone.jar}; its module is {@code simgsm.phone}
+     * @param machineOptions options of the Java machine
+     * @throws IOException naming the program if it is not there
+     */
+    public List<String> command(String jar, List<String> machineOptions) throws IOException {
+        List<String> command = new ArrayList<>(
+                List.of(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java"));
+        command.addAll(machineOptions);
+        if (isImage) {
+            command.addAll(List.of("-m", module(jar)));
+            return command;
+        }
+        Path program = path.resolve(jar);
+        if (!Files.isReadable(program)) {
+            throw new IOException(program + ": no such program");
+        }
+        command.addAll(List.of("-jar", program.toString()));
+        return command;
+    }
+
+    private static String module(String jar) throws IOException {
+        String name = jar.substring(0, jar.length() - ".jar".length()).replace('-', '.');
+        return ModuleFinder.ofSystem()
+                .find(name)
+                .map(ModuleReference::descriptor)
+                .flatMap(ModuleDescriptor::mainClass)
+                .map(main -> name + "/" + main)
+                .orElseThrow(() -> new IOException(name + ": no such program in " + System.getProperty("java.home")));
+    }
+}
