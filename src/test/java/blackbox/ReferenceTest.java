@@ -19,7 +19,8 @@ class ReferenceTest {
     @Test
     void thePageHoldsWhatTheProgramsPrint() throws Exception {
         StringBuilder page = new StringBuilder(HEAD);
-        for (String program : List.of("simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot", "vericommand", "simgsm-modem")) {
+        for (String program :
+                List.of("simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot", "vericommand", "simgsm-modem")) {
             append(page, program, List.of());
         }
         for (String tool : TOOLS) {

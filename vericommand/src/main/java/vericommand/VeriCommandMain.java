@@ -3,6 +3,7 @@ package vericommand;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
+import java.lang.module.ModuleDescriptor;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Iterator;
@@ -154,6 +155,8 @@ public final class VeriCommandMain {
 
     private static String version() {
         return Optional.ofNullable(VeriCommandMain.class.getPackage().getImplementationVersion())
+                .or(() -> Optional.ofNullable(VeriCommandMain.class.getModule().getDescriptor())
+                        .flatMap(ModuleDescriptor::rawVersion))
                 .orElse("(not packaged)");
     }
 
