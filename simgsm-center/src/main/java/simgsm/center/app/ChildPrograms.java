@@ -1,6 +1,7 @@
 package simgsm.center.app;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -60,18 +61,17 @@ public final class ChildPrograms implements AutoCloseable {
      * @param folder in which it runs
      */
     public Process startTool(String jar, List<String> arguments, Path folder) throws IOException {
-        return startJava(List.of("-jar", jars.resolve(jar).toString()), arguments, folder);
+        return start(programs.command(jar, QUICK_START), arguments, folder);
     }
 
     /** Starts a Java source file as a program, likewise. */
     public Process startSource(Path source, List<String> arguments, Path folder) throws IOException {
-        return startJava(List.of(source.toString()), arguments, folder);
+        List<String> command = ProgramFolder.java(QUICK_START);
+        command.add(source.toString());
+        return start(command, arguments, folder);
     }
 
-    private static Process startJava(List<String> what, List<String> arguments, Path folder) throws IOException {
-        List<String> command = new ArrayList<>(List.of(java()));
-        command.addAll(QUICK_START);
-        command.addAll(what);
+    private static Process start(List<String> command, List<String> arguments, Path folder) throws IOException {
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .directory(folder.toFile())

@@ -84,6 +84,14 @@ public record ProgramFolder(Path path, boolean isImage) {
         return command;
     }
 
+    /** The command of this program's own Java, to which more words are appended. */
+    public static List<String> java(List<String> machineOptions) {
+        List<String> command = new ArrayList<>(
+                List.of(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java"));
+        command.addAll(machineOptions);
+        return command;
+    }
+
     private static String module(String jar) throws IOException {
         String name = jar.substring(0, jar.length() - ".jar".length()).replace('-', '.');
         return ModuleFinder.ofSystem()
