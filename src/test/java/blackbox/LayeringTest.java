@@ -57,17 +57,19 @@ class LayeringTest {
             simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.modem.at          : simgsm.timer
-            simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sms simgsm.station.context
-            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
+            simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sim simgsm.sms simgsm.station.context
+            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at.command
             simgsm.modem.client      : simgsm.octets simgsm.net simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.call simgsm.station.context simgsm.modem
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
-            simgsm.phone.handset     : simgsm.air simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context
-            simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.handset
-            simgsm.phone             : simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.handset simgsm.phone.ui
+            simgsm.phone.store       : simgsm.air simgsm.sim simgsm.station.context
+            simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
+            simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
+            simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
+            simgsm.phone             : simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
@@ -271,6 +273,8 @@ class LayeringTest {
         "simgsm.center.smpp..",
         "simgsm.center.smsc",
         "simgsm.center.subscriber",
+        "simgsm.phone.store",
+        "simgsm.phone.screen",
         "simgsm.phone.handset",
         "simgsm.lesson",
         "simrobot.behaviour",

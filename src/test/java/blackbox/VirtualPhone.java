@@ -10,7 +10,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetEvent;
-import simgsm.phone.handset.KeyMode;
+import simgsm.phone.screen.KeyMode;
 import simgsm.speech.AudioOutput;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;

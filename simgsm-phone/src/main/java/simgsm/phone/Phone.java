@@ -16,6 +16,7 @@ import simgsm.console.FatalError;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.port.AtPort;
 import simgsm.phone.handset.Handset;
+import simgsm.sim.SimPhoneBook;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
@@ -31,6 +32,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private static final long ANSWER_SECONDS = 5;
 
     private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
+    private final SimPhoneBook phoneBook = new SimPhoneBook();
     private final AudioOutput output;
     private final CallAudioListener recorder;
     private final Handset handset;
@@ -45,15 +47,16 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 : CallAudioListener.NONE;
         handset = new Handset(
                 settings.identity().number(),
-                settings.keyMode(),
+                settings.user(),
                 settings.tones(),
+                phoneBook,
                 listener,
                 output,
                 InstantSource.system());
         station = new MobileStation(
                 settings.identity(),
                 settings.sim(),
-                new StationOptions(settings.codec(), recorder, true),
+                new StationOptions(settings.user().codec(), recorder, true),
                 handset::fillFrame,
                 this::accept);
         handset.attach(station);
@@ -67,7 +70,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
 
     /** Opens a port for AT commands, before the start. @return its number */
     int openAtPort(InetSocketAddress address) throws IOException {
-        AtModem modem = new AtModem(new PhoneTerminal(handset, station), InstantSource.system());
+        AtModem modem = new AtModem(new PhoneTerminal(handset, station, phoneBook), InstantSource.system());
         AtPort port = AtPort.open(modem, station, thread, address);
         at = Optional.of(port);
         return port.port();

@@ -15,7 +15,7 @@ import simgsm.console.Event;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.Refusal;
-import simgsm.phone.handset.StoredMessage;
+import simgsm.phone.store.StoredMessage;
 import simgsm.sms.ChannelList;
 
 /** The console's commands. Each ends on the owner thread before the next is read, so errors appear in order. */

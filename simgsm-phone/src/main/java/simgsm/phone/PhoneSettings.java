@@ -7,9 +7,11 @@ import java.util.Random;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
+import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
 import simgsm.dtmf.ToneSet;
-import simgsm.phone.handset.KeyMode;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.UserSettings;
 import simgsm.sim.SimCard;
 import simgsm.sim.SimSlot;
 import simgsm.sms.ChannelList;
@@ -20,6 +22,7 @@ import simgsm.station.mobility.Sim;
 /**
  * The phone's settings, from the command line.
  *
+ * @param user what the user may change later
  * @param sim authenticates the phone in a closed network
  * @param tones the call progress tones: busy and others
  * @param recording the file of the calls' recording, if any
@@ -28,8 +31,7 @@ import simgsm.station.mobility.Sim;
 record PhoneSettings(
         StationIdentity identity,
         Sim sim,
-        SpeechCodec.Kind codec,
-        KeyMode keyMode,
+        UserSettings user,
         ToneSet tones,
         Optional<Path> recording,
         ChannelList channels) {
@@ -47,8 +49,13 @@ record PhoneSettings(
                 card.map(inserted -> StationIdentity.ofCard(inserted, imei, UNIT_NAME))
                         .orElseGet(() -> StationIdentity.ofOpenNumber(number, imei, UNIT_NAME)),
                 card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
-                codec(arguments),
-                keyMode(arguments),
+                UserSettings.delivered(codec(arguments), keyMode(arguments))
+                        .withLanguage(
+                                TextBundle.bundleLocale(arguments.language())
+                                                .getLanguage()
+                                                .equals("es")
+                                        ? "es"
+                                        : "en"),
                 arguments.value("tones", ToneSet::of).orElse(ToneSet.EUROPEAN),
                 arguments.path("record-audio"),
                 arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));

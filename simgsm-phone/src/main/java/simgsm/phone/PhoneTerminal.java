@@ -6,6 +6,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.modem.at.command.AtTerminal;
 import simgsm.octets.OctetString;
 import simgsm.phone.handset.Handset;
+import simgsm.sim.SimPhoneBook;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationIdentity;
@@ -14,8 +15,10 @@ import simgsm.station.context.StationIdentity;
 final class PhoneTerminal implements AtTerminal {
     private final Handset handset;
     private final MobileStation station;
+    private final SimPhoneBook phoneBook;
 
-    PhoneTerminal(Handset handset, MobileStation station) {
+    PhoneTerminal(Handset handset, MobileStation station, SimPhoneBook phoneBook) {
+        this.phoneBook = phoneBook;
         this.handset = handset;
         this.station = station;
     }
@@ -33,6 +36,11 @@ final class PhoneTerminal implements AtTerminal {
     @Override
     public StationSnapshot snapshot() {
         return station.snapshot();
+    }
+
+    @Override
+    public SimPhoneBook phoneBook() {
+        return phoneBook;
     }
 
     @Override

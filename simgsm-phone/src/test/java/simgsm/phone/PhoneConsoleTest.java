@@ -27,7 +27,7 @@ import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.FakeStation;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetEvent;
-import simgsm.phone.handset.KeyMode;
+import simgsm.phone.screen.KeyMode;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 

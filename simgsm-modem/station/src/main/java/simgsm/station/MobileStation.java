@@ -11,6 +11,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.call.KeySignalling;
 import simgsm.station.call.MediaControl;
 import simgsm.station.call.MobileCall;
@@ -245,6 +246,12 @@ public final class MobileStation implements StationCommands {
     @Override
     public void setChannels(ChannelList channels) {
         messages.setChannels(channels);
+    }
+
+    @Override
+    public void setCodec(SpeechCodec.Kind codec) {
+        speech.setCodec(codec);
+        settle();
     }
 
     /** The time of the last call that carried one. */

@@ -4,6 +4,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
+import simgsm.speech.SpeechCodec;
 
 /** What the user of a station can do with it. All but {@link #snapshot} are called on the owner thread. */
 public interface StationCommands {
@@ -75,6 +76,9 @@ public interface StationCommands {
 
     /** Discards broadcasts on other channels; at first all channels are received. */
     void setChannels(ChannelList channels);
+
+    /** Codes speech so from the next call on. */
+    void setCodec(SpeechCodec.Kind codec);
 
     /** The current state; may be called from any thread. */
     StationSnapshot snapshot();

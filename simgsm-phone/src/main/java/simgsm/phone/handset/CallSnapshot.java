@@ -3,6 +3,7 @@ package simgsm.phone.handset;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.CallPhase;
 
 /**
  * The current call, or the last one.

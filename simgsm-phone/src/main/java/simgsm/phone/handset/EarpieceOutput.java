@@ -3,15 +3,19 @@ package simgsm.phone.handset;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
+import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallMixer;
 
 /** The sound at the earpiece, which the tone scope shows too: received speech mixed with the phone's own sound. */
 final class EarpieceOutput {
+    private static final double STEP_DB = 3;
+
     private final AudioOutput output;
     private final ToneTracer tracer = new ToneTracer();
     private final CallMixer mix = new CallMixer();
     private boolean changed;
+    private double gain = 1;
 
     EarpieceOutput(AudioOutput output) {
         this.output = output;
@@ -25,8 +29,25 @@ final class EarpieceOutput {
     /** 20 ms of the phone's own sound; each call plays one frame. */
     void play(short[] frame) {
         short[] mixed = mix.sent(frame);
-        output.play(mixed);
+        output.play(atVolume(mixed));
         changed |= tracer.accept(mixed);
+    }
+
+    private short[] atVolume(short[] samples) {
+        if (gain == 1) {
+            return samples;
+        }
+        short[] scaled = new short[samples.length];
+        for (int i = 0; i < samples.length; i++) {
+            scaled[i] = (short) Math.round(gain * samples[i]);
+        }
+        return scaled;
+    }
+
+    /** The scope shows the sound as it comes. @param volume 0 to {@link UserSettings#MOST_VOLUME}, in steps of 3 dB */
+    void setVolume(int volume) {
+        double decibels = STEP_DB * (volume - UserSettings.MOST_VOLUME);
+        gain = volume == 0 ? 0 : Math.pow(10, decibels / 20);
     }
 
     /** Changes what the scope shows; the sound stays as it is. */

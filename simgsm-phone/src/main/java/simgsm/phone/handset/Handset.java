@@ -10,11 +10,27 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
-import simgsm.phone.handset.Screen.Note;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.HomeKeys;
+import simgsm.phone.screen.KeyIntent;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen.Note;
+import simgsm.phone.screen.ScreenNavigation;
+import simgsm.phone.screen.UserSettings;
+import simgsm.phone.screen.Words;
+import simgsm.phone.store.CallLog;
+import simgsm.phone.store.Contacts;
+import simgsm.phone.store.Mailbox;
+import simgsm.phone.store.MessageFolder;
+import simgsm.phone.store.StoredMessage;
+import simgsm.sim.SimPhoneBook;
 import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.SpeechCodec;
 import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
+import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 
 /**
@@ -25,52 +41,81 @@ public final class Handset {
     private static final int KEY_MILLIS = 100;
 
     private final Msisdn own;
-    private final KeyMode keyMode;
     private final Consumer<StationEvent> listener;
     private final HandsetAudio audio;
     private final PhoneCall call = new PhoneCall();
     private final Mailbox mailbox;
+    private final CallLog log = new CallLog();
+    private final CallHistory history;
+    private final Contacts contacts;
     private final ScreenNavigation screens;
     private final HomeKeys home;
-    private final KeySender keys;
+    private final KeySender keysInBand;
+    private final SignalledKeySender keysSignalled;
     /** Events that arrive while a message is being submitted, before the mailbox has it. */
     private final Queue<StationEvent> deferred = new ArrayDeque<>();
 
     private boolean submitting;
     private StationCommands station;
     private Runnable whenSettled;
+    private UserSettings settings;
+    private boolean ringIsSilent;
     private volatile HandsetSnapshot snapshot;
 
-    /** With European tones. */
+    /** With European tones and an empty phone book. */
     public Handset(
             Msisdn own, KeyMode keyMode, Consumer<StationEvent> listener, AudioOutput output, InstantSource wallClock) {
-        this(own, keyMode, ToneSet.EUROPEAN, listener, output, wallClock);
+        this(
+                own,
+                UserSettings.delivered(SpeechCodec.Kind.A_LAW, keyMode),
+                ToneSet.EUROPEAN,
+                new SimPhoneBook(),
+                listener,
+                output,
+                wallClock);
     }
 
     /**
      * A handset that waits for its station.
      *
-     * @param keyMode how keys are sent in a call
      * @param tones supervisory tones, such as busy
+     * @param phoneBook the SIM's
      * @param listener receives the station's events and {@link HandsetEvent}s, after the handset has changed
-     * @param wallClock for the times of messages
+     * @param wallClock for the times of messages and calls
      */
     public Handset(
             Msisdn own,
-            KeyMode keyMode,
+            UserSettings settings,
             ToneSet tones,
+            SimPhoneBook phoneBook,
             Consumer<StationEvent> listener,
             AudioOutput output,
             InstantSource wallClock) {
         this.own = own;
-        this.keyMode = keyMode;
+        this.settings = settings;
         this.listener = listener;
         Consumer<String> sent = run -> listener.accept(new HandsetEvent.KeysSent(run));
-        keys = keyMode == KeyMode.SIGNALLED ? new SignalledKeySender(() -> station, sent) : new KeySender(sent);
-        audio = new HandsetAudio(output, keys, tones, this::toneHeard);
+        keysInBand = new KeySender(sent);
+        keysSignalled = new SignalledKeySender(() -> station, sent);
+        audio = new HandsetAudio(output, this::keySender, tones, this::toneHeard);
+        audio.setSound(settings.ringTone(), settings.volume());
         mailbox = new Mailbox(wallClock);
-        screens = new ScreenNavigation(mailbox);
+        history = new CallHistory(log, wallClock);
+        contacts = new Contacts(phoneBook);
+        screens = new ScreenNavigation(mailbox, log, contacts, () -> this.settings, this::about);
         home = new HomeKeys(screens);
+    }
+
+    private KeySender keySender() {
+        return settings.keyMode() == KeyMode.SIGNALLED ? keysSignalled : keysInBand;
+    }
+
+    private List<Words> about() {
+        StationSnapshot now = station.snapshot();
+        return List.of(
+                Words.of("about.own", own.digits()),
+                Words.of("about.network", now.networkName()),
+                Words.of("about.names", contacts.all().size(), SimPhoneBook.CAPACITY));
     }
 
     /** Sets the station, once, before anything else. */
@@ -96,10 +141,12 @@ public final class Handset {
     }
 
     public Optional<Refusal> answer() {
+        history.taken();
         return station.answer() ? Optional.empty() : Optional.of(Refusal.NOTHING_RINGS);
     }
 
     public Optional<Refusal> hangUp() {
+        history.taken();
         audio.dropKeys();
         return station.hangUp() || station.endUssd() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
     }
@@ -161,7 +208,6 @@ public final class Handset {
         submitting = true;
         try {
             mailbox.submitted(station.sendMessage(to, text), to.digits(), text);
-            screens.added(MessageFolder.OUTBOX);
             return Optional.empty();
         } catch (IllegalArgumentException tooLong) {
             return Optional.of(Refusal.TEXT_TOO_LONG);
@@ -243,7 +289,7 @@ public final class Handset {
             answer();
         } else if (screens.isHome()) {
             endTones();
-            perform(home.press(key, call.phase()));
+            perform(home.press(key, situation()));
         } else {
             perform(screens.press(key, nowNanos));
         }
@@ -263,23 +309,62 @@ public final class Handset {
 
     private void perform(KeyIntent intent) {
         if (intent instanceof KeyIntent.PlayTone play) {
-            audio.keyDown(play.tone());
-            if (call.phase() == CallPhase.CONNECTED) {
-                call.keyed(play.tone());
-            }
+            play(play.tone());
         } else if (intent instanceof KeyIntent.DialText dial) {
             dial(dial.text());
         } else if (intent instanceof KeyIntent.SendText text) {
             send(text);
-        } else if (intent instanceof KeyIntent.ReplyUssd reply) {
-            ussd(reply.text());
-        } else if (intent == KeyIntent.Simple.END_USSD) {
-            station.endUssd();
-        } else if (intent == KeyIntent.Simple.ANSWER) {
-            answer();
-        } else if (intent == KeyIntent.Simple.SWITCH_OFF) {
-            powerOff();
+        } else if (intent instanceof KeyIntent.SendUssd code) {
+            ussd(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
+        } else if (intent instanceof KeyIntent.ChangeSettings change) {
+            set(change.settings());
+        } else {
+            perform((KeyIntent.Simple) intent);
         }
+    }
+
+    private void perform(KeyIntent.Simple intent) {
+        switch (intent) {
+            case NOTHING -> {}
+            case ANSWER -> answer();
+            case HANG_UP -> hangUp();
+            case SILENCE -> silence();
+            case END_USSD -> station.endUssd();
+            case LOUDER -> set(settings.withVolume(settings.volume() + 1));
+            case QUIETER -> set(settings.withVolume(settings.volume() - 1));
+            case SWITCH_OFF -> powerOff();
+        }
+    }
+
+    private void silence() {
+        ringIsSilent = true;
+        audio.stopTones();
+    }
+
+    private void play(DtmfKey tone) {
+        boolean isConnected = call.phase() == CallPhase.CONNECTED;
+        if (isConnected) {
+            call.keyed(tone);
+        }
+        int millis = settings.toneLength().millis();
+        if (isConnected && millis > 0) {
+            audio.press(List.of(tone), millis, () -> {});
+        } else {
+            audio.keyDown(tone);
+        }
+    }
+
+    /** Changes the user's settings. */
+    public void set(UserSettings next) {
+        settings = next;
+        audio.setSound(next.ringTone(), next.volume());
+        station.setCodec(next.codec());
+        changed();
+    }
+
+    private HomeKeys.Situation situation() {
+        return new HomeKeys.Situation(
+                call.phase(), ringIsSilent, mailbox.unread(MessageFolder.INBOX), log.unseenMissed());
     }
 
     private void dial(String text) {
@@ -335,6 +420,19 @@ public final class Handset {
 
     public void charUp(char character, long nowNanos) {
         PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
+    }
+
+    /** The keyboard's key for erasing: what is before the cursor, else back to the page before. */
+    public void eraseDown() {
+        if (!isPowered()) {
+            return;
+        }
+        if (screens.isHome()) {
+            home.erase();
+        } else {
+            screens.eraseOrBack();
+        }
+        changed();
     }
 
     /** Changes what the tone scope shows; the sound stays as it is. */
@@ -398,24 +496,23 @@ public final class Handset {
         } else if (event instanceof StationEvent.KeysRefused refused) {
             screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(refused.cause().code()));
             listener.accept(new HandsetEvent.KeysNotSent(audio.dropKeys(), refused.cause()));
-        } else if (event instanceof StationEvent.OfKey ofKey && keys instanceof SignalledKeySender signalled) {
-            signalled.accept(ofKey);
+        } else if (event instanceof StationEvent.OfKey ofKey) {
+            keysSignalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
-            mailbox.accept(message).ifPresent(screens::added);
+            mailbox.accept(message);
         } else if (event instanceof StationEvent.OfUssd ofUssd) {
             screens.accept(ofUssd);
         }
     }
 
     private void followCall(StationEvent.OfCall event) {
+        history.accept(event, call.snapshot().seconds());
         call.accept(event);
         audio.accept(event);
         if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
+            ringIsSilent = false;
             home.clear();
             screens.home();
-            if (!call.snapshot().number().isEmpty()) {
-                home.setLastNumber(call.snapshot().number());
-            }
         }
     }
 
@@ -435,11 +532,16 @@ public final class Handset {
                 station.snapshot(),
                 call.snapshot(),
                 home.typed(),
+                home.caret(),
                 screens.current(),
+                screens.isHome() ? home.softKeys(situation()) : screens.softKeys(),
                 mailbox.in(MessageFolder.INBOX),
                 mailbox.in(MessageFolder.OUTBOX),
+                mailbox.in(MessageFolder.DRAFTS),
                 mailbox.in(MessageFolder.BROADCASTS),
-                keyMode,
+                contacts.names(),
+                log.unseenMissed(),
+                settings,
                 audio.sounding(),
                 audio.trace(),
                 audio.isAudible());

@@ -5,11 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
 import simgsm.dtmf.ToneTrace;
+import simgsm.phone.screen.RingTone;
+import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 
@@ -26,7 +29,8 @@ final class HandsetAudio {
     private static final int TAIL_FRAMES = 8;
 
     private final EarpieceOutput earpiece;
-    private final KeySender sender;
+    private final Supplier<KeySender> senders;
+    private KeySender sender;
     private final KeySender keyTones = new KeySender(keys -> {});
     private final DtmfReceiver receiver;
     private final SupervisoryTones supervisory;
@@ -34,6 +38,7 @@ final class HandsetAudio {
     /** Speech of {@link #keyTones}, which goes nowhere. */
     private final short[] unsentFrame = new short[SAMPLES_PER_FRAME];
 
+    private RingTone ringTone = RingTone.WARBLE;
     private boolean connected;
     private boolean networkPlaysTones;
     private Runnable timeWanted = () -> {};
@@ -44,15 +49,22 @@ final class HandsetAudio {
     /**
      * No sound yet.
      *
-     * @param sender sends keys to the far end
+     * @param senders the sender of keys to the far end, asked for each call
      * @param tones supervisory tones, European or American
      * @param keyHeard receives each key of the far end at its decision
      */
-    HandsetAudio(AudioOutput output, KeySender sender, ToneSet tones, Consumer<DtmfKey> keyHeard) {
+    HandsetAudio(AudioOutput output, Supplier<KeySender> senders, ToneSet tones, Consumer<DtmfKey> keyHeard) {
         earpiece = new EarpieceOutput(output);
         supervisory = new SupervisoryTones(tones);
-        this.sender = sender;
+        this.senders = senders;
+        sender = senders.get();
         receiver = new DtmfReceiver(digit -> keyHeard.accept(digit.key()));
+    }
+
+    /** @param volume 0 to {@link UserSettings#MOST_VOLUME} */
+    void setSound(RingTone newRingTone, int volume) {
+        ringTone = newRingTone;
+        earpiece.setVolume(volume);
     }
 
     void accept(StationEvent.OfCall event) {
@@ -60,7 +72,7 @@ final class HandsetAudio {
             callBegan();
         } else if (event instanceof StationEvent.Ringing) {
             callBegan();
-            supervisory.ringing();
+            supervisory.ringing(ringTone);
             beginLocally();
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
             ringBack();
@@ -83,6 +95,7 @@ final class HandsetAudio {
 
     private void callBegan() {
         sender.drop();
+        sender = senders.get();
         stopTones();
     }
 

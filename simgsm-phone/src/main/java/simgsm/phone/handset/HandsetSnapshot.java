@@ -1,10 +1,17 @@
 package simgsm.phone.handset;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneTrace;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.screen.SoftKeys;
+import simgsm.phone.screen.UserSettings;
+import simgsm.phone.store.Contacts;
+import simgsm.phone.store.MessageFolder;
+import simgsm.phone.store.StoredMessage;
 import simgsm.station.StationSnapshot;
 
 /**
@@ -12,8 +19,11 @@ import simgsm.station.StationSnapshot;
  *
  * @param own the phone's own number
  * @param typed the number being typed
+ * @param caret the number of its digits before the cursor
+ * @param softKeys what the two keys under the display do
  * @param inbox oldest first, as the other folders
- * @param keyMode how keys are sent in a call
+ * @param names by number, without a plus sign
+ * @param missed calls that the user has not looked at
  * @param sounding the key whose tone sounds now
  * @param audible whether there is a sound device
  */
@@ -22,11 +32,16 @@ public record HandsetSnapshot(
         StationSnapshot station,
         CallSnapshot call,
         String typed,
+        int caret,
         Screen screen,
+        SoftKeys softKeys,
         List<StoredMessage> inbox,
         List<StoredMessage> outbox,
+        List<StoredMessage> drafts,
         List<StoredMessage> broadcasts,
-        KeyMode keyMode,
+        Map<String, String> names,
+        int missed,
+        UserSettings settings,
         Optional<DtmfKey> sounding,
         ToneTrace trace,
         boolean audible) {
@@ -35,8 +50,14 @@ public record HandsetSnapshot(
         return switch (folder) {
             case INBOX -> inbox;
             case OUTBOX -> outbox;
+            case DRAFTS -> drafts;
             case BROADCASTS -> broadcasts;
         };
+    }
+
+    /** The name of a number in the SIM's phone book; the number itself without one. */
+    public String nameOf(String number) {
+        return names.getOrDefault(Contacts.bare(number), number);
     }
 
     public int unread() {

@@ -3,6 +3,7 @@ package simgsm.phone.handset;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.CallPhase;
 import simgsm.station.context.StationEvent;
 
 /** The handset's one call: its phase, its keys in both directions, its duration. */

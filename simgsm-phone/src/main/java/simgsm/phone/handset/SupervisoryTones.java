@@ -7,15 +7,14 @@ import simgsm.dtmf.CadencePlayer;
 import simgsm.dtmf.ProgressTone;
 import simgsm.dtmf.ToneCadence;
 import simgsm.dtmf.ToneSet;
+import simgsm.phone.screen.RingTone;
 
 /**
  * The supervisory tones of a call (TS 22.001, annex F) and the ringing sound. In GSM the phone makes them from the network's
  * messages, unless the network announces tones of its own.
  */
 final class SupervisoryTones {
-    /** Our own ring: a warble of 20 changes a second, 1 s on, 2 s off. */
-    private static final ToneCadence RING = ring();
-
+    private static final int RING_DBM0 = -13;
     private static final int WARBLE_MILLIS = 50;
     /** The network ends a call that has rung this long. */
     private static final int LONGEST_MILLIS = 180_000;
@@ -29,19 +28,45 @@ final class SupervisoryTones {
         this.set = set;
     }
 
-    private static ToneCadence ring() {
+    /** A warble of 20 changes a second, 1 s on, 2 s off. */
+    private static ToneCadence warble() {
         List<ToneCadence.Step> steps = new ArrayList<>();
         for (int millis = 0; millis < 1000; millis += 2 * WARBLE_MILLIS) {
-            steps.add(ToneCadence.burst(WARBLE_MILLIS, -13, 880.0));
-            steps.add(ToneCadence.burst(WARBLE_MILLIS, -13, 1175.0));
+            steps.add(ToneCadence.burst(WARBLE_MILLIS, RING_DBM0, 880.0));
+            steps.add(ToneCadence.burst(WARBLE_MILLIS, RING_DBM0, 1175.0));
         }
         steps.add(ToneCadence.pause(2000));
         return new ToneCadence(steps);
     }
 
+    /** Two rings of a bell, then 2 s of silence. */
+    private static ToneCadence bell() {
+        return new ToneCadence(List.of(
+                ToneCadence.burst(400, RING_DBM0, 1000.0),
+                ToneCadence.pause(200),
+                ToneCadence.burst(400, RING_DBM0, 1000.0),
+                ToneCadence.pause(2000)));
+    }
+
+    /** The notes of a chord, one after the other. */
+    private static ToneCadence rising() {
+        List<ToneCadence.Step> steps = new ArrayList<>();
+        for (double hertz : new double[] {523.3, 659.3, 784.0, 1046.5}) {
+            steps.add(ToneCadence.burst(160, RING_DBM0, hertz));
+        }
+        steps.add(ToneCadence.pause(1400));
+        return new ToneCadence(steps);
+    }
+
     /** An incoming call. */
-    void ringing() {
-        player.start(RING, LONGEST_MILLIS);
+    void ringing(RingTone tone) {
+        player.stop();
+        switch (tone) {
+            case WARBLE -> player.start(warble(), LONGEST_MILLIS);
+            case BELL -> player.start(bell(), LONGEST_MILLIS);
+            case RISING -> player.start(rising(), LONGEST_MILLIS);
+            case SILENT -> {}
+        }
     }
 
     /** A second call waits: two periods of the tone. */

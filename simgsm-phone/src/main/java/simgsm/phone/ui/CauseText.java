@@ -5,7 +5,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.console.TextBundle;
-import simgsm.phone.handset.StoredMessage;
+import simgsm.phone.store.StoredMessage;
 
 /** Cause texts: from the bundle if it has one, else the title in the standard. */
 final class CauseText {

@@ -3,7 +3,7 @@ package simgsm.phone.ui;
 import java.util.function.ObjLongConsumer;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Handset;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 
 /** The window's access to the handset, which another thread owns. */
 @FunctionalInterface
@@ -35,6 +35,11 @@ public interface HandsetControls {
 
     default void charUp(char character) {
         perform((handset, now) -> handset.charUp(character, now));
+    }
+
+    /** Presses the keyboard's key for erasing. */
+    default void eraseDown() {
+        perform((handset, now) -> handset.eraseDown());
     }
 
     /** Changes what the tone scope shows. */

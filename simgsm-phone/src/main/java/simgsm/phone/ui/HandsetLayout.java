@@ -7,7 +7,7 @@ import java.awt.LayoutManager2;
 import java.awt.geom.Rectangle2D;
 import java.util.HashMap;
 import java.util.Map;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.Theme;
 
 /**
@@ -19,11 +19,13 @@ final class HandsetLayout implements LayoutManager2 {
     static final double CLOSED_HEIGHT = 624;
     static final double OPEN_HEIGHT = 976;
 
+    private static final double PAD_TOP = 232;
+
     static final Rectangle2D LINK = new Rectangle2D.Double(24, 14, 110, 22);
     static final Rectangle2D BRAND = new Rectangle2D.Double(136, 14, 100, 22);
     static final Rectangle2D SIGNAL = new Rectangle2D.Double(270, 16, 26, 18);
     static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
-    static final Rectangle2D PAD = new Rectangle2D.Double(112, 236, 96, 84);
+    static final Rectangle2D PAD = new Rectangle2D.Double(112, PAD_TOP, 96, 96);
     static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
     static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
     /** The background of the scope. */
@@ -31,11 +33,19 @@ final class HandsetLayout implements LayoutManager2 {
 
     static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 326);
 
-    private static final double KEY_TOP = 332;
+    private static final double KEY_TOP = 336;
     private static final double KEY_WIDTH = 88;
-    private static final double KEY_HEIGHT = 54;
+    private static final double KEY_HEIGHT = 53;
     private static final double KEY_GAP = 8;
-    private static final double SIDE_HEIGHT = 38;
+    private static final double ROW_GAP = 7;
+    private static final double SIDE_WIDTH = 80;
+    private static final double HALF_WIDTH = 37;
+    private static final double SOFT_TOP = 231;
+    private static final double SOFT_HEIGHT = 26;
+    private static final double CALL_TOP = 262;
+    private static final double CALL_HEIGHT = 36;
+    private static final double LOWER_TOP = 303;
+    private static final double LOWER_HEIGHT = 26;
 
     private final Map<Component, Rectangle2D> places = new HashMap<>();
     private boolean open;
@@ -58,15 +68,18 @@ final class HandsetLayout implements LayoutManager2 {
 
     static Rectangle2D placeOf(PhoneKey key) {
         return switch (key) {
-            case CALL -> new Rectangle2D.Double(20, 236, 80, SIDE_HEIGHT);
-            case MESSAGE -> new Rectangle2D.Double(20, 282, 80, SIDE_HEIGHT);
-            case END -> new Rectangle2D.Double(220, 236, 80, SIDE_HEIGHT);
-            case MENU -> new Rectangle2D.Double(220, 282, 80, SIDE_HEIGHT);
-            case UP -> new Rectangle2D.Double(140, 238, 40, 25);
-            case DOWN -> new Rectangle2D.Double(140, 293, 40, 25);
-            case LEFT -> new Rectangle2D.Double(114, 263, 26, 30);
-            case RIGHT -> new Rectangle2D.Double(180, 263, 26, 30);
-            case OK -> new Rectangle2D.Double(141, 264, 38, 28);
+            case SOFT_LEFT -> new Rectangle2D.Double(20, SOFT_TOP, SIDE_WIDTH, SOFT_HEIGHT);
+            case SOFT_RIGHT -> new Rectangle2D.Double(220, SOFT_TOP, SIDE_WIDTH, SOFT_HEIGHT);
+            case CALL -> new Rectangle2D.Double(20, CALL_TOP, SIDE_WIDTH, CALL_HEIGHT);
+            case END -> new Rectangle2D.Double(220, CALL_TOP, SIDE_WIDTH, CALL_HEIGHT);
+            case MESSAGE -> new Rectangle2D.Double(20, LOWER_TOP, SIDE_WIDTH, LOWER_HEIGHT);
+            case MENU -> new Rectangle2D.Double(220, LOWER_TOP, HALF_WIDTH, LOWER_HEIGHT);
+            case CLEAR -> new Rectangle2D.Double(300 - HALF_WIDTH, LOWER_TOP, HALF_WIDTH, LOWER_HEIGHT);
+            case UP -> new Rectangle2D.Double(140, PAD_TOP + 2, 40, 29);
+            case DOWN -> new Rectangle2D.Double(140, PAD_TOP + 65, 40, 29);
+            case LEFT -> new Rectangle2D.Double(114, PAD_TOP + 33, 26, 30);
+            case RIGHT -> new Rectangle2D.Double(180, PAD_TOP + 33, 26, 30);
+            case OK -> new Rectangle2D.Double(141, PAD_TOP + 33, 38, 30);
             default -> digitPlace(key);
         };
     }
@@ -75,7 +88,7 @@ final class HandsetLayout implements LayoutManager2 {
         int index = key.ordinal();
         return new Rectangle2D.Double(
                 20 + index % 3 * (KEY_WIDTH + KEY_GAP),
-                KEY_TOP + index / 3 * (KEY_HEIGHT + KEY_GAP),
+                KEY_TOP + index / 3 * (KEY_HEIGHT + ROW_GAP),
                 KEY_WIDTH,
                 KEY_HEIGHT);
     }

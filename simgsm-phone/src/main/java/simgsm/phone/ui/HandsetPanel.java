@@ -15,7 +15,7 @@ import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
@@ -94,12 +94,24 @@ public final class HandsetPanel extends JPanel {
             keys.forEach((key, button) ->
                     button.setSounding(key.tone().isPresent() && key.tone().equals(snapshot.sounding())));
         }
+        if (shown == null || snapshot.unread() != shown.unread()) {
+            String news = snapshot.unread() == 0 ? "" : ", " + texts.of("lcd.unread", snapshot.unread());
+            keys.get(PhoneKey.ONE).setUnread(snapshot.unread(), texts.of("key.one") + news);
+        }
+        if (shown == null || !snapshot.softKeys().equals(shown.softKeys())) {
+            keys.get(PhoneKey.SOFT_LEFT).setMeaning(soft(snapshot.softKeys().left()));
+            keys.get(PhoneKey.SOFT_RIGHT).setMeaning(soft(snapshot.softKeys().right()));
+        }
         if (shown == null || snapshot.audible() != shown.audible()) {
             sound.setIcon((snapshot.audible() ? Symbol.SPEAKER : Symbol.SPEAKER_OFF).icon());
             sound.setText(snapshot.audible() ? "" : texts.of("sound.off"));
             sound.setToolTipText(texts.of(snapshot.audible() ? "sound.on" : "sound.off"));
         }
         shown = snapshot;
+    }
+
+    private String soft(String key) {
+        return key.isEmpty() ? "" : texts.of(key);
     }
 
     /** Updates the display's clock; called about once a second. */

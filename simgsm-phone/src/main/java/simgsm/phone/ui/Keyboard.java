@@ -8,7 +8,7 @@ import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 
 /**
  * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
@@ -39,12 +39,16 @@ final class Keyboard {
         actions.put("enter.up", action(event -> controls.enterUp()));
         bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
         bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
-        bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_BACK_SPACE);
+        inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
+        inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");
+        actions.put("erase", action(event -> controls.eraseDown()));
         bind(inputs, actions, controls, PhoneKey.RIGHT, KeyEvent.VK_RIGHT);
         bind(inputs, actions, controls, PhoneKey.UP, KeyEvent.VK_UP);
         bind(inputs, actions, controls, PhoneKey.DOWN, KeyEvent.VK_DOWN);
         bind(inputs, actions, controls, PhoneKey.MESSAGE, KeyEvent.VK_F2);
         bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_F3);
+        bind(inputs, actions, controls, PhoneKey.SOFT_LEFT, KeyEvent.VK_F4);
+        bind(inputs, actions, controls, PhoneKey.SOFT_RIGHT, KeyEvent.VK_F5);
         bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
         panel.setFocusable(true);

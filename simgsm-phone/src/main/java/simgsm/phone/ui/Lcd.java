@@ -19,7 +19,7 @@ final class Lcd extends PaintedComponent {
 
     Lcd(TextBundle texts, Locale language, Clock clock, HandsetSnapshot first) {
         super(AccessibleRole.LABEL);
-        this.spoken = new LcdSpoken(texts);
+        this.spoken = new LcdSpoken(texts, new WordsText(texts, clock.getZone()));
         this.painter = new LcdPainter(texts, language, clock.getZone());
         this.clock = clock;
         this.phone = first;
@@ -31,6 +31,10 @@ final class Lcd extends PaintedComponent {
         boolean sameLook = snapshot.screen().equals(phone.screen())
                 && snapshot.call().equals(phone.call())
                 && snapshot.typed().equals(phone.typed())
+                && snapshot.caret() == phone.caret()
+                && snapshot.softKeys().equals(phone.softKeys())
+                && snapshot.names() == phone.names()
+                && snapshot.missed() == phone.missed()
                 && snapshot.station().equals(phone.station())
                 && snapshot.inbox() == phone.inbox()
                 && snapshot.outbox() == phone.outbox()

@@ -1,24 +1,27 @@
 package simgsm.phone.ui;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import simgsm.dtmf.DtmfKey;
-import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.KeyMode;
-import simgsm.phone.handset.MessageFolder;
 import simgsm.phone.handset.ToneMeaning;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.store.CallRecord;
+import simgsm.phone.store.MessageFolder;
 import simgsm.station.StationSnapshot;
-import simgsm.ui.Drawing;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Symbol;
 import simgsm.ui.scope.CodecText;
 
 /** The display in standby, while a number is typed, and in a call. */
 final class LcdHome {
+    private static final double HINT_BASELINE = 151;
     private static final int KEYED_SHOWN = 25;
     private static final int EARLIER_SHOWN = 5;
 
@@ -39,30 +42,52 @@ final class LcdHome {
         if (call.phase() != CallPhase.NONE) {
             call(pen, phone);
         } else if (!phone.typed().isEmpty()) {
-            typed(pen, phone.typed());
+            typed(pen, phone);
         } else if (call.ended().isPresent()) {
-            ended(pen, call);
+            ended(pen, phone);
         } else {
             rest(pen, phone);
         }
     }
 
+    /** The operator's name, the own number, and what is new. */
     private void rest(LcdPen pen, HandsetSnapshot phone) {
+        StationSnapshot station = phone.station();
+        double number = 84;
+        if (station.registered()) {
+            pen.centred(LcdPainter.operatorOf(station), pen.sans(21, true), 70);
+            number = 96;
+        }
         pen.ink(Ink.LCD_QUIET);
-        pen.centred(texts.of("lcd.own"), pen.sans(12, false), 66);
+        pen.centred(texts.of("lcd.own") + " " + phone.own().digits(), pen.mono(14, true), number);
         pen.ink(Ink.LCD_INK);
-        pen.centred(phone.own().digits(), pen.mono(28, true), 98);
-        int unread = phone.unread();
-        int broadcasts = phone.unread(MessageFolder.BROADCASTS);
-        if (unread > 0) {
-            pen.centred(texts.of("lcd.unread", unread), pen.sans(13, true), 127);
-        } else if (!phone.station().registered()) {
+        List<String> news = news(phone);
+        if (!station.registered()) {
             reason(pen, phone);
+        } else if (news.isEmpty()) {
+            pen.hint(texts.of("lcd.hint.rest"), 146);
         }
-        if (broadcasts > 0) {
-            pen.centred(texts.of("lcd.unread.broadcasts", broadcasts), pen.sans(13, true), 147);
+        double baseline = news.size() > 2 ? 117 : 123;
+        for (String line : news) {
+            pen.centred(line, pen.sans(13, true), baseline);
+            baseline += 16;
         }
-        hint(pen, texts.of(unread > 0 ? "lcd.hint.unread" : "lcd.hint.rest"));
+    }
+
+    private List<String> news(HandsetSnapshot phone) {
+        List<String> news = new ArrayList<>();
+        if (phone.station().registered()) {
+            addCount(news, "lcd.unread", phone.unread());
+            addCount(news, "lcd.missed", phone.missed());
+            addCount(news, "lcd.unread.broadcasts", phone.unread(MessageFolder.BROADCASTS));
+        }
+        return news;
+    }
+
+    private void addCount(List<String> news, String key, int count) {
+        if (count > 0) {
+            news.add(texts.of(key, count));
+        }
     }
 
     /** Wraps the reason if one line is too short. */
@@ -82,21 +107,21 @@ final class LcdHome {
                 .orElseGet(() -> texts.of(phone.station().linkUp() ? "lcd.registering" : "lcd.nocenter"));
     }
 
-    private void typed(LcdPen pen, String number) {
-        double size = number.length() <= 13 ? 30 : number.length() <= 20 ? 20 : 14;
-        var font = pen.mono(size, true);
-        String shown = number.length() <= 28 ? number : number.substring(number.length() - 28);
-        pen.right(shown, font, LcdPen.WIDTH - LcdPen.MARGIN - 4, 100);
-        double caret = LcdPen.WIDTH - LcdPen.MARGIN - 2;
-        pen.fill(caret, 100 - size * 0.78, 2, size * 0.9);
-        hint(pen, texts.of("lcd.hint.typed"));
+    private void typed(LcdPen pen, HandsetSnapshot phone) {
+        LcdLine.paint(pen, phone.typed(), phone.caret(), 92, false);
+        String name = phone.nameOf(phone.typed());
+        if (!name.equals(phone.typed())) {
+            pen.left(name, pen.sans(14, true), LcdPen.MARGIN, 120, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        }
+        pen.hint(texts.of("lcd.hint.typed"), HINT_BASELINE);
     }
 
-    private void ended(LcdPen pen, CallSnapshot call) {
+    private void ended(LcdPen pen, HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
         pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66);
         pen.centred(CauseText.of(texts, call.ended().orElseThrow()), pen.sans(13, false), 88);
         pen.ink(Ink.LCD_QUIET);
-        String line = call.number() + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
+        String line = phone.nameOf(call.number()) + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
         pen.centred(line.strip(), pen.mono(13, false), 112);
         pen.ink(Ink.LCD_INK);
         tone(pen, call.heard(), 140);
@@ -120,22 +145,44 @@ final class LcdHome {
             double from = 32 + pen.width(pen.sans(13, true), phase);
             codec(pen, phone.station(), from, edge - pen.width(pen.mono(14, true), time));
         }
-        String number = call.number().isEmpty() ? texts.of("lcd.unknown") : call.number();
-        pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        party(pen, phone);
         if (call.phase() == CallPhase.CONNECTED) {
             keyed(pen, call.keyed());
-            tone(pen, call.heard(), 146);
+            tone(pen, call.heard(), 143);
         }
-        hint(pen, call.waiting().map(this::waiting).orElseGet(() -> texts.of(hintKey(phone))));
+        if (call.waiting().isPresent()) {
+            waiting(pen, phone, call.waiting().get());
+        } else if (call.heard().isEmpty() || call.phase() != CallPhase.CONNECTED) {
+            pen.hint(texts.of(hintKey(phone)), HINT_BASELINE);
+        }
     }
 
-    private String waiting(String number) {
-        return texts.of("lcd.hint.waiting", number.isEmpty() ? texts.of("lcd.unknown") : number);
+    /** The name of the other party above its number, or the number alone. */
+    private void party(LcdPen pen, HandsetSnapshot phone) {
+        String number = phone.call().number();
+        String name = phone.nameOf(number);
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
+        if (number.isEmpty()) {
+            pen.left(texts.of("lcd.unknown"), pen.sans(20, true), LcdPen.MARGIN, 83, room);
+        } else if (name.equals(number)) {
+            pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, room);
+        } else {
+            pen.left(name, pen.sans(20, true), LcdPen.MARGIN, 76, room);
+            pen.ink(Ink.LCD_QUIET);
+            pen.left(number, pen.mono(13, false), LcdPen.MARGIN, 92, room);
+            pen.ink(Ink.LCD_INK);
+        }
+    }
+
+    /** A second caller, in inverse video over the keys. */
+    private void waiting(LcdPen pen, HandsetSnapshot phone, String number) {
+        String caller = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
+        pen.inverse(texts.of("lcd.waiting", caller), pen.sans(13, true), LcdPen.MARGIN, 151, 18);
     }
 
     private static String hintKey(HandsetSnapshot phone) {
         CallPhase phase = phone.call().phase();
-        return phase == CallPhase.CONNECTED && phone.keyMode() == KeyMode.SIGNALLED
+        return phase == CallPhase.CONNECTED && phone.settings().keyMode() == KeyMode.SIGNALLED
                 ? "lcd.hint.call.signalled"
                 : "lcd.hint.call." + phase.name().toLowerCase(Locale.ROOT);
     }
@@ -197,19 +244,7 @@ final class LcdHome {
         pen.ink(Ink.LCD_INK);
     }
 
-    static void hint(LcdPen pen, String text) {
-        pen.ink(Ink.LCD_QUIET);
-        var font = pen.sans(11, false);
-        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
-        double natural = pen.width(font, text);
-        String fitted = Drawing.fitted(font, text, room * pen.unit());
-        pen.centred(natural > room ? fitted : text, font, 169);
-        pen.ink(Ink.LCD_INK);
-    }
-
-    /** mm:ss, from one hour on h:mm:ss. */
-    static String time(int seconds) {
-        String tail = String.format(Locale.ROOT, "%02d:%02d", seconds / 60 % 60, seconds % 60);
-        return seconds < 3600 ? tail : seconds / 3600 + ":" + tail;
+    private static String time(int seconds) {
+        return CallRecord.duration(seconds);
     }
 }

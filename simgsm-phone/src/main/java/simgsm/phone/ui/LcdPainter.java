@@ -8,8 +8,10 @@ import java.util.Locale;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.MessageFolder;
-import simgsm.phone.handset.Screen;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.screen.SoftKeys;
+import simgsm.phone.store.MessageFolder;
+import simgsm.station.StationSnapshot;
 import simgsm.ui.Drawing;
 import simgsm.ui.SignalBars;
 import simgsm.ui.Symbol;
@@ -19,17 +21,19 @@ import simgsm.ui.Theme;
 final class LcdPainter {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
     private static final int FULL_SIGNAL = 5;
+    private static final double SOFT_BASELINE = 171;
 
     private final TextBundle texts;
     private final LcdHome home;
-    private final LcdMessages messages;
+    private final LcdLists lists;
     private final LcdWriting writing;
 
     LcdPainter(TextBundle texts, Locale language, ZoneId zone) {
         this.texts = texts;
         this.home = new LcdHome(texts, language);
-        this.messages = new LcdMessages(texts, zone);
-        this.writing = new LcdWriting(texts);
+        WordsText words = new WordsText(texts, zone);
+        this.lists = new LcdLists(texts, words);
+        this.writing = new LcdWriting(texts, words);
     }
 
     /** Fills a box of that size at the origin. */
@@ -49,6 +53,19 @@ final class LcdPainter {
         }
         statusLine(pen, phone, now);
         screen(pen, phone);
+        softKeys(pen, phone.softKeys());
+    }
+
+    private void softKeys(LcdPen pen, SoftKeys keys) {
+        pen.ink(Ink.LCD_INK);
+        var font = pen.sans(12.5, true);
+        String right = soft(keys.right());
+        pen.left(soft(keys.left()), font, LcdPen.MARGIN, SOFT_BASELINE);
+        pen.right(right, font, LcdPen.WIDTH - LcdPen.MARGIN, SOFT_BASELINE);
+    }
+
+    private String soft(String key) {
+        return key.isEmpty() ? "" : texts.of(key);
     }
 
     private void statusLine(LcdPen pen, HandsetSnapshot phone, LocalTime now) {
@@ -79,23 +96,27 @@ final class LcdPainter {
     private String serviceName(HandsetSnapshot phone) {
         var station = phone.station();
         if (station.registered()) {
-            return station.networkName().isEmpty() ? "SIMGSM" : station.networkName();
+            return operatorOf(station);
         }
         return texts.of(station.rejectCause().isPresent() ? "lcd.service.refused" : "lcd.service.searching");
     }
 
+    static String operatorOf(StationSnapshot station) {
+        return station.networkName().isEmpty() ? "SIMGSM" : station.networkName();
+    }
+
     private void screen(LcdPen pen, HandsetSnapshot phone) {
         Screen screen = phone.screen();
-        if (screen instanceof Screen.Menu menu) {
-            messages.menu(pen, phone, menu);
-        } else if (screen instanceof Screen.MessageList list) {
-            messages.list(pen, phone, list);
+        if (screen instanceof Screen.Listing list) {
+            lists.list(pen, list);
         } else if (screen instanceof Screen.MessageView view) {
-            messages.view(pen, phone, view);
+            lists.message(pen, phone, view);
+        } else if (screen instanceof Screen.Details details) {
+            lists.details(pen, details);
         } else if (screen instanceof Screen.Writing text) {
             writing.text(pen, text);
-        } else if (screen instanceof Screen.Recipient recipient) {
-            writing.recipient(pen, recipient);
+        } else if (screen instanceof Screen.Entry entry) {
+            writing.entry(pen, phone, entry);
         } else if (screen instanceof Screen.Sent sent) {
             writing.sent(pen, phone, sent.message());
         } else if (screen instanceof Screen.Ussd ussd) {

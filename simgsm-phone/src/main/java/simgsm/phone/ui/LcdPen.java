@@ -67,6 +67,13 @@ final class LcdPen {
         left(fitted, font, (WIDTH - width(font, fitted)) / 2, baseline);
     }
 
+    /** Writes a small quiet line, centred. */
+    void hint(String text, double baseline) {
+        ink(Ink.LCD_QUIET);
+        centred(text, sans(11, false), baseline);
+        ink(Ink.LCD_INK);
+    }
+
     void ink(Ink ink) {
         g.setColor(Theme.color(ink));
     }
@@ -93,16 +100,26 @@ final class LcdPen {
         ink(Ink.LCD_INK);
     }
 
+    /** A line of a wrapped text. @param start its first character in the text */
+    record Line(int start, String text) {}
+
     /** Breaks a text into lines of that width, at blanks where possible, and at line breaks. */
     List<String> wrap(String text, Font font, double room) {
-        List<String> lines = new ArrayList<>();
+        return lines(text, font, room).stream().map(Line::text).toList();
+    }
+
+    /** As {@link #wrap}, with the places of the lines in the text. */
+    List<Line> lines(String text, Font font, double room) {
+        List<Line> lines = new ArrayList<>();
+        int start = 0;
         for (String paragraph : text.split("\n", -1)) {
-            wrapParagraph(paragraph, font, room, lines);
+            wrapParagraph(start, paragraph, font, room, lines);
+            start += paragraph.length() + 1;
         }
         return lines;
     }
 
-    private void wrapParagraph(String paragraph, Font font, double room, List<String> lines) {
+    private void wrapParagraph(int offset, String paragraph, Font font, double room, List<Line> lines) {
         int start = 0;
         while (start < paragraph.length()) {
             int end = start + 1;
@@ -113,11 +130,11 @@ final class LcdPen {
                 int blank = paragraph.lastIndexOf(' ', end);
                 end = blank > start ? blank + 1 : end;
             }
-            lines.add(paragraph.substring(start, end));
+            lines.add(new Line(offset + start, paragraph.substring(start, end)));
             start = end;
         }
         if (paragraph.isEmpty()) {
-            lines.add("");
+            lines.add(new Line(offset, ""));
         }
     }
 }

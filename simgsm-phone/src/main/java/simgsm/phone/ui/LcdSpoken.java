@@ -1,23 +1,23 @@
 package simgsm.phone.ui;
 
-import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import simgsm.console.TextBundle;
-import simgsm.phone.handset.CallPhase;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.MenuItem;
-import simgsm.phone.handset.MessageFolder;
-import simgsm.phone.handset.Screen;
-import simgsm.phone.handset.StoredMessage;
 import simgsm.phone.handset.ToneMeaning;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.store.MessageFolder;
 
 /** The display's content as a sentence for assistive technology. */
 final class LcdSpoken {
     private final TextBundle texts;
+    private final WordsText words;
 
-    LcdSpoken(TextBundle texts) {
+    LcdSpoken(TextBundle texts, WordsText words) {
         this.texts = texts;
+        this.words = words;
     }
 
     String of(HandsetSnapshot phone) {
@@ -25,20 +25,22 @@ final class LcdSpoken {
         if (!phone.station().powered()) {
             return texts.of("lcd.off");
         }
-        if (screen instanceof Screen.Menu menu) {
-            return name("menu.", MenuItem.values()[menu.selected()]);
-        }
-        if (screen instanceof Screen.MessageList list) {
-            return message(phone, list.box(), list.selected());
+        if (screen instanceof Screen.Listing list) {
+            return list(list);
         }
         if (screen instanceof Screen.MessageView view) {
-            return message(phone, view.box(), view.selected());
+            return phone.nameOf(view.message().party()) + ", " + view.message().text();
+        }
+        if (screen instanceof Screen.Details details) {
+            String lines = details.lines().stream().map(words::of).collect(Collectors.joining(", "));
+            String title = words.of(details.title());
+            return title.isEmpty() ? lines : title + ": " + lines;
         }
         if (screen instanceof Screen.Writing writing) {
             return texts.of("menu.write") + ": " + writing.text();
         }
-        if (screen instanceof Screen.Recipient recipient) {
-            return texts.of("lcd.to") + " " + recipient.number();
+        if (screen instanceof Screen.Entry entry) {
+            return words.of(entry.title()) + ": " + entry.text();
         }
         if (screen instanceof Screen.Sent sent) {
             return CauseText.ofDelivery(texts, sent.message()) + news(phone);
@@ -58,18 +60,22 @@ final class LcdSpoken {
         return texts.of(family + item.name().toLowerCase(Locale.ROOT));
     }
 
-    private String message(HandsetSnapshot phone, MessageFolder box, int selected) {
-        List<StoredMessage> messages = phone.in(box);
-        int index = messages.size() - 1 - selected;
-        String title = name("menu.", box);
-        return index < 0
-                ? title + ": " + texts.of("lcd.empty")
-                : title + ": " + messages.get(index).party() + ", "
-                        + messages.get(index).text();
+    /** The title and the selected row. */
+    private String list(Screen.Listing list) {
+        String title = words.of(list.title());
+        if (list.rows().isEmpty()) {
+            return title + ": " + texts.of("lcd.empty");
+        }
+        Screen.Row row = list.rows().get(list.selected());
+        String mark = row.mark() == Screen.Mark.CHOSEN ? ", " + texts.of("lcd.chosen") : "";
+        String note = words.of(row.note()).isEmpty() ? "" : ", " + words.of(row.note());
+        String detail = row.detail().isEmpty() ? "" : ", " + row.detail();
+        return title + ": " + words.of(row.label()) + note + detail + mark;
     }
 
     private String news(HandsetSnapshot phone) {
         String messages = phone.unread() > 0 ? ", " + texts.of("lcd.unread", phone.unread()) : "";
+        messages += phone.missed() > 0 ? ", " + texts.of("lcd.missed", phone.missed()) : "";
         int broadcasts = phone.unread(MessageFolder.BROADCASTS);
         return broadcasts > 0 ? messages + ", " + texts.of("lcd.unread.broadcasts", broadcasts) : messages;
     }
@@ -84,6 +90,9 @@ final class LcdSpoken {
                 .map(key -> " " + texts.of("lcd.meaning", texts.of(key)))
                 .orElse("");
         String tone = call.tone().map(key -> ", " + key.symbol()).orElse("");
-        return name("lcd.call.", call.phase()) + " " + call.number() + tone + meaning;
+        String waiting = call.waiting()
+                .map(number -> ", " + texts.of("lcd.waiting", phone.nameOf(number)))
+                .orElse("");
+        return name("lcd.call.", call.phase()) + " " + phone.nameOf(call.number()) + tone + meaning + waiting;
     }
 }

@@ -5,16 +5,18 @@ import java.util.Locale;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.Screen;
-import simgsm.phone.handset.StoredMessage;
-import simgsm.phone.handset.TextEntry;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.screen.TextEntry;
+import simgsm.phone.store.StoredMessage;
 import simgsm.sms.Alphabet;
 import simgsm.sms.MessageSplitter;
 
 /** Text entry on the display, entry of the receiver, progress of a sent message, and notes. */
 final class LcdWriting {
     private static final int LINES = 4;
-    private static final double LINE_HEIGHT = 20;
+    private static final double LINE_HEIGHT = 19;
+    private static final double HINT_BASELINE = 150;
+    private static final double CHOICES_BASELINE = 151;
 
     // The text of a USSD dialogue, in the display's units.
     private static final double USSD_TOP = 36;
@@ -25,9 +27,11 @@ final class LcdWriting {
     private static final double LEADING = 1.3;
 
     private final TextBundle texts;
+    private final WordsText words;
 
-    LcdWriting(TextBundle texts) {
+    LcdWriting(TextBundle texts, WordsText words) {
         this.texts = texts;
+        this.words = words;
     }
 
     void text(LcdPen pen, Screen.Writing writing) {
@@ -35,19 +39,25 @@ final class LcdWriting {
         counter(pen, writing.text());
         var font = pen.sans(15, false);
         double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN - 4;
-        List<String> lines = pen.wrap(writing.text(), font, room);
-        int first = Math.max(0, lines.size() - LINES);
-        for (int i = first; i < lines.size(); i++) {
-            double baseline = 74 + (i - first) * LINE_HEIGHT;
-            pen.left(lines.get(i), font, LcdPen.MARGIN, baseline);
-            if (i == lines.size() - 1) {
-                caret(pen, LcdPen.MARGIN + pen.width(font, lines.get(i)), baseline, writing.pending());
+        List<LcdPen.Line> lines = pen.lines(writing.text(), font, room);
+        int caretLine = 0;
+        while (caretLine < lines.size() - 1 && lines.get(caretLine + 1).start() <= writing.caret()) {
+            caretLine++;
+        }
+        int first = Math.max(0, caretLine - LINES + 1);
+        for (int i = first; i < Math.min(lines.size(), first + LINES); i++) {
+            double baseline = 70 + (i - first) * LINE_HEIGHT;
+            LcdPen.Line line = lines.get(i);
+            pen.left(line.text(), font, LcdPen.MARGIN, baseline);
+            if (i == caretLine) {
+                String left = line.text().substring(0, writing.caret() - line.start());
+                caret(pen, LcdPen.MARGIN + pen.width(font, left), baseline, writing.pending());
             }
         }
         if (writing.pending()) {
-            choices(pen, writing);
-        } else {
-            LcdHome.hint(pen, texts.of(writing.text().isEmpty() ? "lcd.hint.write.empty" : "lcd.hint.write"));
+            choices(pen, writing.choices(), writing.text().charAt(writing.caret() - 1));
+        } else if (writing.text().isEmpty()) {
+            pen.hint(texts.of("lcd.hint.write.empty"), HINT_BASELINE);
         }
     }
 
@@ -77,33 +87,38 @@ final class LcdWriting {
         }
     }
 
-    private static void choices(LcdPen pen, Screen.Writing writing) {
-        char chosen = writing.text().charAt(writing.text().length() - 1);
+    private static void choices(LcdPen pen, String letters, char chosen) {
         double x = LcdPen.MARGIN;
         var font = pen.mono(14, true);
-        for (char letter : writing.choices().toCharArray()) {
+        for (char letter : letters.toCharArray()) {
             String shown = letter == ' ' ? "\u2423" : letter == '\n' ? "\u21b5" : String.valueOf(letter);
             if (Character.toLowerCase(chosen) == letter) {
-                pen.inverse(shown, font, x, 169, 19);
+                pen.inverse(shown, font, x, CHOICES_BASELINE, 17);
             } else {
-                pen.left(shown, font, x + 4, 169);
+                pen.left(shown, font, x + 4, CHOICES_BASELINE);
             }
             x += 20;
         }
     }
 
-    void recipient(LcdPen pen, Screen.Recipient recipient) {
-        pen.left(texts.of("lcd.to"), pen.sans(14, true), LcdPen.MARGIN, 56);
-        var font = pen.mono(27, true);
-        pen.left(recipient.number(), font, LcdPen.MARGIN, 98);
-        pen.fill(LcdPen.MARGIN + pen.width(font, recipient.number()) + 2, 77, 2, 25);
-        LcdHome.hint(pen, texts.of("lcd.hint.recipient"));
+    /** A number, with the name that belongs to it, or a name. */
+    void entry(LcdPen pen, HandsetSnapshot phone, Screen.Entry entry) {
+        pen.left(words.of(entry.title()), pen.sans(14, true), LcdPen.MARGIN, 52);
+        entry.mode().ifPresent(mode -> pen.right(sign(mode), pen.mono(12, true), LcdPen.WIDTH - LcdPen.MARGIN, 52));
+        LcdLine.paint(pen, entry.text(), entry.caret(), 96, !entry.choices().isEmpty());
+        String name = phone.nameOf(entry.text());
+        if (entry.mode().isEmpty() && !name.equals(entry.text())) {
+            pen.left(name, pen.sans(14, false), LcdPen.MARGIN, 124, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        }
+        if (!entry.choices().isEmpty()) {
+            choices(pen, entry.choices(), entry.text().charAt(entry.caret() - 1));
+        }
     }
 
     /** The progress of the last sent message; at the bottom the number of unread messages. */
     void sent(LcdPen pen, HandsetSnapshot phone, StoredMessage message) {
         pen.ink(Ink.LCD_QUIET);
-        pen.centred(texts.of("lcd.to") + " " + message.party(), pen.mono(14, true), 62);
+        pen.centred(texts.of("lcd.to") + " " + phone.nameOf(message.party()), pen.sans(14, true), 62);
         pen.ink(Ink.LCD_INK);
         var font = pen.sans(15, true);
         double baseline = 92;
@@ -111,12 +126,9 @@ final class LcdWriting {
             pen.centred(line.strip(), font, baseline);
             baseline += 20;
         }
-        boolean failed = message.delivery() == StoredMessage.Delivery.FAILED;
         if (phone.unread() > 0) {
             pen.centred(texts.of("lcd.unread", phone.unread()), pen.sans(13, true), 140);
         }
-        String hint = failed ? "lcd.hint.failed" : phone.unread() > 0 ? "lcd.hint.sent.unread" : "lcd.hint.note";
-        LcdHome.hint(pen, texts.of(hint));
     }
 
     /** The network's text, as large as it fits; below it the reply, if one is expected. */
@@ -142,17 +154,10 @@ final class LcdWriting {
             pen.left(ussd.reply(), typed, LcdPen.MARGIN, USSD_TOP + USSD_BOTTOM - 4);
             caret(pen, LcdPen.MARGIN + pen.width(typed, ussd.reply()), USSD_TOP + USSD_BOTTOM - 4, false);
         }
-        LcdHome.hint(pen, texts.of("lcd.hint.ussd." + ussd.phase().name().toLowerCase(Locale.ROOT)));
     }
 
     void note(LcdPen pen, Screen.Note note) {
         String key = "note." + note.kind().name().toLowerCase(Locale.ROOT);
-        var font = pen.sans(15, true);
-        List<String> lines = pen.wrap(texts.of(key, note.detail()), font, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
-        for (int i = 0; i < lines.size(); i++) {
-            pen.centred(lines.get(i).strip(), font, 100 - 10 * (lines.size() - 1) + 21 * i);
-        }
-        pen.ink(Ink.LCD_INK);
-        LcdHome.hint(pen, texts.of("lcd.hint.note"));
+        LcdLists.middle(pen, texts.of(key, note.detail()));
     }
 }

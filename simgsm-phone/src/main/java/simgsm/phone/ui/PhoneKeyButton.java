@@ -8,7 +8,7 @@ import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 
@@ -18,6 +18,7 @@ final class PhoneKeyButton extends JButton {
     private final PhoneKeyPainter painter;
     private boolean down;
     private boolean sounding;
+    private int unread;
 
     PhoneKeyButton(PhoneKey key, TextBundle texts, HandsetControls controls) {
         this.key = key;
@@ -45,7 +46,9 @@ final class PhoneKeyButton extends JButton {
             case END -> texts.of("key.tip", description, "Esc");
             case MESSAGE -> texts.of("key.tip", description, "F2");
             case MENU -> texts.of("key.tip", description, "F3");
-            case LEFT -> texts.of("key.tip", description, texts.of("keyboard.backspace"));
+            case CLEAR -> texts.of("key.tip", description, texts.of("keyboard.backspace"));
+            case SOFT_LEFT -> texts.of("key.tip", description, "F4");
+            case SOFT_RIGHT -> texts.of("key.tip", description, "F5");
             default -> description;
         };
     }
@@ -84,6 +87,20 @@ final class PhoneKeyButton extends JButton {
         }
     }
 
+    /** Shows the number of unread messages, on key 1. */
+    void setUnread(int count, String description) {
+        if (unread != count) {
+            unread = count;
+            getAccessibleContext().setAccessibleName(description);
+            repaint();
+        }
+    }
+
+    /** Tells what a key under the display does now. */
+    void setMeaning(String words) {
+        getAccessibleContext().setAccessibleDescription(words);
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Drawing.on(graphics);
@@ -92,7 +109,7 @@ final class PhoneKeyButton extends JButton {
                     g,
                     getWidth(),
                     getHeight(),
-                    new PhoneKeyPainter.Look(down, sounding, getModel().isRollover(), isFocusOwner()));
+                    new PhoneKeyPainter.Look(down, sounding, getModel().isRollover(), isFocusOwner(), unread));
         } finally {
             g.dispose();
         }

@@ -4,15 +4,15 @@ import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.Drawing;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
 /** Paints a key of the handset: its face, lower edge, symbol and letters. */
 final class PhoneKeyPainter {
-    /** The current state of the key. */
-    record Look(boolean down, boolean sounding, boolean rollover, boolean focused) {}
+    /** The current state of the key. @param unread messages, which key 1 shows */
+    record Look(boolean down, boolean sounding, boolean rollover, boolean focused, int unread) {}
 
     private final PhoneKey key;
     private final TextBundle texts;
@@ -57,8 +57,10 @@ final class PhoneKeyPainter {
             case CALL -> Symbol.CALL.paint(g, width / 2, middle, 24 * unit);
             case END -> Symbol.HANG_UP.paint(g, width / 2, middle, 24 * unit);
             case MESSAGE -> labelled(g, Symbol.ENVELOPE, "key.message.label", width, middle, unit);
-            case MENU -> labelled(g, Symbol.MENU, "key.menu.label", width, middle, unit);
-            default -> paintDigit(g, width, middle, unit);
+            case MENU -> Symbol.MENU.paint(g, width / 2, middle, 16 * unit);
+            case CLEAR -> Drawing.centred(g, "C", Theme.sans(13.5 * unit / Theme.zoom(), true), width / 2, middle);
+            case SOFT_LEFT, SOFT_RIGHT -> softMark(g, width, middle, unit);
+            default -> paintDigit(g, width, middle, unit, look.unread);
         }
     }
 
@@ -85,6 +87,11 @@ final class PhoneKeyPainter {
         return key == PhoneKey.CALL || key == PhoneKey.END ? Ink.ON_FACE : Ink.TEXT;
     }
 
+    /** A short bar under the word on the display. */
+    private static void softMark(Graphics2D g, double width, double middle, double unit) {
+        g.fill(Drawing.round(width / 2 - 13 * unit, middle - 2 * unit, 26 * unit, 4 * unit, 2 * unit));
+    }
+
     private void labelled(Graphics2D g, Symbol symbol, String textKey, double width, double middle, double unit) {
         String text = texts.of(textKey);
         var font = Theme.sans(12.5 * unit / Theme.zoom(), false);
@@ -96,7 +103,7 @@ final class PhoneKeyPainter {
         Drawing.centred(g, text, font, left + icon + gap + textWidth / 2, middle);
     }
 
-    private void paintDigit(Graphics2D g, double width, double middle, double unit) {
+    private void paintDigit(Graphics2D g, double width, double middle, double unit, int unread) {
         String symbol = key.tone().map(tone -> String.valueOf(tone.symbol())).orElseThrow();
         double points = symbol.equals("*") ? 27 : 22;
         double drop = symbol.equals("*") ? 4 * unit : 0;
@@ -105,10 +112,22 @@ final class PhoneKeyPainter {
         Drawing.centred(g, symbol, Theme.mono(points * unit / Theme.zoom(), true), x, middle + drop);
         g.setColor(Theme.color(Ink.QUIET));
         if (key == PhoneKey.ONE) {
-            Symbol.ENVELOPE.paint(g, width * 0.66, middle, 17 * unit);
+            envelope(g, width * 0.66, middle, unit, unread);
         } else if (!plain) {
             Drawing.centred(g, key.letters(), Theme.sans(13 * unit / Theme.zoom(), false), width * 0.66, middle);
         }
+    }
+
+    /** With unread messages the envelope takes the accent, and their number stands beside it. */
+    private static void envelope(Graphics2D g, double x, double y, double unit, int unread) {
+        if (unread == 0) {
+            Symbol.ENVELOPE.paint(g, x, y, 17 * unit);
+            return;
+        }
+        g.setColor(Theme.color(Ink.ACCENT));
+        Symbol.ENVELOPE.paint(g, x - 5 * unit, y, 19 * unit);
+        String count = unread > 9 ? "9+" : String.valueOf(unread);
+        Drawing.centred(g, count, Theme.mono(13 * unit / Theme.zoom(), true), x + 15 * unit, y);
     }
 
     private void paintPad(Graphics2D g, double width, double height, double unit, Look look) {

@@ -9,13 +9,21 @@ import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.ToneSet;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.screen.UserSettings;
+import simgsm.sim.SimPhoneBook;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationEvent;
 
 /** A handset on a bench: a fake station, a hand-moved clock, the events as lines, the sent tones heard by a receiver. */
 public final class Bench {
     public static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
 
+    public final SimPhoneBook phoneBook = new SimPhoneBook();
     public final FakeStation station = new FakeStation();
     public final List<String> events = new ArrayList<>();
     public final Handset handset;
@@ -35,7 +43,14 @@ public final class Bench {
     }
 
     public Bench(KeyMode keyMode, AudioOutput output) {
-        handset = new Handset(new Msisdn("5550100"), keyMode, this::note, output, () -> NOON);
+        handset = new Handset(
+                new Msisdn("5550100"),
+                UserSettings.delivered(SpeechCodec.Kind.A_LAW, keyMode),
+                ToneSet.EUROPEAN,
+                phoneBook,
+                this::note,
+                output,
+                () -> NOON);
         station.reportTo(handset::accept);
         handset.attach(station);
     }
@@ -108,6 +123,27 @@ public final class Bench {
             generator.read(sound);
             handset.accept(new StationEvent.SpeechReceived(sound));
         }
+    }
+
+    /** The list or menu on the display. */
+    public Screen.Listing list() {
+        return (Screen.Listing) snapshot().screen();
+    }
+
+    /** Keys of the twelve, one after the other, each with a pause in which its letter stands. */
+    public void key(String keys) {
+        keys.chars().forEach(symbol -> {
+            tap(PhoneKey.ofSymbol((char) symbol).orElseThrow());
+            nowNanos += 2_000_000_000L;
+        });
+    }
+
+    /** Characters of a computer's keyboard. */
+    public void type(String text) {
+        text.chars().forEach(sign -> {
+            handset.charDown((char) sign, nowNanos);
+            handset.charUp((char) sign, nowNanos);
+        });
     }
 
     public HandsetSnapshot snapshot() {

@@ -140,6 +140,11 @@ public final class FakeStation implements StationCommands {
     }
 
     @Override
+    public void setCodec(SpeechCodec.Kind codec) {
+        asked.add("codec " + codec);
+    }
+
+    @Override
     public void powerOn() {
         powered = true;
         listener.accept(new StationEvent.StationChanged());

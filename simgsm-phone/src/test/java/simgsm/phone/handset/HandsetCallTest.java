@@ -10,6 +10,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen;
 import simgsm.station.context.StationEvent;
 
 /** Calls, by console and by keys, and the tones that come back. */
@@ -94,20 +97,34 @@ class HandsetCallTest {
     }
 
     @Test
-    void leftErasesTheLastDigitAndTheRedKeyAll() {
+    void theKeyCErasesTheLastDigitAndTheRedKeyAll() {
         Bench bench = new Bench();
-        bench.tap(PhoneKey.FIVE, PhoneKey.SIX, PhoneKey.LEFT);
+        bench.tap(PhoneKey.FIVE, PhoneKey.SIX, PhoneKey.CLEAR);
         assertEquals("5", bench.snapshot().typed());
         bench.tap(PhoneKey.END);
         assertEquals("", bench.snapshot().typed());
     }
 
     @Test
-    void theGreenKeyAloneRecallsTheLastNumber() {
+    void aNumberIsEditedAtItsCursor() {
+        Bench bench = new Bench();
+        bench.tap(PhoneKey.FIVE, PhoneKey.SEVEN, PhoneKey.LEFT, PhoneKey.SIX);
+        assertEquals("567", bench.snapshot().typed());
+        assertEquals(2, bench.snapshot().caret());
+        bench.tap(PhoneKey.LEFT, PhoneKey.SOFT_RIGHT, PhoneKey.RIGHT, PhoneKey.RIGHT, PhoneKey.RIGHT, PhoneKey.EIGHT);
+        assertEquals("678", bench.snapshot().typed());
+        bench.handset.eraseDown();
+        assertEquals("67", bench.snapshot().typed());
+    }
+
+    @Test
+    void theGreenKeyTwiceDialsTheLastNumberAgain() {
         Bench bench = Bench.connected();
         bench.handset.hangUp();
         bench.tap(PhoneKey.CALL);
-        assertEquals("5550200", bench.snapshot().typed());
+        assertEquals("calls.dialled", bench.list().title().key());
+        bench.tap(PhoneKey.CALL);
+        assertEquals(List.of("dial 5550200", "hangUp", "dial 5550200"), bench.station.asked);
     }
 
     @Test
@@ -147,8 +164,7 @@ class HandsetCallTest {
         Bench bench = new Bench();
         bench.down(PhoneKey.ONE);
         bench.millis(1000);
-        assertEquals(
-                new Screen.MessageList(MessageFolder.INBOX, 0), bench.snapshot().screen());
+        assertEquals("menu.inbox", bench.list().title().key());
         assertEquals("", bench.snapshot().typed());
     }
 
@@ -177,7 +193,7 @@ class HandsetCallTest {
     @Test
     void theRedKeySwitchesAPhoneOnThatIsOff() {
         Bench bench = new Bench();
-        bench.tap(PhoneKey.MENU, PhoneKey.FIVE);
+        bench.tap(PhoneKey.MENU, PhoneKey.SEVEN);
         assertEquals(false, bench.snapshot().station().powered());
         bench.tap(PhoneKey.FIVE);
         assertEquals("", bench.snapshot().typed());

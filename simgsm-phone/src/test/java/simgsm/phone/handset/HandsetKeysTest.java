@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.station.context.StationEvent;
 
 /** Keys on their way out: queued by the console, held in the window. */

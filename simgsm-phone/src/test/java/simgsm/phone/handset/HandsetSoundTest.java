@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
+import simgsm.phone.screen.KeyMode;
 import simgsm.speech.AudioOutput;
 
 /** The view shows whether there is a sound device. */

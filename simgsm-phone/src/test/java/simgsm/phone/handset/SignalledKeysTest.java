@@ -10,6 +10,9 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen;
 import simgsm.station.context.StationEvent;
 
 /** Keys that go as messages: what the far end hears of it is not the phone's own speech. */

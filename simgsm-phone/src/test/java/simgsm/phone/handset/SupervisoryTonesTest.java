@@ -16,6 +16,8 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.Goertzel;
 import simgsm.dtmf.ToneLevel;
 import simgsm.dtmf.ToneSet;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 
@@ -78,7 +80,7 @@ class SupervisoryTonesTest {
     void ourOwnRingWarblesASecondInThree() {
         SupervisoryTones tones = new SupervisoryTones(ToneSet.EUROPEAN);
         for (int i = 0; i < 3; i++) {
-            tones.ringing();
+            tones.ringing(simgsm.phone.screen.RingTone.WARBLE);
             tones.addTo(new short[RING_MILLIS * 8 * i]);
             assertTrue(amplitude(tones, 880, 50) > 3000);
             assertTrue(amplitude(tones, 1175, 50) > 3000);

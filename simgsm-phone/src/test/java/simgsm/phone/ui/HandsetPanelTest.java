@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 

@@ -14,7 +14,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.phone.handset.Screen;
+import simgsm.phone.screen.Screen;
 
 /** The computer's keyboard as the handset's. */
 class KeyboardTest {
@@ -69,7 +69,8 @@ class KeyboardTest {
     @CsvSource({
         KeyEvent.VK_ENTER + ", ENTER",
         KeyEvent.VK_ESCAPE + ", END",
-        KeyEvent.VK_BACK_SPACE + ", LEFT",
+        KeyEvent.VK_F4 + ", SOFT_LEFT",
+        KeyEvent.VK_F5 + ", SOFT_RIGHT",
         KeyEvent.VK_UP + ", UP",
         KeyEvent.VK_F2 + ", MESSAGE",
         KeyEvent.VK_F3 + ", MENU"
@@ -78,6 +79,17 @@ class KeyboardTest {
         strike(KeyStroke.getKeyStroke(code, 0, false), null, 0);
         strike(KeyStroke.getKeyStroke(code, 0, true), null, 0);
         assertEquals(List.of("down " + key, "up " + key), bench.acts);
+    }
+
+    @Test
+    void backspaceErasesAndThenGoesBack() {
+        type('5');
+        letGo();
+        strike(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), null, 0);
+        assertEquals("", bench.bench.snapshot().typed());
+        strike(KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0, false), null, 0);
+        strike(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), null, 0);
+        assertEquals(new Screen.Home(), bench.bench.snapshot().screen());
     }
 
     @Test

@@ -22,8 +22,9 @@ import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.phone.handset.Bench;
-import simgsm.phone.handset.KeyMode;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.sim.SimPhoneBook;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.Theme;
@@ -36,7 +37,7 @@ class LcdScreensTest {
         Theme.install(Appearance.LIGHT);
     }
 
-    private static Map<String, Bench> screens() {
+    static Map<String, Bench> screens() {
         Map<String, Bench> screens = new LinkedHashMap<>();
         screens.put("rest", new Bench());
         screens.put("typed", with(bench -> bench.tap(PhoneKey.FIVE, PhoneKey.STAR)));
@@ -88,6 +89,116 @@ class LcdScreensTest {
                 "service's question",
                 with(bench -> bench.handset.accept(
                         new StationEvent.UssdReceived("1 Own number\n2 Status of a robot\n0 End", true))));
+        screens.put("number and its name", with(bench -> {
+            contacts(bench);
+            bench.key("5550200");
+            bench.tap(PhoneKey.LEFT, PhoneKey.LEFT);
+        }));
+        screens.put("names", with(bench -> {
+            contacts(bench);
+            bench.tap(PhoneKey.SOFT_RIGHT);
+        }));
+        screens.put("what to do with a name", with(bench -> {
+            contacts(bench);
+            bench.tap(PhoneKey.SOFT_RIGHT, PhoneKey.OK);
+        }));
+        screens.put("new name", with(bench -> {
+            bench.tap(PhoneKey.SOFT_RIGHT, PhoneKey.OK, PhoneKey.SEVEN, PhoneKey.SEVEN);
+        }));
+        screens.put("new name's number", with(bench -> {
+            bench.tap(PhoneKey.SOFT_RIGHT, PhoneKey.OK);
+            bench.type("Robot");
+            bench.tap(PhoneKey.OK);
+            bench.key("5550200");
+        }));
+        screens.put("caller with a name", with(bench -> {
+            contacts(bench);
+            bench.station.ring("5550200");
+        }));
+        screens.put("silenced", with(bench -> {
+            contacts(bench);
+            bench.station.ring("5550200");
+            bench.tap(PhoneKey.SOFT_RIGHT);
+        }));
+        screens.put("connected with a name, another waits", with(bench -> {
+            contacts(bench);
+            bench.station.ring("5550200");
+            bench.tap(PhoneKey.CALL);
+            bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
+        }));
+        screens.put("missed", with(LcdScreensTest::missed));
+        screens.put("missed calls", with(bench -> {
+            missed(bench);
+            bench.tap(PhoneKey.SOFT_LEFT);
+        }));
+        screens.put("a call's details", with(bench -> {
+            missed(bench);
+            bench.tap(PhoneKey.SOFT_LEFT, PhoneKey.OK);
+        }));
+        screens.put("what to do with a call", with(bench -> {
+            missed(bench);
+            bench.tap(PhoneKey.SOFT_LEFT, PhoneKey.SOFT_LEFT);
+        }));
+        screens.put("unread and missed", with(bench -> {
+            messages(bench);
+            missed(bench);
+        }));
+        for (int item = 1; item <= 6; item++) {
+            String digit = String.valueOf(item);
+            screens.put("menu " + item, with(bench -> {
+                bench.tap(PhoneKey.MENU);
+                bench.key(digit);
+            }));
+        }
+        for (int item = 1; item <= 7; item++) {
+            String digits = "5" + item;
+            screens.put("setting " + item, with(bench -> {
+                bench.tap(PhoneKey.MENU);
+                bench.key(digits);
+            }));
+        }
+        screens.put("forwarding", with(bench -> {
+            bench.tap(PhoneKey.MENU);
+            bench.key("43");
+        }));
+        screens.put("forwarding of busy calls", with(bench -> {
+            bench.tap(PhoneKey.MENU);
+            bench.key("432");
+        }));
+        screens.put("forwarding to", with(bench -> {
+            bench.tap(PhoneKey.MENU);
+            bench.key("4321555");
+        }));
+        screens.put("what to do with a text", with(bench -> {
+            bench.tap(PhoneKey.MESSAGE);
+            bench.type("Hola");
+            bench.tap(PhoneKey.SOFT_LEFT);
+        }));
+        screens.put("what to do with a message", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.DOWN, PhoneKey.SOFT_LEFT);
+        }));
+        screens.put("question", with(bench -> {
+            messages(bench);
+            bench.tap(PhoneKey.DOWN, PhoneKey.SOFT_LEFT, PhoneKey.SIX);
+        }));
+        screens.put("outbox", with(bench -> {
+            bench.handset.sendMessage(new Msisdn("5550200"), "** #**20 **");
+            bench.handset.accept(new StationEvent.MessageSent(0, new Msisdn("5550200"), 1));
+            bench.handset.accept(new StationEvent.MessageDelivered(0, new Msisdn("5550200")));
+            bench.handset.sendMessage(new Msisdn("5550101"), "on its way");
+            bench.tap(PhoneKey.UP);
+        }));
+        screens.put("message of the outbox", with(bench -> {
+            bench.handset.sendMessage(new Msisdn("5550200"), "** #**20 **");
+            bench.handset.accept(new StationEvent.MessageSent(0, new Msisdn("5550200"), 1));
+            bench.tap(PhoneKey.UP, PhoneKey.OK);
+        }));
+        screens.put("long text, cursor within", with(bench -> {
+            bench.tap(PhoneKey.MESSAGE);
+            bench.type("The robot stands before the door of the laboratory and waits for its next order");
+            bench.tap(PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT);
+        }));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
     }
@@ -113,6 +224,22 @@ class LcdScreensTest {
         Bench bench = Bench.connected(KeyMode.SIGNALLED);
         bench.handset.accept(new StationEvent.KeysRefused(Cause.SERVICE_NOT_AVAILABLE));
         return bench;
+    }
+
+    private static void contacts(Bench bench) {
+        bench.phoneBook.write(1, new SimPhoneBook.Entry("5550200", "Robot"));
+        bench.phoneBook.write(2, new SimPhoneBook.Entry("+5550101", "Ada"));
+        bench.phoneBook.write(3, new SimPhoneBook.Entry("5550300", "Laboratory of Robots"));
+        bench.handset.accept(new StationEvent.StationChanged());
+    }
+
+    private static void missed(Bench bench) {
+        contacts(bench);
+        for (String caller : new String[] {"5550200", "5550300", "5559999"}) {
+            bench.station.ring(caller);
+            bench.station.release(Cause.NORMAL_CALL_CLEARING);
+        }
+        bench.tap(PhoneKey.END);
     }
 
     private static void messages(Bench bench) {
@@ -168,9 +295,7 @@ class LcdScreensTest {
                     .getAccessibleName();
             seen.put(spoken, name);
         });
-        // The list says what its selected message says; a message scrolled is the same message; codec and key mode are
-        // not
-        // spoken.
+        // A message scrolled is the same message; codec, key mode and a silenced ring are not spoken.
         assertEquals(screens().size() - 4, seen.size());
     }
 

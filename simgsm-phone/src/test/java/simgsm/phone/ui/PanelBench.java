@@ -16,7 +16,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.Handset;
-import simgsm.phone.handset.PhoneKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 

@@ -30,7 +30,8 @@ public final class SpeechPath {
     private final StationContext context;
     private final SpeechSource source;
     private final CallAudioListener recorder;
-    private final SpeechCodec.Kind codec;
+    private SpeechCodec.Kind codec;
+    private SpeechCodec.Kind nextCodec;
     /** Opened for each call, as the decoders are: a codec may have a state. */
     private SpeechCodec coder;
     /** By payload type. */
@@ -58,11 +59,19 @@ public final class SpeechPath {
             int synchronizationSource) {
         this.context = context;
         this.codec = codec;
+        nextCodec = codec;
         this.recorder = recorder;
         this.source = source;
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
     }
 
+    /** Sets the codec of the calls that begin from now on. */
+    public void setCodec(SpeechCodec.Kind next) {
+        nextCodec = next;
+        codec = active ? codec : next;
+    }
+
+    /** The codec of the current call, or of the next. */
     public SpeechCodec.Kind codec() {
         return codec;
     }
@@ -85,6 +94,7 @@ public final class SpeechPath {
         }
         active = true;
         heard = false;
+        codec = nextCodec;
         coder = codec.open();
         decoders = Map.of(
                 RtpPacket.A_LAW, new SubstitutingDecoder(SpeechCodec.Kind.A_LAW),
@@ -99,6 +109,7 @@ public final class SpeechPath {
             recorder.callEnded();
         }
         active = false;
+        codec = nextCodec;
         heardCodec = null;
         context.timers().stop(StationTimer.SPEECH);
     }

@@ -30,7 +30,7 @@ public final class AtModem {
     public AtModem(AtTerminal terminal, InstantSource wallClock) {
         this.terminal = terminal;
         clock = new ModemClock(wallClock);
-        books = new PhoneBooks(terminal.identity().number());
+        books = new PhoneBooks(terminal.identity().number(), terminal.phoneBook());
         keys = new KeyCodes(this);
         ussd = new UssdCodes(this);
         calls = new CallCodes(this);

@@ -4,6 +4,7 @@ import java.util.List;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
+import simgsm.sim.SimPhoneBook;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
@@ -16,6 +17,9 @@ public interface AtTerminal {
     StationIdentity identity();
 
     StationSnapshot snapshot();
+
+    /** The SIM's phone book. */
+    SimPhoneBook phoneBook();
 
     /** @return false if a call is under way or the terminal is off */
     boolean dial(Msisdn number);

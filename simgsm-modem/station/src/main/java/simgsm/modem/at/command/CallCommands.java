@@ -13,6 +13,7 @@ import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
 import simgsm.modem.at.state.PhoneBooks;
+import simgsm.sim.SimPhoneBook;
 
 /** Calls and keys (V.250, 6.3; TS 27.007, 6, 7 and C.2). */
 final class CallCommands {
@@ -168,8 +169,8 @@ final class CallCommands {
         if (!books.names().contains(book)) {
             throw new AtException(CmeError.INVALID_INDEX);
         }
-        Map<Integer, PhoneBooks.Entry> entries = books.entries(isName ? PhoneBooks.SIM : book);
-        for (Map.Entry<Integer, PhoneBooks.Entry> entry : entries.entrySet()) {
+        Map<Integer, SimPhoneBook.Entry> entries = books.entries(isName ? PhoneBooks.SIM : book);
+        for (Map.Entry<Integer, SimPhoneBook.Entry> entry : entries.entrySet()) {
             boolean isMeant = isName
                     ? entry.getValue().name().equals(wanted.substring(1, wanted.length() - 1))
                     : entry.getKey().toString().equals(place);

@@ -7,6 +7,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.Modem;
 import simgsm.octets.OctetString;
+import simgsm.sim.SimPhoneBook;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
@@ -27,6 +28,7 @@ public final class ModemTerminal implements AtTerminal {
     }
 
     private final Modem modem;
+    private final SimPhoneBook phoneBook = new SimPhoneBook();
     private final Queue<Keys> sending = new ArrayDeque<>();
 
     public ModemTerminal(Modem modem) {
@@ -46,6 +48,11 @@ public final class ModemTerminal implements AtTerminal {
     @Override
     public StationSnapshot snapshot() {
         return modem.snapshot();
+    }
+
+    @Override
+    public SimPhoneBook phoneBook() {
+        return phoneBook;
     }
 
     @Override

@@ -10,6 +10,7 @@ import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.CmeError;
 import simgsm.modem.at.state.CharacterSet;
 import simgsm.modem.at.state.PhoneBooks;
+import simgsm.sim.SimPhoneBook;
 
 /** The phone book (TS 27.007, 8.11 to 8.14). */
 final class PhoneBookCommands {
@@ -30,15 +31,15 @@ final class PhoneBookCommands {
         table.add("+CPBR", "place[,last]", "reads entries")
                 .testWith((client, request) -> request.answer(
                         "(1-" + client.modem().books().capacity(client.settings().phoneBook) + ")",
-                        PhoneBooks.MOST_DIGITS,
-                        PhoneBooks.MOST_LETTERS))
+                        SimPhoneBook.MOST_DIGITS,
+                        SimPhoneBook.MOST_LETTERS))
                 .set(PhoneBookCommands::read);
         table.add("+CPBF", "\"text\"", "finds entries whose name begins so")
-                .testWith((client, request) -> request.answer(PhoneBooks.MOST_DIGITS, PhoneBooks.MOST_LETTERS))
+                .testWith((client, request) -> request.answer(SimPhoneBook.MOST_DIGITS, SimPhoneBook.MOST_LETTERS))
                 .set(PhoneBookCommands::find);
         table.add("+CPBW", "[place][,\"number\"[,type[,\"name\"]]]", "writes an entry, or erases it")
-                .test("(1-" + PhoneBooks.CAPACITY + ")," + PhoneBooks.MOST_DIGITS + ",(129,145),"
-                        + PhoneBooks.MOST_LETTERS)
+                .test("(1-" + SimPhoneBook.CAPACITY + ")," + SimPhoneBook.MOST_DIGITS + ",(129,145),"
+                        + SimPhoneBook.MOST_LETTERS)
                 .set(PhoneBookCommands::write);
     }
 
@@ -71,7 +72,7 @@ final class PhoneBookCommands {
         return place;
     }
 
-    private static void answer(AtClient client, AtRequest request, int place, PhoneBooks.Entry entry) {
+    private static void answer(AtClient client, AtRequest request, int place, SimPhoneBook.Entry entry) {
         CharacterSet set = client.settings().characterSet;
         request.answer(
                 place,
@@ -82,7 +83,7 @@ final class PhoneBookCommands {
 
     private static void find(AtClient client, AtRequest request) throws AtException {
         String wanted = decoded(client, request.parameters().atMost(1).text(0));
-        for (Map.Entry<Integer, PhoneBooks.Entry> entry :
+        for (Map.Entry<Integer, SimPhoneBook.Entry> entry :
                 client.modem().books().entries(client.settings().phoneBook).entrySet()) {
             if (entry.getValue().name().startsWith(wanted)) {
                 answer(client, request, entry.getKey(), entry.getValue());
@@ -106,28 +107,28 @@ final class PhoneBookCommands {
         }
         Optional<String> given = parameters.given(0);
         int place = given.isPresent()
-                ? place(parameters, 0, PhoneBooks.CAPACITY)
-                : books.free().orElseThrow(() -> new AtException(CmeError.MEMORY_FULL));
+                ? place(parameters, 0, SimPhoneBook.CAPACITY)
+                : books.sim().free().orElseThrow(() -> new AtException(CmeError.MEMORY_FULL));
         if (parameters.count() < 2) {
             if (given.isEmpty()) {
                 throw new AtException(CmeError.INCORRECT_PARAMETERS);
             }
-            books.erase(place);
+            books.sim().erase(place);
             return;
         }
-        books.write(place, entry(client, parameters));
+        books.sim().write(place, entry(client, parameters));
     }
 
-    private static PhoneBooks.Entry entry(AtClient client, AtParameters parameters) throws AtException {
+    private static SimPhoneBook.Entry entry(AtClient client, AtParameters parameters) throws AtException {
         String number = client.settings().characterSet.decodeNumber(parameters.text(1));
         boolean international = parameters.number(2, 128, 255, CallCodes.typeOf(number)) == CallCodes.typeOf("+");
         if (!number.matches("\\+?[0-9*#]*")) {
             throw new AtException(CmeError.INVALID_DIAL_STRING);
         }
         String name = decoded(client, parameters.text(3));
-        if (number.length() > PhoneBooks.MOST_DIGITS + 1 || name.length() > PhoneBooks.MOST_LETTERS) {
+        if (number.length() > SimPhoneBook.MOST_DIGITS + 1 || name.length() > SimPhoneBook.MOST_LETTERS) {
             throw new AtException(CmeError.TEXT_TOO_LONG);
         }
-        return new PhoneBooks.Entry((international && !number.startsWith("+") ? "+" : "") + number, name);
+        return new SimPhoneBook.Entry((international && !number.startsWith("+") ? "+" : "") + number, name);
     }
 }

@@ -9,23 +9,21 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import simgsm.air.Msisdn;
+import simgsm.sim.SimPhoneBook;
+import simgsm.sim.SimPhoneBook.Entry;
 
 /** The phone books: the SIM's, which clients write, and those that the modem keeps. Their places are counted from 1. */
 public final class PhoneBooks {
     public static final String SIM = "SM";
-    public static final int CAPACITY = 100;
     static final int LOG_CAPACITY = 10;
-    public static final int MOST_DIGITS = 20;
-    public static final int MOST_LETTERS = 20;
 
-    /** @param number with + for an international one */
-    public record Entry(String number, String name) {}
-
-    private final Map<Integer, Entry> written = new TreeMap<>();
+    private final SimPhoneBook written;
     private final Map<String, Deque<String>> logs = new LinkedHashMap<>();
     private final Entry own;
 
-    public PhoneBooks(Msisdn own) {
+    /** @param written the SIM's */
+    public PhoneBooks(Msisdn own, SimPhoneBook written) {
+        this.written = written;
         this.own = new Entry("+" + own, "");
         for (String log : List.of("LD", "RC", "MC")) {
             logs.put(log, new ArrayDeque<>());
@@ -40,13 +38,13 @@ public final class PhoneBooks {
     }
 
     public int capacity(String book) {
-        return book.equals(SIM) ? CAPACITY : book.equals("ON") ? 1 : LOG_CAPACITY;
+        return book.equals(SIM) ? SimPhoneBook.CAPACITY : book.equals("ON") ? 1 : LOG_CAPACITY;
     }
 
     /** The entries by place. */
     public Map<Integer, Entry> entries(String book) {
         if (book.equals(SIM)) {
-            return written;
+            return written.entries();
         }
         if (book.equals("ON")) {
             return Map.of(1, own);
@@ -58,22 +56,9 @@ public final class PhoneBooks {
         return entries;
     }
 
-    /** The first free place of the SIM's book. */
-    public Optional<Integer> free() {
-        for (int place = 1; place <= CAPACITY; place++) {
-            if (!written.containsKey(place)) {
-                return Optional.of(place);
-            }
-        }
-        return Optional.empty();
-    }
-
-    public void write(int place, Entry entry) {
-        written.put(place, entry);
-    }
-
-    public void erase(int place) {
-        written.remove(place);
+    /** The SIM's book. */
+    public SimPhoneBook sim() {
+        return written;
     }
 
     public Optional<String> lastDialled() {

@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.store;
 
 import java.time.Instant;
 import java.util.Optional;
@@ -7,6 +7,7 @@ import simgsm.air.RpCause;
 /**
  * A message in one of the phone's folders.
  *
+ * @param serial names the message within the phone, whatever becomes of it
  * @param party number or alphanumeric address of the sender or receiver; for a broadcast its channel
  * @param at time of reception or submission
  * @param id of a submitted message, as the station's events carry it; else 0
@@ -14,6 +15,7 @@ import simgsm.air.RpCause;
  * @param cause of a failure
  */
 public record StoredMessage(
+        int serial,
         String party,
         String text,
         Instant at,
@@ -25,6 +27,8 @@ public record StoredMessage(
     /** The progress of a message. */
     public enum Delivery {
         RECEIVED,
+        /** Not submitted yet. */
+        DRAFT,
         SENDING,
         /** Acknowledged by the network. */
         SENT,
@@ -39,14 +43,14 @@ public record StoredMessage(
     }
 
     StoredMessage seen() {
-        return new StoredMessage(party, text, at, true, delivery, id, parts, cause);
+        return new StoredMessage(serial, party, text, at, true, delivery, id, parts, cause);
     }
 
     StoredMessage advanced(Delivery next, int knownParts) {
-        return new StoredMessage(party, text, at, read, next, id, knownParts, cause);
+        return new StoredMessage(serial, party, text, at, read, next, id, knownParts, cause);
     }
 
     StoredMessage failed(RpCause newCause) {
-        return new StoredMessage(party, text, at, read, Delivery.FAILED, id, parts, Optional.of(newCause));
+        return new StoredMessage(serial, party, text, at, read, Delivery.FAILED, id, parts, Optional.of(newCause));
     }
 }

@@ -1,16 +1,22 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.store.StoredMessage;
 
 /** What a pressed key asks the handset to do, beyond changing the screen. */
-sealed interface KeyIntent {
+public sealed interface KeyIntent {
     /** An intent without a parameter. */
     enum Simple implements KeyIntent {
         NOTHING,
         ANSWER,
+        HANG_UP,
+        /** The ring is not heard any more; the call goes on ringing. */
+        SILENCE,
         END_USSD,
+        LOUDER,
+        QUIETER,
         SWITCH_OFF
     }
 
@@ -20,9 +26,12 @@ sealed interface KeyIntent {
     /** @param text as typed, perhaps no number */
     record DialText(String text) implements KeyIntent {}
 
-    /** The reply to the network's question. */
-    record ReplyUssd(String text) implements KeyIntent {}
+    /** A service code, or the reply to the network's question. */
+    record SendUssd(String text) implements KeyIntent {}
 
     /** @param replaced the failed message that is sent again */
     record SendText(Msisdn to, String text, Optional<StoredMessage> replaced) implements KeyIntent {}
+
+    /** The user has chosen a setting. */
+    record ChangeSettings(UserSettings settings) implements KeyIntent {}
 }

@@ -1,23 +1,26 @@
-package simgsm.phone.handset;
+package simgsm.phone.store;
 
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import simgsm.phone.handset.StoredMessage.Delivery;
+import simgsm.phone.store.StoredMessage.Delivery;
 import simgsm.station.context.StationEvent;
 
-/** Inbox, outbox and broadcasts, oldest first; a full folder drops its oldest message. */
-final class Mailbox {
-    static final int CAPACITY = 500;
+/** Messages by folder, oldest first; a full folder drops its oldest message. */
+public final class Mailbox {
+    /** Messages in a folder. */
+    public static final int CAPACITY = 500;
 
     private final InstantSource wallClock;
+    private int lastSerial;
     private final Map<MessageFolder, List<StoredMessage>> folders = new EnumMap<>(MessageFolder.class);
 
-    Mailbox(InstantSource wallClock) {
+    public Mailbox(InstantSource wallClock) {
         this.wallClock = wallClock;
         for (MessageFolder folder : MessageFolder.values()) {
             folders.put(folder, List.of());
@@ -25,12 +28,12 @@ final class Mailbox {
     }
 
     /** Unmodifiable; a new list after each change, so a snapshot may keep it. */
-    List<StoredMessage> in(MessageFolder folder) {
+    public List<StoredMessage> in(MessageFolder folder) {
         return folders.get(folder);
     }
 
     /** @return the folder to which a message was added, if one was */
-    Optional<MessageFolder> accept(StationEvent.OfMessage event) {
+    public Optional<MessageFolder> accept(StationEvent.OfMessage event) {
         if (event instanceof StationEvent.ShortMessageReceived message) {
             return Optional.of(received(MessageFolder.INBOX, message.from(), message.text(), 1));
         }
@@ -51,18 +54,23 @@ final class Mailbox {
     }
 
     private MessageFolder received(MessageFolder folder, String party, String text, int parts) {
-        add(
-                folder,
-                new StoredMessage(
-                        party, text, wallClock.instant(), false, Delivery.RECEIVED, 0, parts, Optional.empty()));
+        add(folder, message(party, text, false, Delivery.RECEIVED, 0, parts));
         return folder;
     }
 
     /** Adds a message that the station has taken. */
-    void submitted(int id, String to, String text) {
-        add(
-                MessageFolder.OUTBOX,
-                new StoredMessage(to, text, wallClock.instant(), true, Delivery.SENDING, id, 1, Optional.empty()));
+    public void submitted(int id, String to, String text) {
+        add(MessageFolder.OUTBOX, message(to, text, true, Delivery.SENDING, id, 1));
+    }
+
+    /** Keeps a text that is not sent yet. @param to empty if it is not known yet */
+    public void keepDraft(String to, String text) {
+        add(MessageFolder.DRAFTS, message(to, text, true, Delivery.DRAFT, 0, 1));
+    }
+
+    private StoredMessage message(String party, String text, boolean read, Delivery delivery, int id, int parts) {
+        return new StoredMessage(
+                ++lastSerial, party, text, wallClock.instant(), read, delivery, id, parts, Optional.empty());
     }
 
     private void add(MessageFolder folder, StoredMessage message) {
@@ -86,35 +94,51 @@ final class Mailbox {
     }
 
     /** A message of the outbox. */
-    Optional<StoredMessage> submitted(int id) {
+    public Optional<StoredMessage> submitted(int id) {
         return in(MessageFolder.OUTBOX).stream()
                 .filter(message -> message.id() == id)
                 .findFirst();
     }
 
-    /** Marks one as read. @param index counted from the oldest */
-    void markRead(MessageFolder folder, int index) {
+    /** The messages of a folder, newest first. */
+    public List<StoredMessage> newest(MessageFolder folder) {
         List<StoredMessage> messages = new ArrayList<>(in(folder));
-        messages.set(index, messages.get(index).seen());
-        folders.put(folder, List.copyOf(messages));
+        Collections.reverse(messages);
+        return messages;
     }
 
-    void markAllRead(MessageFolder folder) {
+    /** The message as it is now; empty if it is erased. */
+    public Optional<StoredMessage> find(MessageFolder folder, int serial) {
+        return in(folder).stream().filter(message -> message.serial() == serial).findFirst();
+    }
+
+    public void markRead(MessageFolder folder, int serial) {
+        replace(folder, message -> message.serial() == serial ? message.seen() : message);
+    }
+
+    public void markAllRead(MessageFolder folder) {
         replace(folder, StoredMessage::seen);
     }
 
-    void remove(MessageFolder folder, StoredMessage message) {
-        List<StoredMessage> messages = new ArrayList<>(in(folder));
-        messages.remove(message);
-        folders.put(folder, List.copyOf(messages));
+    public void remove(MessageFolder folder, StoredMessage message) {
+        folders.put(
+                folder,
+                in(folder).stream()
+                        .filter(kept -> kept.serial() != message.serial())
+                        .toList());
     }
 
-    int unread(MessageFolder folder) {
+    /** Erases all messages of a folder. */
+    public void clear(MessageFolder folder) {
+        folders.put(folder, List.of());
+    }
+
+    public int unread(MessageFolder folder) {
         return (int) in(folder).stream().filter(message -> !message.read()).count();
     }
 
     /** Whether the network has still to acknowledge a message. */
-    boolean hasUnacknowledged() {
+    public boolean hasUnacknowledged() {
         return in(MessageFolder.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
     }
 }

@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 import java.util.concurrent.TimeUnit;
 import simgsm.dtmf.DtmfKey;
@@ -41,57 +41,68 @@ public final class TextEntry {
     private static final String STAR_LETTERS = "*+/=%&()<>";
     private static final String HASH_LETTERS = "#_$\"\u00bf\u00a1;";
 
-    private final StringBuilder text = new StringBuilder();
+    private final LineEditor line;
     private Mode mode = Mode.CAPITAL;
     private DtmfKey tapped;
     private int taps;
     private long tappedNanos;
 
+    /** For messages. */
+    TextEntry() {
+        this(MAX_CHARACTERS);
+    }
+
+    TextEntry(int most) {
+        line = new LineEditor(most);
+    }
+
     /** A key of the twelve, pressed. */
     void tap(DtmfKey key, long nowNanos) {
         settle(nowNanos);
         if (mode == Mode.NUMBERS) {
-            append(key.symbol());
+            line.insert(key.symbol());
             return;
         }
         String letters = lettersOf(key);
-        if (key == tapped) {
-            taps++;
-            text.setLength(text.length() - 1);
-        } else {
-            tapped = null;
-            taps = 0;
+        boolean isNext = key == tapped;
+        taps = isNext ? taps + 1 : 0;
+        if (isNext) {
+            line.erase();
         }
-        if (text.length() == MAX_CHARACTERS) {
-            return;
-        }
-        text.append(cased(letters.charAt(taps % letters.length())));
-        tapped = key;
+        tapped = line.insert(cased(letters.charAt(taps % letters.length()))) ? key : null;
         tappedNanos = nowNanos;
     }
 
     /** A character from a keyboard. */
     void type(char character) {
         commit();
-        append(character);
+        line.insert(character);
     }
 
-    private void append(char character) {
-        if (text.length() < MAX_CHARACTERS) {
-            text.append(character);
-        }
-    }
-
+    /** Takes away the character before the cursor. */
     void erase() {
         commit();
-        if (text.length() > 0) {
-            text.setLength(text.length() - (endsWithSurrogates() ? 2 : 1));
+        line.erase();
+    }
+
+    /** Moves the cursor. */
+    void left() {
+        commit();
+        line.left();
+    }
+
+    /** Moves the cursor, or lets the letter stand that could still change. */
+    void right() {
+        if (isPending()) {
+            commit();
+        } else {
+            line.right();
         }
     }
 
-    private boolean endsWithSurrogates() {
-        return text.length() > 1
-                && Character.isSurrogatePair(text.charAt(text.length() - 2), text.charAt(text.length() - 1));
+    void set(String text) {
+        commit();
+        line.set(text);
     }
 
     void nextMode() {
@@ -106,7 +117,9 @@ public final class TextEntry {
 
     /** The letter that could still change stands now. */
     void commit() {
-        if (tapped != null && mode == Mode.CAPITAL && Character.isLetter(text.charAt(text.length() - 1))) {
+        if (tapped != null
+                && mode == Mode.CAPITAL
+                && Character.isLetter(line.text().charAt(line.caret() - 1))) {
             mode = Mode.LOWER;
         }
         tapped = null;
@@ -123,7 +136,7 @@ public final class TextEntry {
     }
 
     void clear() {
-        text.setLength(0);
+        line.set("");
         tapped = null;
         taps = 0;
         mode = Mode.CAPITAL;
@@ -146,7 +159,12 @@ public final class TextEntry {
     }
 
     String text() {
-        return text.toString();
+        return line.text();
+    }
+
+    /** The number of characters before the cursor. */
+    int caret() {
+        return line.caret();
     }
 
     Mode mode() {

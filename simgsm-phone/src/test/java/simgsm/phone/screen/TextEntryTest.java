@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import simgsm.dtmf.DtmfKey;
-import simgsm.phone.handset.TextEntry.Mode;
+import simgsm.phone.screen.TextEntry.Mode;
 import simgsm.sms.Alphabet;
 
 /** Multi-tap writing. */

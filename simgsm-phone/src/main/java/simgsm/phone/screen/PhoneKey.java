@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 import java.util.Optional;
 import simgsm.dtmf.DtmfKey;
@@ -17,6 +17,9 @@ public enum PhoneKey {
     STAR('*', ""),
     ZERO('0', "+"),
     HASH('#', ""),
+    /** The keys under the display; the display names what they do. */
+    SOFT_LEFT,
+    SOFT_RIGHT,
     CALL,
     END,
     UP,
@@ -25,7 +28,9 @@ public enum PhoneKey {
     RIGHT,
     OK,
     MESSAGE,
-    MENU;
+    MENU,
+    /** Erases the character before the cursor. */
+    CLEAR;
 
     private final Optional<DtmfKey> tone;
     private final String letters;

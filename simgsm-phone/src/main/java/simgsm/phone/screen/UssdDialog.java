@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 import java.util.Optional;
 import simgsm.dtmf.DtmfKey;
@@ -84,20 +84,33 @@ final class UssdDialog {
         }
     }
 
+    /** Erases the last character of the reply. @return false if there is none */
+    boolean erase() {
+        String reply = shown.map(Screen.Ussd::reply).orElse("");
+        if (reply.isEmpty()) {
+            return false;
+        }
+        setReply(reply.substring(0, reply.length() - 1));
+        return true;
+    }
+
     Wish press(PhoneKey key) {
         if (key == PhoneKey.END || shown.isEmpty()) {
             return Wish.LEAVE;
         }
         Screen.Ussd screen = shown.get();
         if (screen.phase() != Screen.Ussd.Phase.ASKED) {
-            return screen.phase() == Screen.Ussd.Phase.ANSWERED ? Wish.LEAVE : Wish.NOTHING;
+            boolean leaves = screen.phase() == Screen.Ussd.Phase.ANSWERED || key == PhoneKey.SOFT_RIGHT;
+            return leaves ? Wish.LEAVE : Wish.NOTHING;
         }
         switch (key) {
-            case OK, CALL -> {
+            case OK, CALL, SOFT_LEFT -> {
                 return screen.reply().isEmpty() ? Wish.NOTHING : Wish.SEND_REPLY;
             }
-            case LEFT ->
-                setReply(screen.reply().substring(0, Math.max(0, screen.reply().length() - 1)));
+            case LEFT, CLEAR -> erase();
+            case SOFT_RIGHT -> {
+                return erase() ? Wish.NOTHING : Wish.LEAVE;
+            }
             default -> key.tone().map(DtmfKey::symbol).ifPresent(this::type);
         }
         return Wish.NOTHING;

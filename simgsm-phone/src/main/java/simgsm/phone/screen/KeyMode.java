@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 /** How a phone sends its keys in a call. */
 public enum KeyMode {

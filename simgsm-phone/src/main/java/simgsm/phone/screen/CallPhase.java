@@ -1,4 +1,4 @@
-package simgsm.phone.handset;
+package simgsm.phone.screen;
 
 /** The phases of a call for its user. */
 public enum CallPhase {

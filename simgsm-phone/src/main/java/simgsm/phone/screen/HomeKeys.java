@@ -1,0 +1,158 @@
+package simgsm.phone.screen;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.KeyIntent.Simple;
+import simgsm.phone.store.CallRecord;
+import simgsm.phone.store.MessageFolder;
+
+/** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
+public final class HomeKeys {
+    /** What the home screen tells, on which its keys depend. */
+    public record Situation(CallPhase phase, boolean ringIsSilent, int unread, int missed) {}
+
+    private static final int MAX_TYPED = 40;
+    /** A key held this long does its second function: 1 opens the mailbox, 0 becomes a plus sign. */
+    private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
+
+    private final ScreenNavigation screens;
+    private final LineEditor typed = new LineEditor(MAX_TYPED);
+    private Optional<PhoneKey> held = Optional.empty();
+    private long heldSinceNanos;
+
+    public HomeKeys(ScreenNavigation screens) {
+        this.screens = screens;
+    }
+
+    public String typed() {
+        return typed.text();
+    }
+
+    /** The number of digits before the cursor. */
+    public int caret() {
+        return typed.caret();
+    }
+
+    public void clear() {
+        typed.set("");
+    }
+
+    /** A plus sign from a keyboard; it can only begin a number. */
+    public void plus() {
+        if (typed.caret() == 0) {
+            typed.insert('+');
+        }
+    }
+
+    /** The keyboard's key for erasing. */
+    public void erase() {
+        typed.erase();
+    }
+
+    public void hold(PhoneKey key, long nowNanos) {
+        held = Optional.of(key);
+        heldSinceNanos = nowNanos;
+    }
+
+    public void release(PhoneKey key) {
+        held = held.filter(down -> down != key);
+    }
+
+    public SoftKeys softKeys(Situation now) {
+        return switch (now.phase()) {
+            case RINGING -> new SoftKeys("soft.answer", now.ringIsSilent() ? "soft.refuse" : "soft.silence");
+            case NONE -> {
+                if (!typed.isEmpty()) {
+                    yield new SoftKeys("soft.save", "soft.clear");
+                }
+                yield new SoftKeys(
+                        now.unread() > 0 ? "soft.read" : now.missed() > 0 ? "soft.show" : "soft.menu", "soft.names");
+            }
+            default -> new SoftKeys("soft.menu", "soft.names");
+        };
+    }
+
+    public KeyIntent press(PhoneKey key, Situation now) {
+        boolean isIdle = now.phase() == CallPhase.NONE;
+        return switch (key) {
+            case CALL -> call(now);
+            case OK -> ok(now);
+            case SOFT_LEFT, SOFT_RIGHT -> soft(key, now);
+            case END -> done(this::clear);
+            case CLEAR -> done(typed::erase);
+            case LEFT -> done(typed::left);
+            case RIGHT -> done(typed::right);
+            case MENU -> screens.openMenu();
+            case MESSAGE -> screens.write();
+            case DOWN -> isIdle ? screens.open(MessageFolder.INBOX) : Simple.QUIETER;
+            case UP -> isIdle ? screens.open(MessageFolder.OUTBOX) : Simple.LOUDER;
+            default -> tone(key.tone().orElseThrow(), now.phase());
+        };
+    }
+
+    private static KeyIntent done(Runnable edit) {
+        edit.run();
+        return Simple.NOTHING;
+    }
+
+    private KeyIntent soft(PhoneKey key, Situation now) {
+        SoftKeys keys = softKeys(now);
+        return switch (key == PhoneKey.SOFT_LEFT ? keys.left() : keys.right()) {
+            case "soft.answer" -> Simple.ANSWER;
+            case "soft.silence" -> Simple.SILENCE;
+            case "soft.refuse" -> Simple.HANG_UP;
+            case "soft.save" -> screens.saveNumber(typed());
+            case "soft.clear" -> done(typed::erase);
+            case "soft.read" -> screens.open(MessageFolder.INBOX);
+            case "soft.show" -> screens.open(CallRecord.Kind.MISSED);
+            case "soft.names" -> screens.openNames();
+            default -> screens.openMenu();
+        };
+    }
+
+    private KeyIntent tone(DtmfKey tone, CallPhase phase) {
+        if (phase == CallPhase.NONE) {
+            typed.insert(tone.symbol());
+        }
+        return new KeyIntent.PlayTone(tone);
+    }
+
+    private KeyIntent ok(Situation now) {
+        if (now.phase() == CallPhase.RINGING) {
+            return Simple.ANSWER;
+        }
+        return typed.isEmpty() ? screens.openMenu() : call(now);
+    }
+
+    /** Calls the number; without one the numbers dialled before are shown, the newest selected. */
+    private KeyIntent call(Situation now) {
+        if (now.phase() != CallPhase.NONE) {
+            return Simple.NOTHING;
+        }
+        return typed.isEmpty() ? screens.open(CallRecord.Kind.DIALLED) : new KeyIntent.DialText(typed());
+    }
+
+    public boolean wantsTime(CallPhase phase) {
+        return canBecomeLong(PhoneKey.ONE, "1", phase) || canBecomeLong(PhoneKey.ZERO, "0", phase);
+    }
+
+    private boolean canBecomeLong(PhoneKey key, String alone, CallPhase phase) {
+        return held.equals(Optional.of(key)) && typed().equals(alone) && screens.isHome() && phase == CallPhase.NONE;
+    }
+
+    /** @return whether a long press was recognised */
+    public boolean timePassed(long nowNanos, CallPhase phase) {
+        if (!wantsTime(phase) || nowNanos - heldSinceNanos < LONG_PRESS_NANOS) {
+            return false;
+        }
+        if (typed().equals("1")) {
+            clear();
+            screens.open(MessageFolder.INBOX);
+        } else {
+            typed.set("+");
+        }
+        held = Optional.empty();
+        return true;
+    }
+}

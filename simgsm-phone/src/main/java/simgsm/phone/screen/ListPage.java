@@ -1,0 +1,145 @@
+package simgsm.phone.screen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.KeyIntent.Simple;
+
+/**
+ * Rows to choose from. They are made anew for each look at them, so that the list follows what it shows; the selected row
+ * stays the selected one when rows come before it.
+ */
+final class ListPage extends Page {
+    /**
+     * A row and what is done with it.
+     *
+     * @param key tells the row from the others, while the list changes
+     * @param called by the green key; empty if the row is no party
+     * @param options by the left key; empty if there are none
+     */
+    record Item(
+            Object key,
+            Screen.Row row,
+            Supplier<KeyIntent> chosen,
+            Optional<Supplier<KeyIntent>> called,
+            Optional<Supplier<KeyIntent>> options) {
+        /** A row that is only chosen. */
+        static Item of(Screen.Row row, Supplier<KeyIntent> chosen) {
+            return new Item(row.label(), row, chosen, Optional.empty(), Optional.empty());
+        }
+
+        /** A row of a menu. @param text key of the bundle */
+        static Item of(String text, Supplier<KeyIntent> chosen) {
+            return of(Screen.Row.of(Words.of(text)), chosen);
+        }
+    }
+
+    private final Words title;
+    private final Supplier<List<Item>> source;
+    private final boolean numbered;
+    private int selected;
+    private Object selectedKey;
+
+    /** @param numbered whether the digit keys choose rows, as in a menu; the green key then does so, too */
+    ListPage(PageStack stack, Words title, boolean numbered, Supplier<List<Item>> source) {
+        super(stack);
+        this.title = title;
+        this.source = source;
+        this.numbered = numbered;
+    }
+
+    /** A menu. */
+    static ListPage menu(PageStack stack, String title, Supplier<List<Item>> source) {
+        return new ListPage(stack, Words.of(title), true, source);
+    }
+
+    /** Selects a row. */
+    ListPage selecting(int index) {
+        move(items(), index);
+        return this;
+    }
+
+    /** A row that closes this page before its action. */
+    Item closing(String text, Supplier<KeyIntent> act) {
+        return Item.of(text, () -> {
+            stack.close(this);
+            return act.get();
+        });
+    }
+
+    private List<Item> items() {
+        List<Item> items = source.get();
+        if (selected > 0) {
+            for (int i = 0; i < items.size(); i++) {
+                if (items.get(i).key().equals(selectedKey)) {
+                    selected = i;
+                    return items;
+                }
+            }
+        }
+        move(items, Math.max(0, Math.min(selected, items.size() - 1)));
+        return items;
+    }
+
+    private void move(List<Item> items, int index) {
+        selected = index;
+        selectedKey = items.isEmpty() ? null : items.get(index).key();
+    }
+
+    @Override
+    Screen screen() {
+        List<Screen.Row> rows = new ArrayList<>();
+        for (Item item : items()) {
+            rows.add(item.row());
+        }
+        return new Screen.Listing(title, List.copyOf(rows), selected, numbered);
+    }
+
+    @Override
+    SoftKeys softKeys() {
+        List<Item> items = items();
+        if (items.isEmpty()) {
+            return SoftKeys.BACK;
+        }
+        return items.get(selected).options().isPresent() ? new SoftKeys("soft.options", "soft.back") : SoftKeys.SELECT;
+    }
+
+    @Override
+    KeyIntent press(PhoneKey key, long nowNanos) {
+        List<Item> items = items();
+        return switch (key) {
+            case SOFT_RIGHT, LEFT, CLEAR, MENU -> stack.close(this);
+            case UP, DOWN -> {
+                if (!items.isEmpty()) {
+                    move(items, (selected + (key == PhoneKey.UP ? items.size() - 1 : 1)) % items.size());
+                }
+                yield Simple.NOTHING;
+            }
+            default -> items.isEmpty() ? Simple.NOTHING : choose(items, key);
+        };
+    }
+
+    private KeyIntent choose(List<Item> items, PhoneKey key) {
+        Item item = items.get(selected);
+        return switch (key) {
+            case OK, RIGHT -> item.chosen().get();
+            case SOFT_LEFT -> item.options().orElse(item.chosen()).get();
+            case CALL ->
+                numbered
+                        ? item.chosen().get()
+                        : item.called().map(Supplier::get).orElse(Simple.NOTHING);
+            default -> numbered ? numbered(items, key) : Simple.NOTHING;
+        };
+    }
+
+    private KeyIntent numbered(List<Item> items, PhoneKey key) {
+        int index = key.tone().map(DtmfKey::symbol).orElse('0') - '1';
+        if (index < 0 || index >= items.size()) {
+            return Simple.NOTHING;
+        }
+        move(items, index);
+        return items.get(index).chosen().get();
+    }
+}

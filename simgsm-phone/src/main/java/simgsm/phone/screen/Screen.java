@@ -1,0 +1,123 @@
+package simgsm.phone.screen;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import simgsm.phone.store.MessageFolder;
+import simgsm.phone.store.StoredMessage;
+
+/** The contents of the display. */
+public sealed interface Screen {
+    /** The number being typed, or the call. */
+    record Home() implements Screen {}
+
+    /** A sign before a row of a list. */
+    enum Mark {
+        NONE,
+        CHOSEN,
+        NOT_CHOSEN,
+        NAME,
+        DIALLED,
+        RECEIVED,
+        MISSED,
+        UNREAD,
+        READ,
+        DRAFT,
+        SENDING,
+        SENT,
+        DELIVERED,
+        FAILED
+    }
+
+    /**
+     * A row of a list.
+     *
+     * @param note at the right edge
+     * @param at shown in place of the note
+     * @param detail on a line of its own, empty for rows of one line
+     */
+    record Row(Mark mark, Words label, Words note, Optional<Instant> at, String detail) {
+        static Row of(Words label) {
+            return of(label, Words.NONE);
+        }
+
+        static Row of(Words label, Words note) {
+            return new Row(Mark.NONE, label, note, Optional.empty(), "");
+        }
+
+        static Row of(Mark mark, Words label) {
+            return new Row(mark, label, Words.NONE, Optional.empty(), "");
+        }
+    }
+
+    /**
+     * Rows of which one is selected: a menu, or a list.
+     *
+     * @param numbered whether the digit keys choose rows
+     */
+    record Listing(Words title, List<Row> rows, int selected, boolean numbered) implements Screen {}
+
+    /** A message that is read. @param scroll lines scrolled down */
+    record MessageView(MessageFolder folder, StoredMessage message, int scroll) implements Screen {}
+
+    /** Lines of text. */
+    record Details(Words title, List<Words> lines) implements Screen {}
+
+    /**
+     * A message being written.
+     *
+     * @param caret characters before the cursor
+     * @param pending whether the last letter may still change
+     * @param choices the letters among which it is chosen
+     */
+    record Writing(String text, int caret, boolean pending, String choices, TextEntry.Mode mode) implements Screen {}
+
+    /**
+     * A line being keyed in, such as a number or a name.
+     *
+     * @param caret characters before the cursor
+     * @param choices the letters among which the pending one is chosen; empty if none is pending
+     * @param mode empty where only digits are keyed
+     */
+    record Entry(Words title, String text, int caret, String choices, Optional<TextEntry.Mode> mode)
+            implements Screen {}
+
+    /** A message just submitted and its progress; any key leaves. */
+    record Sent(StoredMessage message) implements Screen {}
+
+    /**
+     * A USSD dialogue.
+     *
+     * @param text of the network; while it is awaited, what the user has sent
+     * @param reply as typed so far
+     */
+    record Ussd(Phase phase, String text, String reply) implements Screen {
+        public enum Phase {
+            /** The network works. */
+            WAITING,
+            /** The network waits for a reply. */
+            ASKED,
+            /** The dialogue is over; any key leaves. */
+            ANSWERED
+        }
+    }
+
+    /** A short notice; any key leaves. @param detail a number or a cause, or empty */
+    record Note(Kind kind, String detail) implements Screen {
+        public enum Kind {
+            REFUSED,
+            NOT_A_NUMBER,
+            SAVED,
+            /** The SIM has no room for another name. */
+            SIM_FULL,
+            /** The network refused keys; the detail is the cause. */
+            KEYS_REFUSED,
+            /** The network does not know the code. */
+            USSD_UNKNOWN,
+            /** The network refused; the detail is the error's name in the standard. */
+            USSD_REFUSED,
+            USSD_NO_SERVICE,
+            USSD_NO_ANSWER
+        }
+    }
+}

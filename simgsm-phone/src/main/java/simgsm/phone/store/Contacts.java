@@ -1,0 +1,82 @@
+package simgsm.phone.store;
+
+import java.text.Collator;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import simgsm.sim.SimPhoneBook;
+
+/** The names in the SIM's phone book, which AT commands read and write too. */
+public final class Contacts {
+    /** @param place in the SIM's phone book, from 1 */
+    public record Contact(int place, String name, String number) {}
+
+    private final SimPhoneBook book;
+    private int knownVersion = -1;
+    private List<Contact> sorted = List.of();
+    private Map<String, String> names = Map.of();
+
+    public Contacts(SimPhoneBook book) {
+        this.book = book;
+    }
+
+    private void refresh() {
+        if (knownVersion == book.version()) {
+            return;
+        }
+        knownVersion = book.version();
+        Collator order = Collator.getInstance(Locale.ROOT);
+        sorted = book.entries().entrySet().stream()
+                .map(entry -> new Contact(
+                        entry.getKey(),
+                        entry.getValue().name(),
+                        entry.getValue().number()))
+                .sorted(Comparator.comparing(Contact::name, order).thenComparing(Contact::place))
+                .toList();
+        Map<String, String> next = new TreeMap<>();
+        for (Contact contact : sorted) {
+            if (!contact.name().isEmpty()) {
+                next.putIfAbsent(bare(contact.number()), contact.name());
+            }
+        }
+        names = Map.copyOf(next);
+    }
+
+    /** By name. */
+    public List<Contact> all() {
+        refresh();
+        return sorted;
+    }
+
+    /** The name of each number, without the plus sign of international numbers. */
+    public Map<String, String> names() {
+        refresh();
+        return names;
+    }
+
+    /** The name of a number, written with or without a plus sign; the number itself without one. */
+    public String nameOf(String number) {
+        return names().getOrDefault(bare(number), number);
+    }
+
+    /** A number as {@link #names} has it. */
+    public static String bare(String number) {
+        return number.startsWith("+") ? number.substring(1) : number;
+    }
+
+    public boolean isFull() {
+        return book.free().isEmpty();
+    }
+
+    /** Writes a contact. @param place of the contact that it replaces; empty for a new one, which needs room */
+    public void write(Optional<Integer> place, String name, String number) {
+        place.or(book::free).ifPresent(free -> book.write(free, new SimPhoneBook.Entry(number, name)));
+    }
+
+    public void erase(Contact contact) {
+        book.erase(contact.place());
+    }
+}
