@@ -3,7 +3,6 @@ package simgsm.phone;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.Locale;
 import java.util.Optional;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
@@ -73,7 +72,7 @@ public final class PhoneMain {
         TextBundle texts = PhoneTexts.in(arguments.language());
         return arguments.has("headless")
                 ? headless(arguments, settings, center, texts)
-                : windowed(arguments, settings, center, texts);
+                : windowed(arguments, settings, center);
     }
 
     static InetSocketAddress address(HostPort center) {
@@ -97,20 +96,14 @@ public final class PhoneMain {
         return ready.with("at", phone.openAtPort(new InetSocketAddress(InetAddress.getLoopbackAddress(), port)));
     }
 
-    private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center, TextBundle texts)
+    private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center)
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
-        Locale language = arguments.language();
         Phone phone = new Phone(settings, event -> {}, sound(arguments));
         withAtPort(arguments, phone, Event.of("ready"));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
-        window.show(() -> HandsetWindow.content(
-                settings.identity().number().digits(),
-                texts,
-                language,
-                phone.handset()::snapshot,
-                new PhoneControls(phone)));
+        window.show(() -> HandsetWindow.content(PhoneTexts::in, phone.handset()::snapshot, new PhoneControls(phone)));
         phone.close();
         return ExitStatus.OK;
     }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import simgsm.phone.screen.KeyIntent.Simple;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.phone.store.CallLog;
 import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.Contacts;
@@ -34,12 +34,12 @@ final class CallPages {
                         kind(CallRecord.Kind.MISSED),
                         kind(CallRecord.Kind.RECEIVED),
                         kind(CallRecord.Kind.DIALLED),
-                        Item.of("option.clear_log", this::ask))));
+                        ListItem.of("option.clear_log", this::ask))));
     }
 
-    private Item kind(CallRecord.Kind kind) {
+    private ListItem kind(CallRecord.Kind kind) {
         Words count = Words.plain(String.valueOf(log.newest(kind).size()));
-        return Item.of(Screen.Row.of(title(kind), count), () -> open(kind));
+        return ListItem.of(Screen.Row.of(title(kind), count), () -> open(kind));
     }
 
     private static Words title(CallRecord.Kind kind) {
@@ -65,7 +65,7 @@ final class CallPages {
                 () -> log.newest(kind).stream().map(this::item).toList()));
     }
 
-    private Item item(CallRecord record) {
+    private ListItem item(CallRecord record) {
         Screen.Row row = new Screen.Row(
                 switch (record.kind()) {
                     case DIALLED -> Screen.Mark.DIALLED;
@@ -76,7 +76,7 @@ final class CallPages {
                 Words.NONE,
                 Optional.of(record.at()),
                 "");
-        return new Item(
+        return new ListItem(
                 record,
                 row,
                 () -> details(record),
@@ -109,7 +109,7 @@ final class CallPages {
     }
 
     private KeyIntent options(CallRecord record) {
-        List<Item> items = new ArrayList<>();
+        List<ListItem> items = new ArrayList<>();
         ListPage page = ListPage.menu(stack, "soft.options", () -> items);
         if (!record.number().isEmpty()) {
             items.add(page.closing("option.call", () -> call(record)));

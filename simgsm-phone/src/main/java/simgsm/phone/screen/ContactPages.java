@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import simgsm.phone.screen.KeyIntent.Simple;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.store.Contacts;
-import simgsm.phone.store.Contacts.Contact;
+import simgsm.phone.store.Contacts.NamedNumber;
 import simgsm.sim.SimPhoneBook;
 
 /** The names on the SIM: list, search, edit. */
@@ -30,16 +30,16 @@ final class ContactPages {
     /** All names, and a new one. */
     KeyIntent list() {
         ListPage page = new ListPage(stack, Words.of("menu.names"), false, () -> {
-            List<Item> items = new ArrayList<>();
-            items.add(Item.of("option.new_name", () -> edit(Optional.empty(), "", "")));
+            List<ListItem> items = new ArrayList<>();
+            items.add(ListItem.of("option.new_name", () -> edit(Optional.empty(), "", "")));
             contacts.all().forEach(contact -> items.add(item(contact)));
             return items;
         });
         return stack.open(contacts.all().isEmpty() ? page : page.selecting(1));
     }
 
-    private Item item(Contact contact) {
-        return new Item(
+    private ListItem item(NamedNumber contact) {
+        return new ListItem(
                 contact.place(),
                 row(contact),
                 () -> options(contact),
@@ -47,18 +47,18 @@ final class ContactPages {
                 Optional.of(() -> options(contact)));
     }
 
-    private static Screen.Row row(Contact contact) {
+    private static Screen.Row row(NamedNumber contact) {
         return new Screen.Row(
                 Screen.Mark.NAME, Words.plain(contact.name()), Words.NONE, Optional.empty(), contact.number());
     }
 
-    private KeyIntent call(Contact contact) {
+    private KeyIntent call(NamedNumber contact) {
         stack.home();
         return new KeyIntent.DialText(contact.number());
     }
 
-    private KeyIntent options(Contact contact) {
-        List<Item> items = new ArrayList<>();
+    private KeyIntent options(NamedNumber contact) {
+        List<ListItem> items = new ArrayList<>();
         ListPage page = new ListPage(stack, Words.plain(contact.name()), true, () -> items);
         items.add(page.closing("option.call", () -> call(contact)));
         items.add(page.closing("option.message", () -> writeTo.apply(contact.number())));
@@ -68,7 +68,7 @@ final class ContactPages {
         return stack.open(page);
     }
 
-    private KeyIntent ask(Contact contact) {
+    private KeyIntent ask(NamedNumber contact) {
         return stack.open(TextPage.question(stack, Words.of("question.delete", contact.name()), () -> {
             contacts.erase(contact);
             return Simple.NOTHING;
@@ -83,7 +83,7 @@ final class ContactPages {
                 Words.of("menu.names"),
                 false,
                 () -> contacts.all().stream()
-                        .map(contact -> new Item(
+                        .map(contact -> new ListItem(
                                 contact.place(),
                                 row(contact),
                                 () -> {

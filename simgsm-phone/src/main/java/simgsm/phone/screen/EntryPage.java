@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A line to key in: a number, a code or a name. */
-final class EntryPage extends Page {
+final class EntryPage extends ScreenPage {
     /** What may be keyed. */
     enum Kind {
         /** A telephone number; the star key writes its plus sign. */

@@ -11,7 +11,7 @@ import simgsm.phone.screen.KeyIntent.Simple;
  * Rows to choose from. They are made anew for each look at them, so that the list follows what it shows; the selected row
  * stays the selected one when rows come before it.
  */
-final class ListPage extends Page {
+final class ListPage extends ScreenPage {
     /**
      * A row and what is done with it.
      *
@@ -19,31 +19,31 @@ final class ListPage extends Page {
      * @param called by the green key; empty if the row is no party
      * @param options by the left key; empty if there are none
      */
-    record Item(
+    record ListItem(
             Object key,
             Screen.Row row,
             Supplier<KeyIntent> chosen,
             Optional<Supplier<KeyIntent>> called,
             Optional<Supplier<KeyIntent>> options) {
         /** A row that is only chosen. */
-        static Item of(Screen.Row row, Supplier<KeyIntent> chosen) {
-            return new Item(row.label(), row, chosen, Optional.empty(), Optional.empty());
+        static ListItem of(Screen.Row row, Supplier<KeyIntent> chosen) {
+            return new ListItem(row.label(), row, chosen, Optional.empty(), Optional.empty());
         }
 
         /** A row of a menu. @param text key of the bundle */
-        static Item of(String text, Supplier<KeyIntent> chosen) {
+        static ListItem of(String text, Supplier<KeyIntent> chosen) {
             return of(Screen.Row.of(Words.of(text)), chosen);
         }
     }
 
     private final Words title;
-    private final Supplier<List<Item>> source;
+    private final Supplier<List<ListItem>> source;
     private final boolean numbered;
     private int selected;
     private Object selectedKey;
 
     /** @param numbered whether the digit keys choose rows, as in a menu; the green key then does so, too */
-    ListPage(PageStack stack, Words title, boolean numbered, Supplier<List<Item>> source) {
+    ListPage(PageStack stack, Words title, boolean numbered, Supplier<List<ListItem>> source) {
         super(stack);
         this.title = title;
         this.source = source;
@@ -51,7 +51,7 @@ final class ListPage extends Page {
     }
 
     /** A menu. */
-    static ListPage menu(PageStack stack, String title, Supplier<List<Item>> source) {
+    static ListPage menu(PageStack stack, String title, Supplier<List<ListItem>> source) {
         return new ListPage(stack, Words.of(title), true, source);
     }
 
@@ -62,15 +62,15 @@ final class ListPage extends Page {
     }
 
     /** A row that closes this page before its action. */
-    Item closing(String text, Supplier<KeyIntent> act) {
-        return Item.of(text, () -> {
+    ListItem closing(String text, Supplier<KeyIntent> act) {
+        return ListItem.of(text, () -> {
             stack.close(this);
             return act.get();
         });
     }
 
-    private List<Item> items() {
-        List<Item> items = source.get();
+    private List<ListItem> items() {
+        List<ListItem> items = source.get();
         if (selected > 0) {
             for (int i = 0; i < items.size(); i++) {
                 if (items.get(i).key().equals(selectedKey)) {
@@ -83,7 +83,7 @@ final class ListPage extends Page {
         return items;
     }
 
-    private void move(List<Item> items, int index) {
+    private void move(List<ListItem> items, int index) {
         selected = index;
         selectedKey = items.isEmpty() ? null : items.get(index).key();
     }
@@ -91,7 +91,7 @@ final class ListPage extends Page {
     @Override
     Screen screen() {
         List<Screen.Row> rows = new ArrayList<>();
-        for (Item item : items()) {
+        for (ListItem item : items()) {
             rows.add(item.row());
         }
         return new Screen.Listing(title, List.copyOf(rows), selected, numbered);
@@ -99,7 +99,7 @@ final class ListPage extends Page {
 
     @Override
     SoftKeys softKeys() {
-        List<Item> items = items();
+        List<ListItem> items = items();
         if (items.isEmpty()) {
             return SoftKeys.BACK;
         }
@@ -108,7 +108,7 @@ final class ListPage extends Page {
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        List<Item> items = items();
+        List<ListItem> items = items();
         return switch (key) {
             case SOFT_RIGHT, LEFT, CLEAR, MENU -> stack.close(this);
             case UP, DOWN -> {
@@ -121,8 +121,8 @@ final class ListPage extends Page {
         };
     }
 
-    private KeyIntent choose(List<Item> items, PhoneKey key) {
-        Item item = items.get(selected);
+    private KeyIntent choose(List<ListItem> items, PhoneKey key) {
+        ListItem item = items.get(selected);
         return switch (key) {
             case OK, RIGHT -> item.chosen().get();
             case SOFT_LEFT -> item.options().orElse(item.chosen()).get();
@@ -134,7 +134,7 @@ final class ListPage extends Page {
         };
     }
 
-    private KeyIntent numbered(List<Item> items, PhoneKey key) {
+    private KeyIntent numbered(List<ListItem> items, PhoneKey key) {
         int index = key.tone().map(DtmfKey::symbol).orElse('0') - '1';
         if (index < 0 || index >= items.size()) {
             return Simple.NOTHING;

@@ -6,7 +6,7 @@ import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 
 /** A message to read. */
-final class MessagePage extends Page {
+final class MessagePage extends ScreenPage {
     /** The narrowest display shows this many letters on a line. */
     private static final int LEAST_LETTERS = 16;
 

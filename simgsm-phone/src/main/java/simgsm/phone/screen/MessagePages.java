@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.phone.screen.KeyIntent.Simple;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.store.Contacts;
 import simgsm.phone.store.Mailbox;
@@ -51,18 +51,18 @@ final class MessagePages {
                 stack,
                 "menu.messages",
                 () -> List.of(
-                        Item.of("menu.write", this::write),
+                        ListItem.of("menu.write", this::write),
                         folder(MessageFolder.INBOX),
                         folder(MessageFolder.OUTBOX),
                         folder(MessageFolder.DRAFTS),
                         folder(MessageFolder.BROADCASTS))));
     }
 
-    private Item folder(MessageFolder folder) {
+    private ListItem folder(MessageFolder folder) {
         int unread = mailbox.unread(folder);
         int all = mailbox.in(folder).size();
         Words count = Words.plain(unread > 0 ? unread + "/" + all : String.valueOf(all));
-        return Item.of(Screen.Row.of(title(folder), count), () -> open(folder));
+        return ListItem.of(Screen.Row.of(title(folder), count), () -> open(folder));
     }
 
     private static Words title(MessageFolder folder) {
@@ -79,8 +79,8 @@ final class MessagePages {
                         .toList()));
     }
 
-    private Item item(MessageFolder folder, StoredMessage message) {
-        return new Item(
+    private ListItem item(MessageFolder folder, StoredMessage message) {
+        return new ListItem(
                 message.serial(),
                 new Screen.Row(
                         mark(message),
@@ -112,7 +112,7 @@ final class MessagePages {
 
     /** What can be done with a message. @param view of the message, closed when it is erased; null in the list */
     KeyIntent options(MessageFolder folder, StoredMessage message, MessagePage view) {
-        List<Item> items = new ArrayList<>();
+        List<ListItem> items = new ArrayList<>();
         ListPage page = ListPage.menu(stack, "soft.options", () -> items);
         boolean isParty = folder != MessageFolder.BROADCASTS && isNumber(message.party());
         if (isFailed(message)) {

@@ -1,7 +1,7 @@
 package simgsm.phone.screen;
 
 /** A short notice; any key leaves. */
-final class NotePage extends Page {
+final class NotePage extends ScreenPage {
     private final Screen.Note note;
 
     NotePage(PageStack stack, Screen.Note note) {

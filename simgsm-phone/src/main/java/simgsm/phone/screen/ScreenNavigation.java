@@ -3,7 +3,7 @@ package simgsm.phone.screen;
 import java.util.List;
 import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.store.CallLog;
 import simgsm.phone.store.CallRecord;
@@ -42,12 +42,12 @@ public final class ScreenNavigation {
     }
 
     public Screen current() {
-        return stack.top().map(Page::screen).orElse(HOME);
+        return stack.top().map(ScreenPage::screen).orElse(HOME);
     }
 
     /** What the keys under the display do; on the home screen they are {@link HomeKeys}'s. */
     public SoftKeys softKeys() {
-        return stack.top().map(Page::softKeys).orElse(SoftKeys.NONE);
+        return stack.top().map(ScreenPage::softKeys).orElse(SoftKeys.NONE);
     }
 
     public boolean isHome() {
@@ -64,13 +64,13 @@ public final class ScreenNavigation {
                 stack,
                 "key.menu",
                 () -> List.of(
-                        Item.of("menu.messages", messages::menu),
-                        Item.of("menu.names", names::list),
-                        Item.of("menu.calls", calls::menu),
-                        Item.of("menu.services", services::menu),
-                        Item.of("menu.settings", settings::menu),
-                        Item.of("menu.about", this::openAbout),
-                        Item.of("menu.switch_off", () -> {
+                        ListItem.of("menu.messages", messages::menu),
+                        ListItem.of("menu.names", names::list),
+                        ListItem.of("menu.calls", calls::menu),
+                        ListItem.of("menu.services", services::menu),
+                        ListItem.of("menu.settings", settings::menu),
+                        ListItem.of("menu.about", this::openAbout),
+                        ListItem.of("menu.switch_off", () -> {
                             stack.home();
                             return Simple.SWITCH_OFF;
                         }))));
@@ -126,7 +126,7 @@ public final class ScreenNavigation {
     }
 
     public boolean wantsTime() {
-        return stack.top().filter(Page::wantsTime).isPresent();
+        return stack.top().filter(ScreenPage::wantsTime).isPresent();
     }
 
     /** @return whether something changed */
@@ -146,7 +146,7 @@ public final class ScreenNavigation {
 
     /** A key, on any screen but home. */
     public KeyIntent press(PhoneKey key, long nowNanos) {
-        Page page = stack.top().orElseThrow();
+        ScreenPage page = stack.top().orElseThrow();
         if (key != PhoneKey.END) {
             return page.press(key, nowNanos);
         }

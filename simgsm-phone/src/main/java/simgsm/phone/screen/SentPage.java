@@ -5,7 +5,7 @@ import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 
 /** The progress of a message that was just submitted. */
-final class SentPage extends Page {
+final class SentPage extends ScreenPage {
     private final Mailbox mailbox;
     private final MessagePages messages;
     private StoredMessage message;

@@ -3,7 +3,7 @@ package simgsm.phone.screen;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.air.Msisdn;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.ss.UssdText;
 
 /** The network's services: own number, service codes, call forwarding and call waiting, each by its code (TS 22.030). */
@@ -33,10 +33,10 @@ final class ServicePages {
                 stack,
                 "menu.services",
                 () -> List.of(
-                        Item.of("service.own", () -> send("*100#")),
-                        Item.of("service.code", this::askForCode),
-                        Item.of("service.forwarding", this::forwarding),
-                        Item.of("service.waiting", this::callWaiting))));
+                        ListItem.of("service.own", () -> send("*100#")),
+                        ListItem.of("service.code", this::askForCode),
+                        ListItem.of("service.forwarding", this::forwarding),
+                        ListItem.of("service.waiting", this::callWaiting))));
     }
 
     private static KeyIntent send(String code) {
@@ -55,11 +55,11 @@ final class ServicePages {
     }
 
     private KeyIntent forwarding() {
-        List<Item> items = new ArrayList<>();
+        List<ListItem> items = new ArrayList<>();
         for (Condition condition : CONDITIONS) {
-            items.add(Item.of(condition.text(), () -> forwarding(condition)));
+            items.add(ListItem.of(condition.text(), () -> forwarding(condition)));
         }
-        items.add(Item.of("forward.cancel_all", () -> send("##" + ALL_CONDITIONS + "#")));
+        items.add(ListItem.of("forward.cancel_all", () -> send("##" + ALL_CONDITIONS + "#")));
         return stack.open(ListPage.menu(stack, "service.forwarding", () -> items));
     }
 
@@ -68,9 +68,9 @@ final class ServicePages {
                 stack,
                 condition.text(),
                 () -> List.of(
-                        Item.of("service.activate", () -> askForNumber(condition)),
-                        Item.of("service.query", () -> send("*#" + condition.code() + "#")),
-                        Item.of("service.cancel", () -> send("##" + condition.code() + "#")))));
+                        ListItem.of("service.activate", () -> askForNumber(condition)),
+                        ListItem.of("service.query", () -> send("*#" + condition.code() + "#")),
+                        ListItem.of("service.cancel", () -> send("##" + condition.code() + "#")))));
     }
 
     private KeyIntent askForNumber(Condition condition) {
@@ -92,8 +92,8 @@ final class ServicePages {
                 stack,
                 "service.waiting",
                 () -> List.of(
-                        Item.of("service.activate", () -> send("*" + CALL_WAITING + "#")),
-                        Item.of("service.query", () -> send("*#" + CALL_WAITING + "#")),
-                        Item.of("service.cancel", () -> send("#" + CALL_WAITING + "#")))));
+                        ListItem.of("service.activate", () -> send("*" + CALL_WAITING + "#")),
+                        ListItem.of("service.query", () -> send("*#" + CALL_WAITING + "#")),
+                        ListItem.of("service.cancel", () -> send("#" + CALL_WAITING + "#")))));
     }
 }

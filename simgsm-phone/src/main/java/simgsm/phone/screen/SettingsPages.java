@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import simgsm.draw.Appearance;
-import simgsm.phone.screen.ListPage.Item;
+import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.speech.SpeechCodec;
 
 /** The menu of settings; each opens its values, of which one is chosen. */
@@ -81,9 +81,9 @@ final class SettingsPages {
         UserSettings of(UserSettings before, T value);
     }
 
-    private <T> Item setting(
+    private <T> ListItem setting(
             String title, List<T> values, Function<UserSettings, T> value, Function<T, Words> words, Change<T> change) {
-        return Item.of(
+        return ListItem.of(
                 Screen.Row.of(Words.of(title), words.apply(value.apply(settings.get()))),
                 () -> choose(title, values, value, words, chosen -> before -> change.of(before, chosen)));
     }
@@ -94,12 +94,12 @@ final class SettingsPages {
             Function<UserSettings, T> value,
             Function<T, Words> words,
             Function<T, UnaryOperator<UserSettings>> change) {
-        List<Item> items = new ArrayList<>();
+        List<ListItem> items = new ArrayList<>();
         ListPage page = new ListPage(stack, Words.of(title), true, () -> items);
         T now = value.apply(settings.get());
         for (T each : values) {
             Screen.Mark mark = each.equals(now) ? Screen.Mark.CHOSEN : Screen.Mark.NOT_CHOSEN;
-            items.add(Item.of(Screen.Row.of(mark, words.apply(each)), () -> {
+            items.add(ListItem.of(Screen.Row.of(mark, words.apply(each)), () -> {
                 stack.close(page);
                 return new KeyIntent.ChangeSettings(change.apply(each).apply(settings.get()));
             }));

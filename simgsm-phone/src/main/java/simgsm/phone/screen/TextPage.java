@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** Lines to read, or a question that the left key answers with yes. */
-final class TextPage extends Page {
+final class TextPage extends ScreenPage {
     private final Words title;
     private final Supplier<List<Words>> lines;
     private final SoftKeys softKeys;

@@ -5,7 +5,7 @@ import simgsm.phone.screen.KeyIntent.Simple;
 import simgsm.station.context.StationEvent;
 
 /** A USSD dialogue on the display. */
-final class UssdPage extends Page {
+final class UssdPage extends ScreenPage {
     private final UssdDialog dialog = new UssdDialog();
     private Screen shown = new Screen.Ussd(Screen.Ussd.Phase.WAITING, "", "");
 

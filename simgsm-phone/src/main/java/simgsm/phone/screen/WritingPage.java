@@ -5,7 +5,7 @@ import java.util.List;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A message being written. */
-final class WritingPage extends Page {
+final class WritingPage extends ScreenPage {
     private final TextEntry entry;
     private final MessagePages messages;
 
@@ -46,7 +46,7 @@ final class WritingPage extends Page {
     }
 
     private KeyIntent options() {
-        List<ListPage.Item> items = new ArrayList<>();
+        List<ListPage.ListItem> items = new ArrayList<>();
         ListPage page = ListPage.menu(stack, "soft.options", () -> items);
         items.add(page.closing("option.send", messages::chooseReceiver));
         items.add(page.closing("option.keep", () -> {

@@ -8,6 +8,6 @@
  *                                                    --> Screen and SoftKeys, which the display draws
  * </pre>
  *
- * <p>Read first: {@link simgsm.phone.screen.Screen}, then {@code Page}, {@code ListPage} and {@code MainMenu}.
+ * <p>Read first: {@link simgsm.phone.screen.Screen}, then {@code ScreenPage}, {@code ListPage} and {@code MainMenu}.
  */
 package simgsm.phone.screen;

@@ -12,11 +12,11 @@ import simgsm.sim.SimPhoneBook;
 /** The names in the SIM's phone book, which AT commands read and write too. */
 public final class Contacts {
     /** @param place in the SIM's phone book, from 1 */
-    public record Contact(int place, String name, String number) {}
+    public record NamedNumber(int place, String name, String number) {}
 
     private final SimPhoneBook book;
     private int knownVersion = -1;
-    private List<Contact> sorted = List.of();
+    private List<NamedNumber> sorted = List.of();
     private Map<String, String> names = Map.of();
 
     public Contacts(SimPhoneBook book) {
@@ -30,14 +30,14 @@ public final class Contacts {
         knownVersion = book.version();
         Collator order = Collator.getInstance(Locale.ROOT);
         sorted = book.entries().entrySet().stream()
-                .map(entry -> new Contact(
+                .map(entry -> new NamedNumber(
                         entry.getKey(),
                         entry.getValue().name(),
                         entry.getValue().number()))
-                .sorted(Comparator.comparing(Contact::name, order).thenComparing(Contact::place))
+                .sorted(Comparator.comparing(NamedNumber::name, order).thenComparing(NamedNumber::place))
                 .toList();
         Map<String, String> next = new TreeMap<>();
-        for (Contact contact : sorted) {
+        for (NamedNumber contact : sorted) {
             if (!contact.name().isEmpty()) {
                 next.putIfAbsent(bare(contact.number()), contact.name());
             }
@@ -46,7 +46,7 @@ public final class Contacts {
     }
 
     /** By name. */
-    public List<Contact> all() {
+    public List<NamedNumber> all() {
         refresh();
         return sorted;
     }
@@ -76,7 +76,7 @@ public final class Contacts {
         place.or(book::free).ifPresent(free -> book.write(free, new SimPhoneBook.Entry(number, name)));
     }
 
-    public void erase(Contact contact) {
+    public void erase(NamedNumber contact) {
         book.erase(contact.place());
     }
 }

@@ -136,11 +136,7 @@ public final class HandsetPanel extends JPanel {
     /** Opens or closes the tone scope; the window that holds the panel changes its height accordingly. */
     public void setScopeOpen(boolean open) {
         double before = layout.height();
-        layout.setOpen(open);
-        scope.setVisible(open);
-        scopeSwitch.setText(texts.of(open ? "scope.close" : "scope.open"));
-        scopeSwitch.setIcon((open ? Symbol.UP : Symbol.DOWN).icon(12));
-        scopeSwitch.getAccessibleContext().setAccessibleName(scopeSwitch.getText());
+        setOpen(open);
         Window window = SwingUtilities.getWindowAncestor(this);
         if (window != null && before != layout.height() && getWidth() > 0) {
             double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
@@ -149,6 +145,19 @@ public final class HandsetPanel extends JPanel {
         }
         revalidate();
         repaint();
+    }
+
+    /** Opens the tone scope in a window that has the height for it. */
+    void showScope() {
+        setOpen(true);
+    }
+
+    private void setOpen(boolean open) {
+        layout.setOpen(open);
+        scope.setVisible(open);
+        scopeSwitch.setText(texts.of(open ? "scope.close" : "scope.open"));
+        scopeSwitch.setIcon((open ? Symbol.UP : Symbol.DOWN).icon(12));
+        scopeSwitch.getAccessibleContext().setAccessibleName(scopeSwitch.getText());
     }
 
     @Override

@@ -3,6 +3,7 @@ package simgsm.phone.ui;
 import java.time.Clock;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.Timer;
 import simgsm.console.TextBundle;
@@ -18,27 +19,25 @@ public final class HandsetWindow {
 
     private HandsetWindow() {}
 
-    /** Called on the event thread. @param number the phone's own, for the title */
+    /** Called on the event thread. @param bundles the texts in a language */
     public static ProgramWindow.Content content(
-            String number,
-            TextBundle texts,
-            Locale language,
-            Supplier<HandsetSnapshot> snapshots,
-            HandsetControls controls) {
-        HandsetPanel panel = new HandsetPanel(texts, language, Clock.systemDefaultZone(), snapshots.get(), controls);
-        SnapshotPoller<HandsetSnapshot> newest = new SnapshotPoller<>(snapshots, panel::show);
-        Timer clock = new Timer(SECOND_MILLIS, event -> panel.lookAtClock());
+            Function<Locale, TextBundle> bundles, Supplier<HandsetSnapshot> snapshots, HandsetControls controls) {
+        HandsetSnapshot first = snapshots.get();
+        TextBundle texts = bundles.apply(Locale.forLanguageTag(first.settings().language()));
+        HandsetView view = new HandsetView(bundles, Clock.systemDefaultZone(), first, controls);
+        SnapshotPoller<HandsetSnapshot> newest = new SnapshotPoller<>(snapshots, view::show);
+        Timer clock = new Timer(SECOND_MILLIS, event -> view.lookAtClock());
         newest.start();
         clock.start();
         return new ProgramWindow.Content(
-                texts.of("window.title") + " " + number,
+                HandsetView.title(texts, first),
                 texts.of("window.help"),
                 WindowIcon.images(Symbol.PHONE),
-                panel,
+                view,
                 Optional.empty(),
                 Optional.empty(),
                 Runnable::run,
-                panel::requestFocusInWindow,
+                view::requestFocusInWindow,
                 () -> {
                     newest.stop();
                     clock.stop();

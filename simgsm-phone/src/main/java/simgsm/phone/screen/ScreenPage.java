@@ -1,10 +1,10 @@
 package simgsm.phone.screen;
 
 /** A page on the stack: what it shows and what each key does on it. The red key is the handset's. */
-abstract class Page {
+abstract class ScreenPage {
     final PageStack stack;
 
-    Page(PageStack stack) {
+    ScreenPage(PageStack stack) {
         this.stack = stack;
     }
 
