@@ -93,6 +93,7 @@ class LayeringTest {
             simgsm.cells.town        : simgsm.octets
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
+            simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
             simgsm.cells.app         : simgsm.console simgsm.cells.town
             simgsm.cells             : simgsm.console simgsm.cells.town simgsm.cells.app
             simrobot.behaviour       :

@@ -2,4 +2,5 @@
 module simgsm.cells {
     requires simgsm.air;
     requires simgsm.console;
+    requires simgsm.desktop;
 }

@@ -56,7 +56,16 @@ public enum Ink {
     ROBOT_LINE(0x5C160E, 0xFFD9D2),
     WHEEL(0x23272D, 0x14171B),
     TRAIL(0x1F5FBF, 0x7FB0FF),
-    RAY(0x9A6200, 0xF0B64A);
+    RAY(0x9A6200, 0xF0B64A),
+
+    /** Cells of a town, in the order of its towers; an eighth begins again. Laid over FLOOR, the stronger the denser. */
+    CELL_1(0x3B7DD8, 0x5C9BEA),
+    CELL_2(0xD9822B, 0xE59A4C),
+    CELL_3(0x2E9E6B, 0x4CBF8A),
+    CELL_4(0xB0559E, 0xC979B8),
+    CELL_5(0xA8962A, 0xC4B24A),
+    CELL_6(0x2F93A6, 0x58BFD0),
+    CELL_7(0xC7524B, 0xE07A73);
 
     private final int light;
     private final int dark;

@@ -139,15 +139,21 @@ class ReceptionTest {
         Propagation propagation = new Propagation(town, 0);
         List<TowerState> on = List.of(new TowerState(true, 43), new TowerState(true, 43));
 
-        Coverage both = Coverage.of(propagation, on, 500);
+        LossRaster raster = LossRaster.of(propagation, 500);
+        Coverage both = raster.coverage(on);
         assertEquals(8, both.columns());
         assertEquals(4, both.rows());
         assertEquals(0, both.best()[0]);
         assertEquals(1, both.best()[31]);
         assertEquals(43 - propagation.lossDecibels(0, 250, 1_750), both.levelDbm()[0], 1e-4);
+        double lead = propagation.lossDecibels(1, 250, 1_750) - propagation.lossDecibels(0, 250, 1_750);
+        assertEquals(lead, both.leadDecibels()[0], 1e-4);
 
-        Coverage one = Coverage.of(propagation, List.of(new TowerState(false, 43), on.get(1)), 500);
+        Coverage one = raster.coverage(List.of(new TowerState(false, 43), on.get(1)));
         assertTrue(IntStream.range(0, 32).allMatch(i -> one.best()[i] == 1));
+        assertEquals(Float.POSITIVE_INFINITY, one.leadDecibels()[0]);
+        Coverage none = raster.coverage(List.of(new TowerState(false, 43), new TowerState(false, 43)));
+        assertEquals(Coverage.NONE, none.best()[0]);
     }
 
     @Test

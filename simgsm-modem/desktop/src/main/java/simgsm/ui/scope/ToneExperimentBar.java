@@ -19,6 +19,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
+import simgsm.ui.Slider;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;

@@ -6,7 +6,8 @@ import java.awt.Dimension;
 public enum SuiteWindow {
     PHONE(336, 660),
     ROBOT(764, 432),
-    CENTER(860, 288);
+    CENTER(860, 288),
+    CELLS(760, 420);
 
     private final int widthUnits;
     private final int heightUnits;

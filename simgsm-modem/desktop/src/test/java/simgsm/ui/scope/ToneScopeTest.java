@@ -32,6 +32,7 @@ import simgsm.dtmf.ToneTracer;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Painted;
+import simgsm.ui.Slider;
 import simgsm.ui.Theme;
 
 /** The tone scope, painted without a display. */

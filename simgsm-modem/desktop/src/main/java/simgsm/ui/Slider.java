@@ -1,4 +1,4 @@
-package simgsm.ui.scope;
+package simgsm.ui;
 
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -16,17 +16,13 @@ import javax.accessibility.AccessibleValue;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import simgsm.draw.Ink;
-import simgsm.ui.Drawing;
-import simgsm.ui.PaintedComponent;
-import simgsm.ui.Theme;
-import simgsm.ui.UserAction;
 
 /**
  * A slider: a track, coloured from the neutral value to the current one, and a knob. The mouse drags it; the arrows and the
  * wheel move it by 1, the Page keys by 5; Home and a double click set the neutral value. (Under Nimbus a JSlider cannot be
  * made without a display.)
  */
-final class Slider extends JComponent implements Accessible {
+public final class Slider extends JComponent implements Accessible {
     private static final double KNOB = 6;
     private static final int PAGE = 5;
 
@@ -41,7 +37,7 @@ final class Slider extends JComponent implements Accessible {
      *
      * @param moved run after every change, on the event thread
      */
-    Slider(int least, int most, int neutral, Runnable moved) {
+    public Slider(int least, int most, int neutral, Runnable moved) {
         this.least = least;
         this.most = most;
         this.neutral = neutral;
@@ -63,16 +59,25 @@ final class Slider extends JComponent implements Accessible {
         PaintedComponent.repaintOnFocus(this);
     }
 
+    /** Sets the value without running the task: what the slider shows has changed by itself. */
+    public void show(int shown) {
+        int next = Math.max(least, Math.min(most, shown));
+        if (next != value) {
+            value = next;
+            repaint();
+        }
+    }
+
     private void bind(int key, String id, Runnable task) {
         new UserAction(id, id, task).bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
     }
 
-    int value() {
+    public int value() {
         return value;
     }
 
     /** Sets the value, limited to its range. */
-    void setValue(int wanted) {
+    public void setValue(int wanted) {
         int next = Math.max(least, Math.min(most, wanted));
         if (next != value) {
             int before = value;

@@ -1,0 +1,103 @@
+package simgsm.cells.ui;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import simgsm.cells.radio.LossRaster;
+import simgsm.cells.radio.Propagation;
+import simgsm.cells.radio.TowerState;
+import simgsm.cells.snapshot.CellState;
+import simgsm.cells.snapshot.TownSnapshot;
+import simgsm.draw.Appearance;
+
+/** Keeps the coverage's picture up to date. A worker computes it; until then the picture before is shown. */
+final class CoverageView {
+    /** Squares of the raster are at least so many device pixels wide. */
+    private static final double SQUARE_PIXELS = 3;
+    /** More squares are not worth their time; the picture is enlarged. */
+    private static final double COLUMNS_MAX = 400;
+
+    /** What a picture depends on. */
+    private record Look(
+            double squareMetres,
+            List<TowerState> towers,
+            Appearance appearance,
+            boolean levels,
+            boolean borders,
+            double marginDecibels) {}
+
+    private final Propagation propagation;
+    private final Executor worker;
+    private final Executor eventThread;
+    private final Runnable changed;
+    private LossRaster raster;
+    private double rasterSquareMetres;
+    private Optional<Look> shown = Optional.empty();
+    private Optional<Look> wanted = Optional.empty();
+    private boolean isComputing;
+    private Optional<BufferedImage> image = Optional.empty();
+
+    /** @param changed run on the event thread when a new picture is there */
+    CoverageView(Propagation propagation, Executor worker, Executor eventThread, Runnable changed) {
+        this.propagation = propagation;
+        this.worker = worker;
+        this.eventThread = eventThread;
+        this.changed = changed;
+    }
+
+    static List<TowerState> states(TownSnapshot snapshot) {
+        return snapshot.cells().stream()
+                .map((CellState cell) -> new TowerState(cell.isOn(), cell.powerDbm()))
+                .toList();
+    }
+
+    /** The newest picture; asks for another if it is not the one that belongs to these values. On the event thread. */
+    Optional<BufferedImage> image(
+            TownSnapshot snapshot,
+            double pixelsPerMetre,
+            Appearance appearance,
+            boolean levels,
+            boolean borders,
+            double marginDecibels) {
+        double square = Math.max(
+                SQUARE_PIXELS / pixelsPerMetre,
+                Math.max(snapshot.town().widthMetres(), snapshot.town().heightMetres()) / COLUMNS_MAX);
+        wanted = Optional.of(new Look(square, states(snapshot), appearance, levels, borders, marginDecibels));
+        compute();
+        return image;
+    }
+
+    private void compute() {
+        if (isComputing || wanted.equals(shown)) {
+            return;
+        }
+        Look look = wanted.orElseThrow();
+        isComputing = true;
+        worker.execute(() -> {
+            BufferedImage next = draw(look);
+            eventThread.execute(() -> {
+                isComputing = false;
+                shown = Optional.of(look);
+                image = Optional.of(next);
+                changed.run();
+                compute();
+            });
+        });
+    }
+
+    /** On the worker, which alone uses the raster. */
+    private BufferedImage draw(Look look) {
+        if (raster == null || rasterSquareMetres != look.squareMetres) {
+            raster = LossRaster.of(propagation, look.squareMetres);
+            rasterSquareMetres = look.squareMetres;
+        }
+        return CoverageImage.of(
+                raster.coverage(look.towers),
+                propagation.town().towers(),
+                look.appearance,
+                look.levels,
+                look.borders,
+                look.marginDecibels);
+    }
+}

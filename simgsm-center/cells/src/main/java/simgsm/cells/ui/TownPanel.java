@@ -1,0 +1,147 @@
+package simgsm.cells.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import simgsm.cells.radio.Propagation;
+import simgsm.cells.snapshot.MobileState;
+import simgsm.cells.snapshot.TownActions;
+import simgsm.cells.snapshot.TownSnapshot;
+import simgsm.cells.town.Tower;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.Card;
+import simgsm.ui.ScrolledColumn;
+import simgsm.ui.Theme;
+
+/** The content of the town's window: shows snapshots and passes the user's actions on. Needs no display. */
+public final class TownPanel extends JPanel {
+    private static final Dimension SIZE_UNITS = new Dimension(1100, 760);
+    private static final int MARGIN_UNITS = 12;
+    private static final int SIDE_UNITS = 350;
+    private static final int LEAST_SIDE_UNITS = 300;
+    private static final int LEAST_MAP_UNITS = 260;
+
+    private final TownHeader header;
+    private final TownMap map;
+    private final MobileCard mobile;
+    private final PassingStrip strip;
+    private final List<TowerRow> rows = new ArrayList<>();
+    private final JSplitPane split;
+    private Optional<String> selected = Optional.empty();
+    private TownSnapshot snapshot;
+    private double shownZoom;
+
+    /**
+     * Creates the panel.
+     *
+     * @param first the snapshot to begin with; later ones have the same town
+     * @param propagation of that town, with the seed that the core uses
+     * @param worker computes the coverage
+     * @param eventThread runs what follows
+     */
+    public TownPanel(
+            TextBundle texts,
+            TownActions town,
+            TownSnapshot first,
+            Propagation propagation,
+            Executor worker,
+            Executor eventThread) {
+        super(new BorderLayout());
+        snapshot = first;
+        map = new TownMap(texts, town, first, propagation, worker, eventThread, this::select);
+        header = new TownHeader(texts, town, map, first);
+        mobile = new MobileCard(texts, town, this::select, map::walkAt);
+        strip = new PassingStrip(texts);
+        JPanel mapSheet = new JPanel(new BorderLayout());
+        mapSheet.setOpaque(false);
+        mapSheet.add(map, BorderLayout.CENTER);
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(mapSheet), side(texts, town, first));
+        split.setResizeWeight(1);
+        split.setBorder(null);
+        split.setOpaque(false);
+        add(Arrange.column(MARGIN_UNITS, header, Arrange.growing(split), new Card(strip)), BorderLayout.CENTER);
+        dress();
+        show(first);
+    }
+
+    private JComponent side(TextBundle texts, TownActions town, TownSnapshot first) {
+        List<Tower> towers = first.town().towers();
+        for (int i = 0; i < towers.size(); i++) {
+            rows.add(new TowerRow(texts, town, towers.get(i), i));
+        }
+        Card towerCard =
+                new Card(texts.of("towers.title"), Arrange.column(Theme.HALF, rows.toArray(JComponent[]::new)));
+        JComponent column =
+                Arrange.column(MARGIN_UNITS, new Card(texts.of("mobile.title"), mobile), towerCard, Arrange.spring());
+        JScrollPane scroll = new JScrollPane(
+                new ScrolledColumn(column),
+                JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
+                JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(null);
+        scroll.setOpaque(false);
+        scroll.getViewport().setOpaque(false);
+        return scroll;
+    }
+
+    private void select(String number) {
+        selected = Optional.of(number);
+        map.select(selected);
+        mobile.show(snapshot, selected);
+        strip.show(snapshot.passing(), selected);
+    }
+
+    /** Shows the newest picture; called on the event thread. */
+    public void show(TownSnapshot newest) {
+        snapshot = newest;
+        boolean isThere = selected.isPresent()
+                && newest.mobiles().stream()
+                        .anyMatch(candidate -> candidate.number().equals(selected.get()));
+        if (!isThere) {
+            selected = newest.mobiles().stream().findFirst().map(MobileState::number);
+            map.select(selected);
+        }
+        header.show(newest);
+        map.show(newest);
+        mobile.show(newest, selected);
+        for (int i = 0; i < rows.size(); i++) {
+            rows.get(i).show(newest.cells().get(i));
+        }
+        strip.show(newest.passing(), selected);
+    }
+
+    /** The map comes first for the keyboard. */
+    @Override
+    public boolean requestFocusInWindow() {
+        return map.requestFocusInWindow();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (split != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        setBackground(Theme.color(Ink.SURFACE));
+        setBorder(Theme.padding(MARGIN_UNITS));
+        if (shownZoom != Theme.zoom()) {
+            shownZoom = Theme.zoom();
+            setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
+            split.getLeftComponent().setMinimumSize(new Dimension(Theme.px(LEAST_MAP_UNITS), 0));
+            split.getRightComponent().setMinimumSize(new Dimension(Theme.px(LEAST_SIDE_UNITS), 0));
+            split.getRightComponent().setPreferredSize(new Dimension(Theme.px(SIDE_UNITS), 0));
+            split.resetToPreferredSizes();
+        }
+    }
+}

@@ -1,0 +1,238 @@
+package simgsm.cells.ui;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.cells.snapshot.CellState;
+import simgsm.cells.snapshot.MobileState;
+import simgsm.cells.snapshot.TownSnapshot;
+import simgsm.cells.town.Building;
+import simgsm.cells.town.Hill;
+import simgsm.cells.town.Place;
+import simgsm.cells.town.Tower;
+import simgsm.cells.town.Town;
+import simgsm.cells.town.Walk;
+import simgsm.console.TextBundle;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
+import simgsm.draw.Ink;
+import simgsm.draw.Outline;
+import simgsm.draw.StatusMark;
+
+/** Draws what stands and moves in a town, over its coverage. */
+final class TownPicture {
+    /** Radius of a mobile, in units. */
+    static final double MOBILE_UNITS = 7;
+    /** Height of a mast, in units. */
+    static final double MAST_UNITS = 26;
+
+    private static final double CHIP_HEIGHT_UNITS = 17;
+    private static final double CHIP_PADDING_UNITS = 4;
+
+    private final TownSnapshot snapshot;
+    private final MapScale scale;
+    private final TextBundle texts;
+    private final Canvas g;
+    private final Map<String, Integer> towerIndices = new HashMap<>();
+
+    TownPicture(TownSnapshot snapshot, MapScale scale, TextBundle texts, Canvas g) {
+        this.snapshot = snapshot;
+        this.scale = scale;
+        this.texts = texts;
+        this.g = g;
+        List<Tower> towers = snapshot.town().towers();
+        for (int i = 0; i < towers.size(); i++) {
+            towerIndices.put(towers.get(i).name(), i);
+        }
+    }
+
+    /**
+     * Draws all.
+     *
+     * @param selected number of the mobile that is marked
+     * @param showsPaths whether the town's walks are shown
+     * @param drawn a path that is being drawn; empty for none
+     */
+    void draw(Optional<String> selected, boolean showsPaths, List<Place> drawn) {
+        snapshot.town().hills().forEach(this::hill);
+        snapshot.town().buildings().forEach(this::building);
+        if (showsPaths) {
+            snapshot.town().walks().forEach(this::walk);
+        }
+        for (MobileState mobile : snapshot.mobiles()) {
+            path(mobile, selected.filter(mobile.number()::equals).isPresent());
+            connection(mobile);
+        }
+        path(drawn, Ink.ACCENT);
+        for (int i = 0; i < snapshot.cells().size(); i++) {
+            tower(snapshot.town().towers().get(i), snapshot.cells().get(i), i);
+        }
+        for (MobileState mobile : snapshot.mobiles()) {
+            mobile(mobile, selected.filter(mobile.number()::equals).isPresent());
+        }
+        scaleBar();
+    }
+
+    private void hill(Hill hill) {
+        double x = scale.x(hill.top().xMetres());
+        double y = scale.y(hill.top().yMetres());
+        g.ink(Ink.QUIET, 0.6);
+        g.pen(1, 3);
+        for (int ring = 1; ring <= 3; ring++) {
+            g.draw(Outline.circle(x, y, hill.radiusMetres() * ring / 3 * scale.pixelsPerMetre()));
+        }
+        g.ink(Ink.QUIET);
+        g.text(hill.name() + " " + Math.round(hill.heightMetres()) + " m", Face.SMALL, x, y);
+    }
+
+    private void building(Building building) {
+        double x = scale.x(building.westMetres());
+        double y = scale.y(building.northMetres());
+        double width = (building.eastMetres() - building.westMetres()) * scale.pixelsPerMetre();
+        double height = (building.northMetres() - building.southMetres()) * scale.pixelsPerMetre();
+        g.ink(Ink.WALL, 0.28);
+        g.bar(x, y, width, height);
+        g.ink(Ink.WALL, 0.7);
+        g.pen(1);
+        g.draw(Outline.box(x, y, width, height));
+        g.ink(Ink.TEXT);
+        g.text(building.name(), Face.SMALL, x + width / 2, y + height + g.px(9));
+    }
+
+    private void walk(Walk walk) {
+        path(walk.points(), Ink.QUIET);
+        Place first = walk.points().get(0);
+        g.ink(Ink.QUIET);
+        g.text(walk.name(), Face.SMALL, scale.x(first.xMetres()), scale.y(first.yMetres()) - g.px(9));
+    }
+
+    private void path(MobileState mobile, boolean isSelected) {
+        if (isSelected && !mobile.path().isEmpty()) {
+            double[] xy = pixels(mobile.path());
+            double[] all = new double[xy.length + 2];
+            all[0] = scale.x(mobile.place().xMetres());
+            all[1] = scale.y(mobile.place().yMetres());
+            System.arraycopy(xy, 0, all, 2, xy.length);
+            g.ink(Ink.ACCENT);
+            g.pen(1.6, 4);
+            g.draw(Outline.polyline(all));
+        }
+    }
+
+    private void path(List<Place> points, Ink ink) {
+        if (points.size() > 1) {
+            g.ink(ink, 0.8);
+            g.pen(1.4, 4);
+            g.draw(Outline.polyline(pixels(points)));
+        }
+    }
+
+    private double[] pixels(List<Place> points) {
+        double[] xy = new double[2 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            xy[2 * i] = scale.x(points.get(i).xMetres());
+            xy[2 * i + 1] = scale.y(points.get(i).yMetres());
+        }
+        return xy;
+    }
+
+    /** A line from a mobile to its tower: solid in a connection, dashed if it only listens. */
+    private void connection(MobileState mobile) {
+        Integer index = towerIndices.get(mobile.cell());
+        if (index != null) {
+            Place mast = snapshot.town().towers().get(index).place();
+            g.ink(CellInk.of(index));
+            if (mobile.state() == MobileState.State.IDLE) {
+                g.pen(1, 3);
+            } else {
+                g.pen(2);
+            }
+            g.line(
+                    scale.x(mobile.place().xMetres()),
+                    scale.y(mobile.place().yMetres()),
+                    scale.x(mast.xMetres()),
+                    scale.y(mast.yMetres()) - g.px(MAST_UNITS));
+        }
+    }
+
+    private void tower(Tower tower, CellState state, int index) {
+        double x = scale.x(tower.place().xMetres());
+        double foot = scale.y(tower.place().yMetres());
+        double top = foot - g.px(MAST_UNITS);
+        double half = g.px(6);
+        Ink ink = state.isOn() ? Ink.TEXT : Ink.QUIET;
+        g.ink(ink);
+        g.pen(1.6);
+        g.draw(Outline.polyline(x - half, foot, x, top, x + half, foot));
+        g.draw(Outline.polyline(x - half * 0.62, foot - g.px(10), x + half * 0.62, foot - g.px(10)));
+        g.draw(Outline.polyline(x - half * 0.32, foot - g.px(18), x + half * 0.32, foot - g.px(18)));
+        StatusMark mark = state.isOn() ? StatusMark.DISC : StatusMark.SLASHED_RING;
+        mark.draw(g, x, top, g.px(4.5), state.isOn() ? CellInk.of(index) : Ink.QUIET);
+        chip(tower.name(), Face.STRONG, x, foot + g.px(12), Optional.of(CellInk.of(index)));
+        String below = state.isOn()
+                ? texts.of(
+                        "map.tower",
+                        String.valueOf(tower.arfcn()),
+                        String.valueOf(state.freeChannels()),
+                        String.valueOf(state.channels()))
+                : texts.of("tower.off");
+        chip(below, Face.MONO_SMALL, x, foot + g.px(29), Optional.empty());
+    }
+
+    private void mobile(MobileState mobile, boolean isSelected) {
+        double x = scale.x(mobile.place().xMetres());
+        double y = scale.y(mobile.place().yMetres());
+        double radius = g.px(MOBILE_UNITS);
+        g.ink(Ink.CARD);
+        g.fill(Outline.circle(x, y, radius + g.px(2)));
+        if (isSelected) {
+            g.ink(Ink.ACCENT);
+            g.pen(2);
+            g.draw(Outline.circle(x, y, radius + g.px(5)));
+        }
+        markOf(mobile.state()).draw(g, x, y, radius, Ink.TEXT);
+        chip(mobile.number(), Face.MONO_SMALL, x, y + radius + g.px(12), Optional.empty());
+    }
+
+    static StatusMark markOf(MobileState.State state) {
+        return switch (state) {
+            case SEARCHING -> StatusMark.SLASHED_RING;
+            case IDLE -> StatusMark.RING;
+            case DEDICATED -> StatusMark.DISC;
+            case HANDOVER -> StatusMark.HALF_DISC;
+        };
+    }
+
+    /** A text on a card, with the colour of its cell at the left. */
+    private void chip(String text, Face face, double x, double y, Optional<Ink> cell) {
+        double stripe = cell.isPresent() ? g.px(5) : 0;
+        double width = g.width(text, face) + 2 * g.px(CHIP_PADDING_UNITS) + stripe;
+        double height = g.px(CHIP_HEIGHT_UNITS);
+        double left = Math.max(scale.left(), Math.min(scale.left() + scale.width() - width, x - width / 2));
+        g.ink(Ink.CARD, 0.85);
+        g.fill(Outline.round(left, y - height / 2, width, height, g.px(4)));
+        cell.ifPresent(ink -> {
+            g.ink(ink);
+            g.bar(left, y - height / 2, stripe, height);
+        });
+        g.ink(Ink.TEXT);
+        g.text(text, face, left + stripe + (width - stripe) / 2, y);
+    }
+
+    /** A length of 1, 2 or 5 times a power of ten, about a sixth of the picture. */
+    private void scaleBar() {
+        Town town = snapshot.town();
+        double wanted = town.widthMetres() / 6;
+        double metres = Math.pow(10, Math.floor(Math.log10(wanted)));
+        metres *= wanted >= 5 * metres ? 5 : wanted >= 2 * metres ? 2 : 1;
+        double length = metres * scale.pixelsPerMetre();
+        double x = scale.left() + g.px(12);
+        double y = scale.top() + scale.height() - g.px(12);
+        g.ink(Ink.TEXT);
+        g.pen(1.4);
+        g.draw(Outline.polyline(x, y - g.px(4), x, y, x + length, y, x + length, y - g.px(4)));
+        String text = metres >= 1_000 ? Math.round(metres / 1_000) + " km" : Math.round(metres) + " m";
+        g.text(text, Face.SMALL, x + length / 2, y - g.px(8));
+    }
+}

@@ -1,0 +1,60 @@
+package simgsm.cells.ui;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.ResourceBundle;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import javax.swing.SwingUtilities;
+import simgsm.cells.radio.Propagation;
+import simgsm.cells.snapshot.TownActions;
+import simgsm.cells.snapshot.TownSnapshot;
+import simgsm.console.TextBundle;
+import simgsm.ui.SnapshotPoller;
+import simgsm.ui.Symbol;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.SuiteWindow;
+import simgsm.ui.window.WindowIcon;
+
+/** The content of the town's window: a {@link TownPanel} that shows the latest snapshot. */
+public final class TownWindow {
+    private TownWindow() {}
+
+    /** The window's texts in the user's language. */
+    public static TextBundle texts(Locale language) {
+        return new TextBundle(
+                ResourceBundle.getBundle("simgsm.cells.ui.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
+    }
+
+    /**
+     * To be called on the event thread.
+     *
+     * @param town has a snapshot already
+     * @param propagation of that town, with the seed that the core uses
+     */
+    public static ProgramWindow.Content content(TownActions town, Propagation propagation, Locale language) {
+        ExecutorService worker = Executors.newSingleThreadExecutor(action -> {
+            Thread thread = new Thread(action, "coverage");
+            thread.setDaemon(true);
+            return thread;
+        });
+        TextBundle texts = texts(language);
+        TownSnapshot first = town.snapshot();
+        TownPanel panel = new TownPanel(texts, town, first, propagation, worker, SwingUtilities::invokeLater);
+        SnapshotPoller<TownSnapshot> newest = new SnapshotPoller<>(town::snapshot, panel::show);
+        newest.start();
+        return new ProgramWindow.Content(
+                texts.of("window.title", first.town().name()),
+                texts.of("window.help"),
+                WindowIcon.images(Symbol.BROADCAST),
+                panel,
+                Optional.empty(),
+                Optional.of(SuiteWindow.CELLS.least()),
+                Runnable::run,
+                panel::requestFocusInWindow,
+                () -> {
+                    newest.stop();
+                    worker.shutdown();
+                });
+    }
+}
