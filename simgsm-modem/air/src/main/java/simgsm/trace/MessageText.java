@@ -50,7 +50,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
             return new MessageText(nameOf(message, direction), fields, octets);
         } catch (ProtocolViolation violation) {
             fields.add(new Field("cause", FieldTexts.text(violation.statusCause())));
-            fields.add(new Field("wrong", violation.getMessage()));
+            fields.add(new Field(FieldOctets.WRONG, violation.getMessage()));
             return new MessageText(
                     violation.header().map(Layer3Header::name).orElse("unreadable message"), fields, octets);
         }

@@ -1,9 +1,9 @@
 package simgsm.trace;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.StringJoiner;
 import simgsm.sms.Alphabet;
 import simgsm.sms.Concatenation;
 import simgsm.sms.DataCodingScheme;
@@ -33,7 +33,11 @@ public final class TpduText {
 
     /** A line for each field, {@code name: value}, in the order of the octets; the unit's name comes first. */
     public static String of(Tpdu tpdu) {
-        StringJoiner lines = new StringJoiner("\n");
+        return String.join("\n", lines(tpdu));
+    }
+
+    private static List<String> lines(Tpdu tpdu) {
+        List<String> lines = new ArrayList<>();
         if (tpdu instanceof SubmitTpdu submit) {
             addSubmit(lines, submit);
         } else if (tpdu instanceof DeliverTpdu deliver) {
@@ -41,10 +45,22 @@ public final class TpduText {
         } else {
             addReport(lines, (StatusReportTpdu) tpdu);
         }
-        return lines.toString();
+        return lines;
     }
 
-    private static void addSubmit(StringJoiner lines, SubmitTpdu submit) {
+    /** The lines of {@link #of} as fields; the unit's name is the value of TP-MTI. */
+    public static List<MessageText.Field> fieldsOf(Tpdu tpdu) {
+        return lines(tpdu).stream().map(TpduText::field).toList();
+    }
+
+    private static MessageText.Field field(String line) {
+        int colon = line.indexOf(": ");
+        return colon < 0
+                ? new MessageText.Field("TP-MTI", line)
+                : new MessageText.Field(line.substring(0, colon), line.substring(colon + 2));
+    }
+
+    private static void addSubmit(List<String> lines, SubmitTpdu submit) {
         lines.add("SMS-SUBMIT");
         lines.add("TP-RD: " + (submit.rejectDuplicates() ? "reject duplicates" : "take duplicates"));
         lines.add("TP-SRR: " + (submit.statusReportRequest() ? "status report requested" : "no status report"));
@@ -57,7 +73,7 @@ public final class TpduText {
         addUserData(lines, submit.userData());
     }
 
-    private static void addDeliver(StringJoiner lines, DeliverTpdu deliver) {
+    private static void addDeliver(List<String> lines, DeliverTpdu deliver) {
         lines.add("SMS-DELIVER");
         lines.add("TP-MMS: " + more(deliver.moreMessages()));
         lines.add("TP-SRI: "
@@ -70,7 +86,7 @@ public final class TpduText {
         addUserData(lines, deliver.userData());
     }
 
-    private static void addReport(StringJoiner lines, StatusReportTpdu report) {
+    private static void addReport(List<String> lines, StatusReportTpdu report) {
         lines.add("SMS-STATUS-REPORT");
         lines.add("TP-MMS: " + more(report.moreMessages()));
         lines.add("TP-MR: " + report.reference());
@@ -80,7 +96,7 @@ public final class TpduText {
         lines.add("TP-ST: " + report.status() + " " + DeliveryStatus.title(report.status()));
     }
 
-    private static void addReplyPath(StringJoiner lines, boolean replyPath) {
+    private static void addReplyPath(List<String> lines, boolean replyPath) {
         if (replyPath) {
             lines.add("TP-RP: reply path set");
         }
@@ -115,7 +131,7 @@ public final class TpduText {
         return minutes % 60 == 0 ? minutes / 60 + " h" : minutes + " min";
     }
 
-    private static void addUserData(StringJoiner lines, UserData userData) {
+    private static void addUserData(List<String> lines, UserData userData) {
         String unit = userData.coding().alphabet() == Alphabet.GSM_7BIT ? " septets" : " octets";
         lines.add("TP-UDL: " + userData.length() + unit);
         Optional<Concatenation> place = userData.concatenation();

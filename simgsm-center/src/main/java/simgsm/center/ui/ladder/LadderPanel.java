@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -216,7 +216,7 @@ final class LadderPanel extends JPanel {
         if (row != null) {
             String way = row.entry().from() + " → " + row.entry().to();
             title.setText(row.entry().name() + "   " + way + "   " + row.clock());
-            detail.setText(MessageWords.of(row, isLow() ? MessageWords.NARROW : MessageWords.WIDE));
+            detail.setText(MessageFields.of(row, isLow() ? MessageFields.NARROW : MessageFields.WIDE));
             detail.setCaretPosition(0);
         }
         if (detailPane.isVisible() != (row != null)) {

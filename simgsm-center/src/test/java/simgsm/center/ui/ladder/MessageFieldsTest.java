@@ -1,13 +1,14 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import simgsm.center.msc.LadderEntry;
+import simgsm.center.ui.Scene;
 import simgsm.octets.OctetString;
 
-class MessageWordsTest {
+class MessageFieldsTest {
     @Test
     void aSetupIsFieldsAndOctets() {
         assertEquals("""
@@ -22,7 +23,7 @@ class MessageWordsTest {
 
     @Test
     void aNarrowPlaceHasEightOctetsALine() {
-        String words = MessageWords.of(new LadderRow(1, Scene.setup()), MessageWords.NARROW);
+        String words = MessageFields.of(new LadderRow(1, Scene.setup()), MessageFields.NARROW);
 
         assertTrue(words.contains("0000  03 05 04 06 60 04 02 00\n0008  05 81"), words);
     }
@@ -61,6 +62,6 @@ class MessageWordsTest {
     }
 
     private static String words(LadderEntry entry) {
-        return MessageWords.of(new LadderRow(1, entry), MessageWords.WIDE);
+        return MessageFields.of(new LadderRow(1, entry), MessageFields.WIDE);
     }
 }

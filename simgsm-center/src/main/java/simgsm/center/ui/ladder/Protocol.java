@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import simgsm.center.msc.LadderEntry;
 import simgsm.draw.Ink;

@@ -1,10 +1,10 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 import javax.swing.JList;

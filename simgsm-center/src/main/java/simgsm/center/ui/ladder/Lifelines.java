@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import java.util.HexFormat;
 import java.util.List;
@@ -18,13 +18,13 @@ import simgsm.trace.MessageText;
 import simgsm.trace.TpduText;
 
 /** A message as lines of text: its fields, those of a short message or broadcast page inside, and its octets. */
-final class MessageWords {
+final class MessageFields {
     static final int WIDE = 16;
     static final int NARROW = 8;
     private static final int NAME_WIDTH = 22;
     private static final HexFormat HEX = HexFormat.ofDelimiter(" ");
 
-    private MessageWords() {}
+    private MessageFields() {}
 
     /** @param octetsPerLine {@link #WIDE} or {@link #NARROW} */
     static String of(LadderRow row, int octetsPerLine) {

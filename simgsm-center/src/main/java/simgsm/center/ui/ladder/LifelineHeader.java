@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;

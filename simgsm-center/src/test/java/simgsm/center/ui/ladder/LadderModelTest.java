@@ -1,4 +1,4 @@
-package simgsm.center.ui;
+package simgsm.center.ui.ladder;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -11,6 +11,7 @@ import javax.swing.event.ListDataListener;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.LadderEntry;
+import simgsm.center.ui.Scene;
 
 class LadderModelTest {
     private final LadderModel model = new LadderModel();
