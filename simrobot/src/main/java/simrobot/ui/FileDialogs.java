@@ -1,15 +1,12 @@
 package simrobot.ui;
 
 import java.awt.Component;
-import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
+import java.util.List;
 import java.util.Optional;
-import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
-import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
+import simgsm.ui.window.SaveDialog;
 
 /** The dialogs about files that are written: where to, and whether changes are saved. */
 public final class FileDialogs {
@@ -22,39 +19,22 @@ public final class FileDialogs {
      * @param ending of the files, without the dot
      */
     public static Optional<Path> save(TextBundle texts, Component owner, Path proposal, String filter, String ending) {
-        JFileChooser chooser = proposal.getParent() == null
-                ? new JFileChooser()
-                : new JFileChooser(proposal.getParent().toFile());
-        chooser.setSelectedFile(
-                new File(withEnding(proposal, ending).getFileName().toString()));
-        chooser.setFileFilter(new FileNameExtensionFilter(filter, ending));
-        while (chooser.showSaveDialog(owner) == JFileChooser.APPROVE_OPTION) {
-            Path file = withEnding(chooser.getSelectedFile().toPath(), ending);
-            if (!Files.exists(file) || mayReplace(texts, owner, file)) {
-                return Optional.of(file);
-            }
-        }
-        return Optional.empty();
+        SaveDialog.Replacing replacing = new SaveDialog.Replacing(
+                name -> texts.of("editor.replace", name),
+                texts.of("editor.saveAs"),
+                texts.of("editor.replace.yes"),
+                texts.of("editor.cancel"));
+        return SaveDialog.ask(
+                owner, proposal, List.of(new SaveDialog.Kind(filter, ending)), FileDialogs::base, replacing);
     }
 
     /** With the ending; it replaces that of a Saphira world, which is never written. */
     public static Path withEnding(Path file, String ending) {
-        String name = String.valueOf(file.getFileName());
-        return name.toLowerCase(Locale.ROOT).endsWith("." + ending)
-                ? file
-                : file.resolveSibling(name.replaceFirst("(?i)\\.(wld|yaml|yml|png|pgm)$", "") + "." + ending);
+        return SaveDialog.withEnding(file, ending, FileDialogs::base);
     }
 
-    private static boolean mayReplace(TextBundle texts, Component owner, Path file) {
-        String question = texts.of("editor.replace", file.getFileName());
-        return choose(
-                        owner,
-                        question,
-                        texts.of("editor.saveAs"),
-                        1,
-                        texts.of("editor.replace.yes"),
-                        texts.of("editor.cancel"))
-                == 0;
+    private static String base(String name) {
+        return name.replaceFirst("(?i)\\.(wld|yaml|yml|png|pgm)$", "");
     }
 
     /** @return the index of the chosen answer, or -1 */

@@ -117,6 +117,8 @@ public final class Exchange {
         if (call.state() == CallProgress.INITIATED) {
             snapshots.callBegan(CallView.of(call));
             calls.keyTap().follow(call);
+        } else if (call.state() == CallProgress.RELEASED) {
+            snapshots.callEnded(CallView.of(call));
         }
         call.to()
                 .ifPresent(to -> listener.accept(

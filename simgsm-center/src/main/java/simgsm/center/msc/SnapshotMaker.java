@@ -1,7 +1,9 @@
 package simgsm.center.msc;
 
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Imei;
@@ -22,6 +24,7 @@ final class SnapshotMaker {
     private final ShortMessageCenter shortMessages;
     private final Ladder ladder;
     private final Broadcaster broadcaster;
+    private final Deque<CallView> endedCalls = new ArrayDeque<>();
     private ExchangeSnapshot.Passing latestCall;
     private ShortMessage latestMessage;
     private boolean latestIsCall;
@@ -42,6 +45,13 @@ final class SnapshotMaker {
     void callBegan(CallView call) {
         latestCall = new ExchangeSnapshot.Passing(call.from(), call.to(), "");
         latestIsCall = true;
+    }
+
+    void callEnded(CallView call) {
+        endedCalls.addFirst(call);
+        if (endedCalls.size() > MOST_ENDED) {
+            endedCalls.removeLast();
+        }
     }
 
     void messageAccepted(ShortMessage message) {
@@ -65,7 +75,8 @@ final class SnapshotMaker {
                 ladder.entries(),
                 ladder.passedCount(),
                 latest(),
-                broadcaster.running());
+                broadcaster.running(),
+                List.copyOf(endedCalls));
     }
 
     /** Decodes the message's text only now, because most messages are never shown. */

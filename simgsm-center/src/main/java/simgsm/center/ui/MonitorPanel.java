@@ -5,13 +5,14 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
-import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.center.msc.ExchangeSnapshot;
+import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.center.msc.call.CallView;
 import simgsm.center.ui.ladder.LadderPanel;
 import simgsm.console.TextBundle;
@@ -71,6 +72,7 @@ public final class MonitorPanel extends JPanel {
         newRobot = starter("new.robot", "window.new.robot", Symbol.ROBOT, operator::newRobot);
         addTabs();
         arrangeLists();
+        ladder.whenChosen(this::showMessage);
         split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(lists), new Card(ladder));
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
@@ -115,6 +117,16 @@ public final class MonitorPanel extends JPanel {
         lists.revalidate();
     }
 
+    /** In a low panel the message has a tab among the lists, so that the ladder keeps its room. */
+    private void showMessage() {
+        if (isLow) {
+            if (tabs.indexOfComponent(ladder.detail()) < 0) {
+                tabs.addTab(texts.of("window.ladder.tab"), ladder.detail());
+            }
+            tabs.setSelectedComponent(ladder.detail());
+        }
+    }
+
     @Override
     public void doLayout() {
         boolean low = getHeight() < Theme.px(LOW_UNITS);
@@ -122,6 +134,10 @@ public final class MonitorPanel extends JPanel {
             isLow = low;
             arrangeLists();
             ladder.setHeadingVisible(!low);
+            ladder.setDetailElsewhere(low);
+            if (!low) {
+                tabs.remove(ladder.detail());
+            }
         }
         super.doLayout();
     }
@@ -142,7 +158,8 @@ public final class MonitorPanel extends JPanel {
         header.show(snapshot);
         passing.show(snapshot);
         subscribers.show(byNumber(snapshot.subscribers()));
-        calls.show(snapshot.calls());
+        calls.show(Stream.concat(snapshot.calls().stream(), snapshot.endedCalls().stream())
+                .toList());
         messages.show(snapshot.messages());
         broadcasts.show(snapshot.broadcasts());
         ladder.show(snapshot);

@@ -40,18 +40,23 @@ final class Tables {
                 texts.of("window.calls"),
                 texts.of("window.calls.empty"),
                 List.of(
-                        new Column<>(texts.of("window.from"), 100, CallView::from),
-                        new Column<>(texts.of("window.to"), 100, call -> number(call.to())),
-                        new Column<>(texts.of("window.state"), 120, call -> word(call.state(), texts)),
-                        new Column<>(texts.of("window.duration"), 70, Tables::duration)));
+                        new Column<>(texts.of("window.from"), 72, CallView::from),
+                        new Column<>(texts.of("window.to"), 72, call -> number(call.to())),
+                        new Column<>(texts.of("window.state"), 96, call -> word(call.state(), texts)),
+                        new Column<>(texts.of("window.duration"), 60, Tables::duration),
+                        new Column<>(
+                                texts.of("window.cause"),
+                                110,
+                                call -> call.cause()
+                                        .map(cause -> cause.code() + " " + cause.title())
+                                        .orElse(""))));
     }
 
-    /** Minutes and seconds, as on a phone's display; nothing before the call is active. */
+    /** Minutes and seconds, as on a phone's display; nothing if the call has not been active. */
     private static Object duration(CallView call) {
         long seconds = call.activeSeconds();
-        return call.state() == CallProgress.ACTIVE
-                ? new Digits(String.format(Locale.ROOT, "%02d:%02d", seconds / 60, seconds % 60))
-                : "";
+        boolean wasActive = call.state() == CallProgress.ACTIVE || seconds > 0;
+        return wasActive ? new Digits(String.format(Locale.ROOT, "%02d:%02d", seconds / 60, seconds % 60)) : "";
     }
 
     static RowsPanel<MessageRow> messages(TextBundle texts) {

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simgsm.air.Cause;
 import simgsm.air.Imsi;
 import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.call.CallProgress;
+import simgsm.center.msc.call.CallView;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
@@ -68,6 +71,32 @@ class SnapshotTest {
         ExchangeSnapshot snapshot = network.exchange.snapshot();
         assertEquals(Ladder.MAX_ENTRIES, snapshot.ladder().size());
         assertTrue(snapshot.ladderCount() > 2L * Ladder.MAX_ENTRIES);
+    }
+
+    @Test
+    void aClearedCallStaysInViewWithItsCause() {
+        TestMobile mobile = network.attach("5550100");
+        mobile.dial("5550200");
+
+        ExchangeSnapshot snapshot = network.exchange.snapshot();
+        assertEquals(List.of(), snapshot.calls());
+        CallView ended = snapshot.endedCalls().get(0);
+        assertEquals("5550200", ended.to());
+        assertEquals(CallProgress.RELEASED, ended.state());
+        assertEquals(Optional.of(Cause.UNASSIGNED_NUMBER), ended.cause());
+        assertEquals(0, ended.activeSeconds());
+    }
+
+    @Test
+    void onlyTheLatestHundredClearedCallsStayInView() {
+        TestMobile mobile = network.attach("5550100");
+        for (int i = 0; i <= 100; i++) {
+            mobile.dial(String.valueOf(5550200 + i));
+            mobile.received.clear();
+        }
+        List<CallView> ended = network.exchange.snapshot().endedCalls();
+        assertEquals(100, ended.size());
+        assertEquals("5550300", ended.get(0).to());
     }
 
     @Test

@@ -136,7 +136,7 @@ class MonitorPanelTest {
 
         assertEquals("5550100 attached 001010005550100 001017500000017", row("subscribers", 0));
         assertEquals("5550201 detached 001010005550201 ", row("subscribers", 2));
-        assertEquals("5550100 5550200 active 01:15", row("calls", 0));
+        assertEquals("5550100 5550200 active 01:15 ", row("calls", 0));
         assertTrue(row("messages", 0).startsWith("5550100 5550201 "), row("messages", 0));
         assertTrue(row("messages", 0).endsWith(" ** #**20 **"), row("messages", 0));
     }
@@ -173,22 +173,47 @@ class MonitorPanelTest {
         list.setSelectedIndex(1);
 
         assertTrue(find("ladder.title", JLabel.class).getText().startsWith("Setup   5550100 → M3"));
-        assertTrue(find("ladder.detail", JTextArea.class).getText().contains("called                5550200"));
+        JTable detail = find("ladder.detail", JTable.class);
+        assertEquals("called", detail.getValueAt(2, 0));
+        assertEquals("5550200", detail.getValueAt(2, 1));
     }
 
     @Test
-    void aWindowThatIsWideAndLowShowsTheMessageBesideTheLadder() {
+    void aWindowThatIsLowShowsTheMessageAmongTheListsAndLeavesTheLadderItsRoom() {
         panel.show(Scene.busy());
-        panel.setSize(1300, 420);
+        panel.setSize(1300, 400);
+        layOut(panel);
         layOut(panel);
         JTextField incoming = find("tel.incoming", JTextField.class);
         JTextField message = find("message", JTextField.class);
         assertEquals(yOf(incoming), yOf(message));
+        JComponent list = find("ladder.list", JComponent.class);
+        int room = list.getParent().getHeight();
 
         find("ladder.list", JList.class).setSelectedIndex(1);
         layOut(panel);
 
-        assertTrue(yOf(find("ladder.detail", JTextArea.class)) < yOf(find("new.phone", JComponent.class)));
+        JTabbedPane tabs = find("tabs", JTabbedPane.class);
+        assertEquals("ladder.message", tabs.getSelectedComponent().getName());
+        assertEquals(room, list.getParent().getHeight());
+        assertTrue(room >= 4 * find("ladder.list", JList.class).getFixedCellHeight(), "room " + room);
+
+        panel.setSize(1300, 800);
+        layOut(panel);
+        assertEquals(4, tabs.getTabCount());
+    }
+
+    @Test
+    void aClearedLadderIsShownAgain() {
+        panel.show(Scene.busy());
+        assertFalse(find("ladder.undo", JComponent.class).isVisible());
+        press("ladder.clear");
+        press("ladder.undo");
+
+        assertEquals(
+                Scene.everyKind().size(),
+                find("ladder.list", JList.class).getModel().getSize());
+        assertFalse(find("ladder.undo", JComponent.class).isVisible());
     }
 
     private int yOf(JComponent component) {

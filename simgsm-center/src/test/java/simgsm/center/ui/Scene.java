@@ -39,21 +39,21 @@ import simgsm.sms.UserData;
 import simgsm.trace.MessageText;
 
 /** Snapshots of an exchange through which a call and a message have passed. */
-final class Scene {
-    static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
-    static final Msisdn PHONE = new Msisdn("5550100");
-    static final Msisdn ROBOT = new Msisdn("5550200");
-    static final Msisdn ABSENT = new Msisdn("5550201");
+public final class Scene {
+    public static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+    public static final Msisdn PHONE = new Msisdn("5550100");
+    public static final Msisdn ROBOT = new Msisdn("5550200");
+    public static final Msisdn ABSENT = new Msisdn("5550201");
 
     private static final TransactionIdentifier OURS = new TransactionIdentifier(0, false);
 
     private Scene() {}
 
-    static LadderEntry up(Msisdn number, Layer3Message message) {
+    public static LadderEntry up(Msisdn number, Layer3Message message) {
         return entry(number.digits(), LadderEntry.CENTER, message, Direction.UPLINK);
     }
 
-    static LadderEntry down(Msisdn number, Layer3Message message) {
+    public static LadderEntry down(Msisdn number, Layer3Message message) {
         return entry(LadderEntry.CENTER, number.digits(), message, Direction.DOWNLINK);
     }
 
@@ -62,25 +62,25 @@ final class Scene {
         return new LadderEntry(NOON, from, to, MessageText.nameOf(message, direction), octets);
     }
 
-    static LadderEntry setup() {
+    public static LadderEntry setup() {
         return up(PHONE, new CallControl.Setup(OURS, Optional.empty(), Optional.of(ROBOT)));
     }
 
-    static LadderEntry alerting(Msisdn number) {
+    public static LadderEntry alerting(Msisdn number) {
         return up(number, new CallControl.Alerting(new TransactionIdentifier(0, true)));
     }
 
-    static LadderEntry submit(String text) {
+    public static LadderEntry submit(String text) {
         RelayMessage relay = new RelayMessage.RpData(
                 7, new Msisdn("5550000"), TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(ROBOT), UserData.of(text))));
         return up(PHONE, new ShortMessageControl.CpData(OURS, relay));
     }
 
-    static LadderEntry accept() {
+    public static LadderEntry accept() {
         return down(PHONE, new MobilityManagement.LocationUpdatingAccept(LocationArea.TEST, Optional.empty()));
     }
 
-    static LadderEntry broadcast(String text) {
+    public static LadderEntry broadcast(String text) {
         OctetString page = CellBroadcast.split(text, 50, new BroadcastSerial(1, 3, 2), Optional.of("en"))
                 .get(0)
                 .encode();
@@ -88,11 +88,11 @@ final class Scene {
         return new LadderEntry(NOON, LadderEntry.CENTER, PHONE.digits(), "SMS Broadcast Command", octets);
     }
 
-    static LadderEntry broken() {
+    public static LadderEntry broken() {
         return new LadderEntry(NOON, PHONE.digits(), LadderEntry.CENTER, "Start DTMF", OctetString.ofHex("03352c45"));
     }
 
-    static List<LadderEntry> everyKind() {
+    public static List<LadderEntry> everyKind() {
         List<LadderEntry> entries = new ArrayList<>();
         entries.add(accept());
         entries.add(setup());
@@ -103,13 +103,13 @@ final class Scene {
         return entries;
     }
 
-    static ExchangeSnapshot empty() {
+    public static ExchangeSnapshot empty() {
         return new ExchangeSnapshot(
                 NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), List.of());
     }
 
     /** Nothing but so many broadcasts that are repeated. */
-    static ExchangeSnapshot broadcasting(int count) {
+    public static ExchangeSnapshot broadcasting(int count) {
         List<BroadcastView> broadcasts = new ArrayList<>();
         for (int id = 1; id <= count; id++) {
             Duration minute = Duration.ofMinutes(1);
@@ -120,11 +120,11 @@ final class Scene {
     }
 
     /** A call that is active, a message that waits. */
-    static ExchangeSnapshot busy() {
+    public static ExchangeSnapshot busy() {
         return with(Optional.of(new ExchangeSnapshot.Passing(PHONE, ROBOT.digits(), "** #*#90 **")), List.of(call()));
     }
 
-    static ExchangeSnapshot with(Optional<ExchangeSnapshot.Passing> latest, List<CallView> calls) {
+    public static ExchangeSnapshot with(Optional<ExchangeSnapshot.Passing> latest, List<CallView> calls) {
         return new ExchangeSnapshot(
                 NOON,
                 2,
@@ -144,7 +144,7 @@ final class Scene {
     }
 
     /** A message that has been tried once in vain. */
-    static MessageHistory waiting() {
+    public static MessageHistory waiting() {
         OctetString submit = TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(ABSENT), UserData.of("** #**20 **")));
         return new MessageHistory(
                 new ShortMessage(1, PHONE, ABSENT, submit, NOON, NOON.plusSeconds(86_400)),
@@ -156,7 +156,7 @@ final class Scene {
                 Optional.empty());
     }
 
-    static CallView call() {
+    public static CallView call() {
         return new CallView(PHONE, ROBOT.digits(), CallProgress.ACTIVE, 75);
     }
 }

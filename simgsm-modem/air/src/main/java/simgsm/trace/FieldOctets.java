@@ -2,17 +2,15 @@ package simgsm.trace;
 
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
 import simgsm.octets.OctetString;
 import simgsm.trace.MessageText.Field;
 
 /**
  * The octets that each field of a message stands in: those that change the field's value. They are found by reading the
- * message again with each hexadecimal digit replaced by all others, so every message that can be read has them, and no codec has to tell positions.
- * Identifiers and lengths, without which the message cannot be read, belong to the value that follows them.
+ * message again with other octets, so every message that can be read has them, and no codec has to tell positions.
+ * Identifiers and lengths, without which the message has other fields or none, belong to the value that follows them.
  */
 public final class FieldOctets {
     /** Name of the field of a message that cannot be read. */
@@ -21,8 +19,11 @@ public final class FieldOctets {
     /** Discriminator and message type of layer 3 and RSL. */
     private static final int HEADER_LENGTH = 2;
 
-    /** The ways in which a hexadecimal digit of an octet can be another one. */
-    private static final int MASKS = 15;
+    private static final int DIGIT_BITS = 4;
+    /** The ways in which a hexadecimal digit can be another one; those of one bit come first. */
+    private static final int[] MASKS = {1, 2, 4, 8, 3, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15};
+    /** A length that changes more fields than a text and its length moves all that follows. */
+    private static final int MOST_FIELDS = 2;
 
     private final List<BitSet> byField = new ArrayList<>();
 
@@ -71,17 +72,20 @@ public final class FieldOctets {
         return message.fields().stream().noneMatch(field -> field.name().equals(WRONG));
     }
 
-    /** The fields that change with this octet: those of the changes that change the fewest. */
+    /** The fields that change with one of this octet's hexadecimal digits: of all changes, those with the fewest fields. */
     private static BitSet fieldsOf(
             int octet, byte[] octets, MessageText message, Function<OctetString, MessageText> reader) {
         BitSet found = new BitSet();
-        int fewest = Integer.MAX_VALUE;
-        for (int digit = 0; digit < 2 * MASKS; digit++) {
-            byte[] changed = octets.clone();
-            changed[octet] ^= (byte) (digit < MASKS ? digit + 1 : digit - MASKS + 1 << 4);
-            MessageText other = reader.apply(OctetString.of(changed));
-            if (isReadable(other) && (octet >= HEADER_LENGTH || other.name().equals(message.name()))) {
-                BitSet fields = changed(message.fields(), other.fields());
+        int fewest = MOST_FIELDS;
+        for (int shift = 0; shift < Byte.SIZE; shift += DIGIT_BITS) {
+            boolean hasDigit = false;
+            for (int mask : MASKS) {
+                if (Integer.bitCount(mask) > 1 && hasDigit) {
+                    break;
+                }
+                byte[] other = octets.clone();
+                other[octet] ^= (byte) (mask << shift);
+                BitSet fields = changed(message, reader.apply(OctetString.of(other)), octet < HEADER_LENGTH);
                 int count = fields.cardinality();
                 if (count > 0 && count < fewest) {
                     fewest = count;
@@ -89,25 +93,25 @@ public final class FieldOctets {
                 }
                 if (count == fewest) {
                     found.or(fields);
+                    hasDigit = true;
                 }
             }
         }
         return found;
     }
 
-    /** The places of fields whose value another reading has not. */
-    private static BitSet changed(List<Field> fields, List<Field> others) {
-        Map<String, List<String>> values = new HashMap<>();
-        others.forEach(field ->
-                values.computeIfAbsent(field.name(), name -> new ArrayList<>()).add(field.value()));
+    /** The places of the fields whose value differs; none if the other message cannot be read or has other fields. */
+    private static BitSet changed(MessageText message, MessageText other, boolean isHeader) {
         BitSet changed = new BitSet();
-        for (int i = 0; i < fields.size(); i++) {
-            List<String> same = values.getOrDefault(fields.get(i).name(), List.of());
-            if (same.isEmpty() || !same.remove(0).equals(fields.get(i).value())) {
-                changed.set(i);
-            }
+        boolean isSame = isReadable(other)
+                && message.fields().size() == other.fields().size()
+                && (!isHeader || message.name().equals(other.name()));
+        for (int i = 0; isSame && i < message.fields().size(); i++) {
+            Field field = message.fields().get(i);
+            isSame = field.name().equals(other.fields().get(i).name());
+            changed.set(i, !field.value().equals(other.fields().get(i).value()));
         }
-        return changed;
+        return isSame ? changed : new BitSet();
     }
 
     /** A field is a row of octets: lengths before it and the coding of a text change it from elsewhere. */

@@ -3,6 +3,7 @@ package simgsm.draw;
 /** A type face by its task; its size is in units of the design. */
 public enum Face {
     SMALL(11, false, false),
+    BASE(13, false, false),
     STRONG(13, false, true),
     MONO_SMALL(11, true, false),
     MONO_STRONG(13, true, true);

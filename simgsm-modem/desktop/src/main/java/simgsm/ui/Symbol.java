@@ -78,6 +78,7 @@ public enum Symbol {
     CALL_OUT("M4 12L12 4M6 4L12 4L12 10", ""),
     CALL_IN("M12 4L4 12M4 6L4 12L10 12", ""),
     CALL_MISSED("M2 5L8 11L14 5M2 9.5L2 5L6.5 5", ""),
+    SAVE("M8 2L8 10M4.5 7L8 10.5L11.5 7M2.5 11.5L2.5 13.5L13.5 13.5L13.5 11.5", ""),
     EDIT("M2.5 13.5L3.3 10.3L10.8 2.8L13.2 5.2L5.7 12.7L2.5 13.5M9.2 4.4L11.6 6.8", "");
 
     private static final double SIDE = 16;

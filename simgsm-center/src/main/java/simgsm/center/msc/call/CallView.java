@@ -1,15 +1,28 @@
 package simgsm.center.msc.call;
 
+import java.util.Optional;
+import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 
 /**
  * A call at one moment, for the operator.
  *
  * @param to the number as dialled; empty if it could not be decoded
- * @param activeSeconds time since the call became active; 0 before
+ * @param activeSeconds time for which the call has been active, or was
+ * @param cause why the call was cleared; empty before
  */
-public record CallView(Msisdn from, String to, CallProgress state, long activeSeconds) {
+public record CallView(Msisdn from, String to, CallProgress state, long activeSeconds, Optional<Cause> cause) {
+    /** A call that has not been cleared. */
+    public CallView(Msisdn from, String to, CallProgress state, long activeSeconds) {
+        this(from, to, state, activeSeconds, Optional.empty());
+    }
+
     public static CallView of(NetworkCall call) {
-        return new CallView(call.from(), call.to().map(Msisdn::digits).orElse(""), call.state(), call.activeSeconds());
+        return new CallView(
+                call.from(),
+                call.to().map(Msisdn::digits).orElse(""),
+                call.state(),
+                call.activeSeconds(),
+                call.cause());
     }
 }

@@ -20,6 +20,7 @@ public final class NetworkCall {
     private CallProgress state = CallProgress.INITIATED;
     private Optional<Cause> cause = Optional.empty();
     private long activeSinceNanos;
+    private long endedActiveSeconds;
 
     NetworkCall(CallSwitch exchange, LinkCalls caller, TransactionIdentifier transaction, Optional<Msisdn> to) {
         this.exchange = exchange;
@@ -52,8 +53,11 @@ public final class NetworkCall {
         return state;
     }
 
+    /** Since the call became active; 0 before, and after its end the whole time. */
     long activeSeconds() {
-        return state == CallProgress.ACTIVE ? TimeUnit.NANOSECONDS.toSeconds(nowNanos() - activeSinceNanos) : 0;
+        return state == CallProgress.ACTIVE
+                ? TimeUnit.NANOSECONDS.toSeconds(nowNanos() - activeSinceNanos)
+                : endedActiveSeconds;
     }
 
     private long nowNanos() {
@@ -124,6 +128,7 @@ public final class NetworkCall {
     private void end(CallLeg rest, Cause why) {
         if (state != CallProgress.RELEASED) {
             cause = Optional.of(why);
+            endedActiveSeconds = activeSeconds();
             if (heldFor != null) {
                 heldFor.forget(this);
             }

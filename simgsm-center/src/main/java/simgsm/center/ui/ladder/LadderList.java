@@ -1,8 +1,8 @@
 package simgsm.center.ui.ladder;
 
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import javax.swing.JList;
 import javax.swing.ListSelectionModel;

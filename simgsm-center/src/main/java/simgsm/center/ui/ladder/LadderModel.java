@@ -2,7 +2,6 @@ package simgsm.center.ui.ladder;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javax.swing.AbstractListModel;
 import simgsm.center.msc.LadderEntry;
 
@@ -13,7 +12,13 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     private long count;
     private long lastNumber;
     private long clearedUpTo;
-    private Optional<String> terminal = Optional.empty();
+    /** As before the last clearing, which can be taken back. */
+    private long clearedBefore;
+
+    private LadderFilter filter = LadderFilter.ALL;
+    private boolean isPaused;
+    private List<LadderEntry> newestEntries = List.of();
+    private long newestCount;
 
     /**
      * Takes over a snapshot: removes rows that the snapshot no longer has and adds new ones, so that a selection is kept.
@@ -22,11 +27,20 @@ final class LadderModel extends AbstractListModel<LadderRow> {
      * @param newCount the number of the last one
      */
     void update(List<LadderEntry> newEntries, long newCount) {
+        newestEntries = newEntries;
+        newestCount = newCount;
+        if (!isPaused) {
+            take(newEntries, newCount);
+        }
+    }
+
+    private void take(List<LadderEntry> newEntries, long newCount) {
         boolean isAnotherExchange = newCount < count;
         entries = newEntries;
         count = newCount;
         if (isAnotherExchange) {
             clearedUpTo = 0;
+            clearedBefore = 0;
             rebuild();
         }
         dropBefore(numberOf(0));
@@ -34,18 +48,47 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         add();
     }
 
-    /** Shows only messages from and to this terminal; empty for all. */
-    void filter(Optional<String> newTerminal) {
-        if (!newTerminal.equals(terminal)) {
-            terminal = newTerminal;
+    /** While paused the rows stay as they are; afterwards all that has passed meanwhile is added. */
+    void pause(boolean paused) {
+        isPaused = paused;
+        if (!paused) {
+            take(newestEntries, newestCount);
+        }
+    }
+
+    /** Messages that have passed since the pause began; 0 without one. */
+    long heldBack() {
+        return isPaused ? Math.max(0, newestCount - count) : 0;
+    }
+
+    void filter(LadderFilter newFilter) {
+        if (!newFilter.equals(filter)) {
+            filter = newFilter;
             rebuild();
         }
     }
 
     /** Hides all messages so far. */
     void clear() {
+        clearedBefore = clearedUpTo;
         clearedUpTo = count;
         rebuild();
+    }
+
+    /** Whether {@link #unclear} would show messages again. */
+    boolean isCleared() {
+        return clearedUpTo > clearedBefore;
+    }
+
+    /** Takes the last {@link #clear} back. */
+    void unclear() {
+        clearedUpTo = clearedBefore;
+        rebuild();
+    }
+
+    /** The rows, in their order. */
+    List<LadderRow> rows() {
+        return List.copyOf(rows);
     }
 
     /** The terminals of all messages that were not cleared, filtered or not, the latest first. */
@@ -98,8 +141,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         int seen = (int) Math.max(0, lastNumber + 1 - numberOf(0));
         for (int i = seen; i < entries.size(); i++) {
             LadderRow row = new LadderRow(numberOf(i), entries.get(i));
-            boolean isShown = terminal.isEmpty() || terminal.get().equals(row.terminal());
-            if (isShown) {
+            if (filter.accepts(row)) {
                 rows.add(row);
             }
         }

@@ -2,17 +2,17 @@ package simgsm.center.ui.ladder;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.util.ArrayList;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
-import java.util.Optional;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
-import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
-import javax.swing.JTextArea;
 import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -23,67 +23,87 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** The GSM messages between terminals and centre, live; below, the fields of the selected message. */
-final class LadderPanel extends JPanel {
+/** The GSM messages between terminals and centre, live; below, the selected message, unless it is shown elsewhere. */
+public final class LadderPanel extends JPanel {
     private static final Dimension LIST_UNITS = new Dimension(560, 240);
-    private static final Dimension DETAIL_UNITS = new Dimension(540, 150);
+    /** In a narrower panel the buttons have no words. */
+    private static final int WIDE_UNITS = 760;
+
+    /** In a narrower panel there is no heading. */
+    private static final int HEADING_UNITS = 900;
 
     private static final int LOW_UNITS = 330;
-    /** The ladder's share of the width when the message is next to it. */
-    private static final double LADDER_SHARE = 0.58;
+    /** The ladder's share of the height above the message, until the user moves the divider. */
+    private static final double LADDER_SHARE = 0.5;
 
     private final TextBundle texts;
     private final LadderModel model = new LadderModel();
     private final LadderCell cell = new LadderCell();
     private final LifelineHeader header = new LifelineHeader();
     private final LadderList list;
-    private final JTextArea detail = new JTextArea();
+    private final MessageDetail detail;
     private final JLabel heading = new JLabel();
-    private final JLabel title = new JLabel();
-    private final JComboBox<String> who = new JComboBox<>();
+    private final LadderFilterBar filter;
+    private final JToggleButton pause;
     private final JToggleButton follow;
-    private final JPanel detailPane;
+    private final JButton clear;
+    private final JButton undo;
+    private final JButton save;
     private final JSplitPane split;
+    private final LadderSaving saving;
+    private Runnable whenChosen = () -> {};
     private List<String> terminals = List.of();
+    private boolean isHeadingWanted = true;
+    private boolean isDetailElsewhere;
+    private double share = LADDER_SHARE;
+    /** Whether the divider has its place; until then, moves of it are the layout's. */
+    private boolean isPlaced;
 
-    LadderPanel(TextBundle texts) {
+    public LadderPanel(TextBundle texts) {
         super(new BorderLayout());
         this.texts = texts;
         list = new LadderList(model, cell, texts.of("window.ladder.empty"));
+        detail = new MessageDetail(texts);
+        filter = new LadderFilterBar(texts, this::filter);
+        saving = new LadderSaving(texts);
         setOpaque(false);
-        follow = ComponentNames.name(
-                new JToggleButton(new UserAction("ladder.follow", texts.of("window.ladder.follow"), this::followed)
-                        .described(texts.of("window.ladder.follow.why"))
-                        .with(Symbol.FOLLOW.icon())),
-                "ladder.follow",
-                texts.of("window.ladder.follow"));
+        pause = toggle("ladder.pause", "window.ladder.pause", Symbol.PAUSE, this::paused);
+        follow = toggle("ladder.follow", "window.ladder.follow", Symbol.FOLLOW, this::followed);
         follow.setSelected(true);
-        detailPane = makeDetailPane();
-        detailPane.setVisible(false);
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), detailPane);
-        split.setResizeWeight(1);
+        clear = button("ladder.clear", "window.ladder.clear", Symbol.ERASE, this::clear);
+        undo = button("ladder.undo", "window.ladder.undo", Symbol.UNDO, this::unclear);
+        undo.setVisible(false);
+        save = button("ladder.save", "window.ladder.save", Symbol.SAVE, this::save);
+        new UserAction("ladder.undo.key", texts.of("window.ladder.undo"), this::unclear)
+                .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK));
+        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), null);
+        split.setResizeWeight(LADDER_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
+        split.addPropertyChangeListener(JSplitPane.DIVIDER_LOCATION_PROPERTY, moved -> dividerMoved());
         add(tools(), BorderLayout.NORTH);
         add(split, BorderLayout.CENTER);
         list.addListSelectionListener(event -> chosen(list.getSelectedIndex()));
-        who.addActionListener(event -> filter());
-        updateChoice();
         dress();
     }
 
+    private UserAction action(String id, String key, Symbol symbol, Runnable task) {
+        return new UserAction(id, texts.of(key), task)
+                .described(texts.of(key + ".why"))
+                .with(symbol.icon());
+    }
+
+    private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
+        return ComponentNames.name(new JToggleButton(action(id, key, symbol, task)), id, texts.of(key));
+    }
+
+    private JButton button(String id, String key, Symbol symbol, Runnable task) {
+        return ComponentNames.name(new JButton(action(id, key, symbol, task)), id, texts.of(key));
+    }
+
     private JPanel tools() {
-        UserAction clear = new UserAction("ladder.clear", texts.of("window.ladder.clear"), this::clear)
-                .described(texts.of("window.ladder.clear.why"))
-                .with(Symbol.ERASE.icon());
-        ComponentNames.name(who, "ladder.who", texts.of("window.ladder.who"));
         heading.setText(texts.of("window.ladder"));
-        JPanel row = Arrange.row(
-                12,
-                Arrange.growing(heading),
-                who,
-                follow,
-                ComponentNames.name(new JButton(clear), "ladder.clear", texts.of("window.ladder.clear")));
+        JPanel row = Arrange.row(Theme.GRID, heading, Arrange.growing(filter), pause, follow, undo, clear, save);
         row.setBorder(Theme.padding(0, 0, 8, 0));
         return row;
     }
@@ -107,89 +127,110 @@ final class LadderPanel extends JPanel {
 
     private static boolean isAtEnd(JScrollPane pane) {
         var bar = pane.getVerticalScrollBar().getModel();
-        return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderCell.HEIGHT_UNITS);
+        return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderDrawing.RUNG_UNITS);
     }
 
-    /** Hidden until a message is selected. */
-    private JPanel makeDetailPane() {
-        detail.setEditable(false);
-        detail.setLineWrap(true);
-        detail.setWrapStyleWord(true);
-        ComponentNames.name(detail, "ladder.detail", texts.of("window.ladder.detail"));
-        JPanel pane = new JPanel(new BorderLayout());
-        pane.setOpaque(false);
-        pane.add(ComponentNames.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
-        pane.add(new JScrollPane(detail), BorderLayout.CENTER);
-        pane.setPreferredSize(new Dimension(Theme.px(DETAIL_UNITS.width), Theme.px(DETAIL_UNITS.height)));
-        pane.setMinimumSize(new Dimension(0, 0));
-        return pane;
+    /** The selected message, to be placed elsewhere after {@link #setDetailElsewhere}. */
+    public MessageDetail detail() {
+        return detail;
     }
 
-    void show(ExchangeSnapshot snapshot) {
+    /** Run whenever a message is selected. */
+    public void whenChosen(Runnable action) {
+        whenChosen = action;
+    }
+
+    /** In a low window there is no room for the message below the ladder. */
+    public void setDetailElsewhere(boolean elsewhere) {
+        isDetailElsewhere = elsewhere;
+        placeDetail();
+    }
+
+    public void show(ExchangeSnapshot snapshot) {
         int before = model.getSize();
         model.update(snapshot.ladder(), snapshot.ladderCount());
         refreshLines();
-        if (follow.isSelected() && (model.getSize() != before || before > 0)) {
+        showPause();
+        if (follow.isSelected() && model.getSize() != before) {
             showEnd();
         }
+    }
+
+    private String name(String key) {
+        return texts.of(key).replace("&", "");
     }
 
     private void refreshLines() {
         List<String> now = model.terminals();
         if (!now.equals(terminals)) {
             terminals = now;
-            updateChoice();
+            filter.offer(now);
             showLines();
         }
     }
 
+    private Lifelines lifelines() {
+        return Lifelines.of(filter.filter().terminal().map(List::of).orElse(terminals));
+    }
+
     private void showLines() {
-        Optional<String> only = chosen();
-        Lifelines lifelines = Lifelines.of(only.map(List::of).orElse(terminals));
-        cell.show(lifelines);
-        header.show(lifelines);
+        cell.show(lifelines());
+        header.show(lifelines());
         list.fit();
     }
 
-    /** Keeps the selection when numbers are added or removed. */
-    private void updateChoice() {
-        List<String> sorted = new ArrayList<>(terminals);
-        sorted.sort(String::compareTo);
-        List<String> present = new ArrayList<>();
-        for (int i = 1; i < who.getItemCount(); i++) {
-            present.add(who.getItemAt(i));
-        }
-        if (who.getItemCount() > 0 && present.equals(sorted)) {
-            return;
-        }
-        Optional<String> chosen = chosen();
-        who.removeAllItems();
-        who.addItem(texts.of("window.ladder.everybody"));
-        sorted.forEach(who::addItem);
-        chosen.filter(sorted::contains).ifPresent(who::setSelectedItem);
-    }
-
-    private Optional<String> chosen() {
-        return who.getSelectedIndex() <= 0 ? Optional.empty() : Optional.of(who.getItemAt(who.getSelectedIndex()));
-    }
-
     private void filter() {
-        model.filter(chosen());
+        model.filter(filter.filter());
         showLines();
         followed();
     }
 
     /** Shows only the messages from and to this subscriber. */
-    void choose(String number) {
+    public void choose(String number) {
         if (terminals.contains(number)) {
-            who.setSelectedItem(number);
+            filter.choose(number);
         }
     }
 
     private void clear() {
         model.clear();
+        cleared();
+    }
+
+    private void unclear() {
+        model.unclear();
+        cleared();
+        followed();
+    }
+
+    private void cleared() {
+        undo.setVisible(model.isCleared());
         refreshLines();
         list.repaint();
+        revalidate();
+    }
+
+    private void save() {
+        saving.ask(save, model.rows(), lifelines());
+    }
+
+    private void paused() {
+        model.pause(pause.isSelected());
+        showPause();
+        refreshLines();
+        followed();
+    }
+
+    /** How many messages wait stands on the button, in a narrow panel as a bare number. */
+    private void showPause() {
+        long held = model.heldBack();
+        String words = hasWords() ? texts.of("window.ladder.held", held) : String.valueOf(held);
+        String idle = hasWords() ? name("window.ladder.pause") : "";
+        pause.setText(held == 0 ? idle : words);
+    }
+
+    private boolean hasWords() {
+        return getWidth() >= Theme.px(WIDE_UNITS);
     }
 
     private void followed() {
@@ -208,43 +249,52 @@ final class LadderPanel extends JPanel {
         if (index >= 0 && index < model.getSize() - 1 && list.isFocusOwner()) {
             follow.setSelected(false);
         }
-        showDetail();
-    }
-
-    private void showDetail() {
         LadderRow row = list.getSelectedValue();
         if (row != null) {
-            String way = row.entry().from() + " → " + row.entry().to();
-            title.setText(row.entry().name() + "   " + way + "   " + row.clock());
-            detail.setText(MessageFields.of(row, isLow() ? MessageFields.NARROW : MessageFields.WIDE));
-            detail.setCaretPosition(0);
+            detail.show(row);
+            whenChosen.run();
         }
-        if (detailPane.isVisible() != (row != null)) {
-            detailPane.setVisible(row != null);
+        placeDetail();
+    }
+
+    /** Below the ladder once a message is selected. */
+    private void placeDetail() {
+        boolean isHere = !isDetailElsewhere && list.getSelectedIndex() >= 0;
+        if (isHere != (split.getBottomComponent() == detail)) {
+            isPlaced = false;
+            split.setBottomComponent(isHere ? detail : null);
             dress();
-            placeDetail();
+            split.setDividerLocation(share);
+            split.validate();
+            isPlaced = isHere;
+            list.ensureIndexIsVisible(list.getSelectedIndex());
+        }
+    }
+
+    private void dividerMoved() {
+        int room = split.getHeight() - split.getDividerSize();
+        if (isPlaced && room > 0) {
+            share = Math.min(1, split.getDividerLocation() / (double) room);
         }
     }
 
     /** Without the heading the tools take the whole row. */
-    void setHeadingVisible(boolean visible) {
-        heading.setText(visible ? texts.of("window.ladder") : "");
+    public void setHeadingVisible(boolean visible) {
+        isHeadingWanted = visible;
     }
 
-    private boolean isLow() {
-        return getHeight() > 0 && getHeight() < Theme.px(LOW_UNITS);
-    }
-
-    /** Below the ladder, or next to it in a low window. */
-    private void placeDetail() {
-        split.setOrientation(isLow() ? JSplitPane.HORIZONTAL_SPLIT : JSplitPane.VERTICAL_SPLIT);
-        if (isLow()) {
-            split.setDividerLocation((int) (split.getWidth() * LADDER_SHARE));
-        } else {
-            split.resetToPreferredSizes();
+    @Override
+    public void doLayout() {
+        for (AbstractButton button : new AbstractButton[] {follow, undo, clear, save}) {
+            button.setHideActionText(!hasWords());
         }
-        split.validate();
-        list.ensureIndexIsVisible(list.getSelectedIndex());
+        showPause();
+        heading.setVisible(isHeadingWanted && getWidth() >= Theme.px(HEADING_UNITS));
+        cell.setLow(getHeight() < Theme.px(LOW_UNITS));
+        if (list.getFixedCellHeight() != cell.getPreferredSize().height) {
+            list.fit();
+        }
+        super.doLayout();
     }
 
     @Override
@@ -257,10 +307,7 @@ final class LadderPanel extends JPanel {
 
     private void dress() {
         heading.setFont(Theme.title());
-        title.setFont(Theme.strong());
-        split.setDividerSize(detailPane.isVisible() ? Theme.px(Theme.GRID) : 0);
-        title.setBorder(Theme.padding(8, 2, 6, 2));
-        detail.setFont(Theme.monoSmall());
+        split.setDividerSize(split.getBottomComponent() == null ? 0 : Theme.px(Theme.GRID));
         list.fit();
     }
 }

@@ -38,19 +38,19 @@ record Lifelines(List<String> names) {
         return new Lifelines(List.copyOf(names));
     }
 
-    /** X of a line in pixels; -1 for a terminal without one. */
-    double x(String name, int width) {
+    /** X of a line in units, in a ladder of this width; -1 for a terminal without one. */
+    double x(String name, double width) {
         int index = names.indexOf(name);
         if (index < 0) {
             return -1;
         }
-        double first = Theme.exact(TIME_UNITS + HALF_HEAD_UNITS);
+        double first = TIME_UNITS + HALF_HEAD_UNITS;
         return names.size() == 1 ? first + gap(width) / 2 : first + gap(width) * index;
     }
 
-    /** Distance of two lines in pixels. */
-    double gap(int width) {
-        double room = width - Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
+    /** Distance of two lines in units. */
+    double gap(double width) {
+        double room = width - (TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
         return room / Math.max(1, names.size() - 1);
     }
 

@@ -1,6 +1,8 @@
 package simgsm.center.ui.ladder;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +11,8 @@ import java.util.stream.IntStream;
 import javax.swing.event.ListDataEvent;
 import javax.swing.event.ListDataListener;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.LadderEntry;
 import simgsm.center.ui.Scene;
@@ -75,14 +79,14 @@ class LadderModelTest {
     @Test
     void aFilterShowsOneTerminalAndTakesNothingAway() {
         model.update(entries(1, 4), 4);
-        model.filter(Optional.of("3"));
+        model.filter(of("3"));
         assertEquals(List.of("3"), shown());
 
         model.update(entries(1, 5), 5);
         assertEquals(List.of("3"), shown());
         assertEquals(List.of("5", "4", "3", "2", "1"), model.terminals());
 
-        model.filter(Optional.empty());
+        model.filter(LadderFilter.ALL);
         assertEquals(List.of("1", "2", "3", "4", "5"), shown());
     }
 
@@ -95,7 +99,7 @@ class LadderModelTest {
 
         model.update(entries(1, 4), 4);
         assertEquals(List.of("4"), shown());
-        model.filter(Optional.of("1"));
+        model.filter(of("1"));
         assertEquals(List.of(), shown());
     }
 
@@ -109,6 +113,85 @@ class LadderModelTest {
 
         assertEquals(List.of("1", "5550100", "3"), shown());
         assertEquals(List.of("+0..2", "~1..1"), events);
+    }
+
+    @Test
+    void aClearingIsTakenBack() {
+        model.update(entries(1, 3), 3);
+        model.clear();
+        model.update(entries(1, 4), 4);
+        assertTrue(model.isCleared());
+
+        model.unclear();
+
+        assertEquals(List.of("1", "2", "3", "4"), shown());
+        assertFalse(model.isCleared());
+    }
+
+    @Test
+    void onlyTheLastOfTwoClearingsIsTakenBack() {
+        model.update(entries(1, 2), 2);
+        model.clear();
+        model.update(entries(1, 4), 4);
+        model.clear();
+        model.unclear();
+
+        assertEquals(List.of("3", "4"), shown());
+    }
+
+    @Test
+    void aPauseKeepsTheRowsAndCountsWhatPassesMeanwhile() {
+        model.update(entries(1, 3), 3);
+        model.pause(true);
+        model.update(entries(3, 6), 6);
+        assertEquals(List.of("1", "2", "3"), shown());
+        assertEquals(3, model.heldBack());
+        model.filter(of("2"));
+        assertEquals(List.of("2"), shown());
+
+        model.filter(LadderFilter.ALL);
+        model.pause(false);
+        assertEquals(List.of("3", "4", "5", "6"), shown());
+        assertEquals(0, model.heldBack());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "SETUP; 1",
+                "5550200; 3",
+                "full rate; 1",
+                "91 55 05 02; 2",
+                "#*#90; 1",
+                "attention; 1",
+                "nothing; 0",
+                "'  '; 6"
+            })
+    void aTextIsLookedForInNamesNumbersFieldsAndOctets(String text, int found) {
+        model.update(Scene.everyKind(), 6);
+        model.filter(new LadderFilter(Optional.empty(), Optional.empty(), text));
+
+        assertEquals(found, model.getSize(), shown().toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "CALL_CONTROL, 3",
+        "MOBILITY_MANAGEMENT, 1",
+        "SHORT_MESSAGES, 1",
+        "COMMON_CHANNEL, 1",
+        "RADIO_RESOURCE, 0"
+    })
+    void aProtocolIsPickedOut(Protocol kind, int found) {
+        model.update(Scene.everyKind(), 6);
+        model.filter(new LadderFilter(Optional.empty(), Optional.of(kind), ""));
+
+        assertEquals(found, model.getSize());
+    }
+
+    private static LadderFilter of(String terminal) {
+        return new LadderFilter(Optional.of(terminal), Optional.empty(), "");
     }
 
     private List<String> shown() {

@@ -22,10 +22,23 @@ class MessageFieldsTest {
     }
 
     @Test
-    void aNarrowPlaceHasEightOctetsALine() {
-        String words = MessageFields.of(new LadderRow(1, Scene.setup()), MessageFields.NARROW);
+    void aSetupsNumberStandsInItsElementOfTheOctets() {
+        MessageFields setup = MessageFields.of(new LadderRow(1, Scene.setup()));
 
-        assertTrue(words.contains("0000  03 05 04 06 60 04 02 00\n0008  05 81"), words);
+        assertEquals("{10, 11, 12, 13, 14, 15, 16}", setup.octets().of(2).toString());
+        assertEquals(2, setup.octets().at(13));
+    }
+
+    @Test
+    void aShortMessagesFieldsStandInTheOctetsOfItsTransferUnit() {
+        MessageFields submit = MessageFields.of(new LadderRow(1, Scene.submit("** #*#90 **")));
+        var names =
+                submit.message().fields().stream().map(field -> field.name()).toList();
+        int length = submit.message().octets().length();
+
+        assertEquals(length - 1, submit.octets().of(names.indexOf("text")).length() - 1);
+        assertEquals(1, submit.octets().of(names.indexOf("TP-MR")).cardinality());
+        assertEquals(names.indexOf("text"), submit.octets().at(length - 1));
     }
 
     @Test
@@ -33,7 +46,7 @@ class MessageFieldsTest {
         String words = words(Scene.submit("** #*#90 **"));
 
         assertTrue(words.contains("text                  ** #*#90 **\n"), words);
-        assertTrue(words.contains("TP-DA: 5550200 (international, plan 1)"), words);
+        assertTrue(words.contains("TP-DA                 5550200 (international, plan 1)"), words);
     }
 
     @Test
@@ -62,6 +75,6 @@ class MessageFieldsTest {
     }
 
     private static String words(LadderEntry entry) {
-        return MessageFields.of(new LadderRow(1, entry), MessageFields.WIDE);
+        return MessageFields.of(new LadderRow(1, entry)).lines();
     }
 }

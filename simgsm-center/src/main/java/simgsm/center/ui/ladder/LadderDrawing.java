@@ -1,0 +1,128 @@
+package simgsm.center.ui.ladder;
+
+import simgsm.center.msc.LadderEntry;
+import simgsm.draw.Canvas;
+import simgsm.draw.Face;
+import simgsm.draw.Ink;
+import simgsm.draw.Outline;
+
+/**
+ * Draws the ladder, row by row: the heads of the lifelines, and rungs of time, arrow, name and protocol. Widths and heights
+ * are in units.
+ */
+record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
+    static final double HEAD_UNITS = 36;
+    static final double RUNG_UNITS = 30;
+    /** In a low window. */
+    static final double LOW_RUNG_UNITS = 24;
+
+    private static final double BOX_UNITS = 24;
+    private static final double WIDEST_BOX_UNITS = 160;
+    private static final double MARGIN_UNITS = 10;
+    private static final double ARROW_HEAD_UNITS = 6;
+
+    private double px(double units) {
+        return canvas.px(units);
+    }
+
+    /** The names of the lifelines. */
+    void heads() {
+        for (String name : lifelines.names()) {
+            boolean isCenter = name.equals(LadderEntry.CENTER);
+            double room = Math.min(lifelines.gap(widthUnits), WIDEST_BOX_UNITS) - 8;
+            String fitted = fittedEnd(name, Face.MONO_STRONG, px(room - 12));
+            double width = Math.min(px(room), canvas.width(fitted, Face.MONO_STRONG) + px(20));
+            double x = px(lifelines.x(name, widthUnits));
+            Outline box = Outline.round(x - width / 2, px((HEAD_UNITS - BOX_UNITS) / 2), width, px(BOX_UNITS), px(6));
+            canvas.ink(isCenter ? Ink.ACCENT : Ink.CARD);
+            canvas.fill(box);
+            canvas.ink(isCenter ? Ink.ACCENT : Ink.CONTROL_LINE);
+            canvas.pen(1);
+            canvas.draw(box);
+            canvas.ink(isCenter ? Ink.ON_ACCENT : Ink.TEXT);
+            canvas.text(fitted, Face.MONO_STRONG, x, px(HEAD_UNITS / 2));
+        }
+        canvas.ink(Ink.LINE);
+        canvas.bar(0, px(HEAD_UNITS) - 1, px(widthUnits), 1);
+    }
+
+    /** A message. @param behind the colour of the background */
+    void rung(LadderRow row, double heightUnits, Ink behind) {
+        canvas.ink(behind);
+        canvas.fill(Outline.box(0, 0, px(widthUnits), px(heightUnits)));
+        for (String name : lifelines.names()) {
+            canvas.ink(name.equals(LadderEntry.CENTER) ? Ink.ACCENT : Ink.CONTROL_LINE);
+            canvas.bar(px(lifelines.x(name, widthUnits)), 0, px(1), px(heightUnits));
+        }
+        Protocol protocol = Protocol.of(row.entry());
+        double middle = px(heightUnits / 2);
+        canvas.ink(Ink.QUIET);
+        beginning(row.clock(), Face.MONO_SMALL, px(MARGIN_UNITS), middle);
+        canvas.ink(protocol.ink());
+        double tag = canvas.width(protocol.tag(), Face.SMALL);
+        beginning(protocol.tag(), Face.SMALL, px(widthUnits - MARGIN_UNITS) - tag, middle);
+        arrow(row, heightUnits, behind);
+    }
+
+    private void beginning(String text, Face face, double x, double middle) {
+        canvas.text(text, face, x + canvas.width(text, face) / 2, middle);
+    }
+
+    /**
+     * A name that is longer than its arrow extends over the neighbouring columns. Messages of a terminal without a lifeline
+     * are drawn at the centre's line, with the terminal's number before the name.
+     */
+    private void arrow(LadderRow row, double heightUnits, Ink behind) {
+        LadderEntry entry = row.entry();
+        double from = lifelines.x(entry.from(), widthUnits);
+        double to = lifelines.x(entry.to(), widthUnits);
+        double center = lifelines.x(LadderEntry.CENTER, widthUnits);
+        String name = from >= 0 && to >= 0 ? entry.name() : row.terminal() + " " + entry.name();
+        double start = from >= 0 ? from : center - lifelines.gap(widthUnits) / 2;
+        double end = to >= 0 ? to : center + lifelines.gap(widthUnits) / 2;
+        double y = heightUnits - 6;
+        double sign = Math.signum(end - start);
+        double tip = end - sign * 2;
+        canvas.ink(Protocol.of(entry).ink());
+        canvas.pen(1.4);
+        canvas.line(px(start), px(y), px(tip - sign * (ARROW_HEAD_UNITS - 1)), px(y));
+        double back = tip - sign * ARROW_HEAD_UNITS * 1.4;
+        double half = ARROW_HEAD_UNITS * 0.7;
+        canvas.fill(Outline.polygon(px(tip), px(y), px(back), px(y - half), px(back), px(y + half)));
+        name(name, Math.abs(end - start) - 8, (start + end) / 2, heightUnits, behind);
+    }
+
+    private void name(String name, double arrowUnits, double middleUnits, double heightUnits, Ink behind) {
+        boolean isLarge = heightUnits >= RUNG_UNITS && canvas.width(name, Face.BASE) <= px(arrowUnits);
+        Face face = isLarge ? Face.BASE : Face.SMALL;
+        double left = px(Lifelines.TIME_UNITS);
+        double right = px(widthUnits - Lifelines.TAG_UNITS);
+        String fitted = fitted(name, face, right - left);
+        double width = canvas.width(fitted, face);
+        double x = Math.max(left, Math.min(right - width, px(middleUnits) - width / 2));
+        double middle = px((heightUnits - 9) / 2);
+        canvas.ink(behind);
+        canvas.bar(x - px(3), middle - px(7), width + px(6), px(14));
+        canvas.ink(Ink.TEXT);
+        beginning(fitted, face, x, middle);
+    }
+
+    private String fitted(String text, Face face, double room) {
+        int end = text.length();
+        String cut = text;
+        while (end > 0 && canvas.width(cut, face) > room) {
+            cut = text.substring(0, --end) + "\u2026";
+        }
+        return cut;
+    }
+
+    /** Cut in front: of numbers the last digits differ. */
+    private String fittedEnd(String text, Face face, double room) {
+        int start = 0;
+        String cut = text;
+        while (start < text.length() && canvas.width(cut, face) > room) {
+            cut = "\u2026" + text.substring(++start);
+        }
+        return cut;
+    }
+}

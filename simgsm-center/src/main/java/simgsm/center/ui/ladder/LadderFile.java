@@ -1,0 +1,38 @@
+package simgsm.center.ui.ladder;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
+import simgsm.draw.SvgCanvas;
+
+/** The shown messages as a file. */
+final class LadderFile {
+    private static final double LEAST_WIDTH_UNITS = 640;
+    private static final double LINE_UNITS = 120;
+
+    private LadderFile() {}
+
+    /** Each message with its time, way and name, then its fields and octets. */
+    static String text(List<LadderRow> rows) {
+        return rows.stream()
+                .map(row -> row + "\n" + MessageFields.of(row).lines().indent(4))
+                .collect(Collectors.joining("\n"));
+    }
+
+    /** The ladder as a picture with one rung for each message, light whatever the window's appearance. */
+    static String svg(List<LadderRow> rows, Lifelines lifelines, String title) {
+        SvgCanvas canvas = new SvgCanvas(ink -> ink.hex(Appearance.LIGHT));
+        double width = Math.max(
+                LEAST_WIDTH_UNITS,
+                2 * LINE_UNITS + LINE_UNITS * lifelines.names().size());
+        LadderDrawing drawing = new LadderDrawing(canvas, lifelines, width);
+        drawing.heads();
+        double y = LadderDrawing.HEAD_UNITS;
+        for (LadderRow row : rows) {
+            canvas.moved(0, y, 0, () -> drawing.rung(row, LadderDrawing.RUNG_UNITS, Ink.CARD));
+            y += LadderDrawing.RUNG_UNITS;
+        }
+        return canvas.document(width, y, title);
+    }
+}

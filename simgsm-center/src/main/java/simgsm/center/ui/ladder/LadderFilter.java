@@ -1,0 +1,37 @@
+package simgsm.center.ui.ladder;
+
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.trace.MessageText;
+
+/**
+ * Which messages the ladder shows.
+ *
+ * @param terminal only those from and to this one; empty for all
+ * @param kind only those of this protocol; empty for all
+ * @param text only those that have it in their name, numbers, fields or octets (as {@code 5e 08}), in any case; empty for all
+ */
+record LadderFilter(Optional<String> terminal, Optional<Protocol> kind, String text) {
+    static final LadderFilter ALL = new LadderFilter(Optional.empty(), Optional.empty(), "");
+
+    LadderFilter {
+        text = text.strip().toLowerCase(Locale.ROOT);
+    }
+
+    boolean accepts(LadderRow row) {
+        return (terminal.isEmpty() || terminal.get().equals(row.terminal()))
+                && (kind.isEmpty() || kind.get() == Protocol.of(row.entry()))
+                && (text.isEmpty() || has(row));
+    }
+
+    private boolean has(LadderRow row) {
+        if (row.toString().toLowerCase(Locale.ROOT).contains(text)) {
+            return true;
+        }
+        MessageText message = MessageFields.textOf(row);
+        return message.octets().toString().contains(text.replace(" ", ""))
+                || message.fields().stream()
+                        .anyMatch(field ->
+                                field.toString().toLowerCase(Locale.ROOT).contains(text));
+    }
+}

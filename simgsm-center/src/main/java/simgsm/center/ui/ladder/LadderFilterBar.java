@@ -1,0 +1,110 @@
+package simgsm.center.ui.ladder;
+
+import java.awt.BorderLayout;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import simgsm.console.TextBundle;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.HintedTextField;
+import simgsm.ui.Theme;
+
+/** Which messages are shown: by a text, by the terminal, by the protocol. */
+final class LadderFilterBar extends JPanel {
+    private final TextBundle texts;
+    private final Runnable changed;
+    private final JTextField text;
+    private final JComboBox<String> who = new JComboBox<>();
+    private final JComboBox<String> kind = new JComboBox<>();
+    /** Whether the choices are being exchanged, which selects nothing. */
+    private boolean isFilling;
+
+    LadderFilterBar(TextBundle texts, Runnable changed) {
+        super(new BorderLayout());
+        this.texts = texts;
+        this.changed = changed;
+        setOpaque(false);
+        text = ComponentNames.name(
+                new HintedTextField(texts.of("window.ladder.find")),
+                "ladder.find",
+                texts.of("window.ladder.find.name"));
+        text.setToolTipText(texts.of("window.ladder.find.why"));
+        ComponentNames.name(who, "ladder.who", texts.of("window.ladder.who"));
+        ComponentNames.name(kind, "ladder.kind", texts.of("window.ladder.kind"));
+        kind.setToolTipText(texts.of("window.ladder.kind.why"));
+        kind.addItem(texts.of("window.ladder.everything"));
+        for (Protocol protocol : Protocol.values()) {
+            kind.addItem(protocol.tag());
+        }
+        offer(List.of());
+        who.addActionListener(event -> tell());
+        kind.addActionListener(event -> tell());
+        text.getDocument().addDocumentListener(new DocumentListener() {
+            @Override
+            public void insertUpdate(DocumentEvent event) {
+                tell();
+            }
+
+            @Override
+            public void removeUpdate(DocumentEvent event) {
+                tell();
+            }
+
+            @Override
+            public void changedUpdate(DocumentEvent event) {
+                tell();
+            }
+        });
+        add(Arrange.row(Theme.GRID, Arrange.growing(text), who, kind));
+    }
+
+    private void tell() {
+        if (!isFilling) {
+            changed.run();
+        }
+    }
+
+    LadderFilter filter() {
+        Optional<Protocol> protocol = kind.getSelectedIndex() <= 0
+                ? Optional.empty()
+                : Optional.of(Protocol.values()[kind.getSelectedIndex() - 1]);
+        return new LadderFilter(terminal(), protocol, text.getText());
+    }
+
+    private Optional<String> terminal() {
+        return who.getSelectedIndex() <= 0 ? Optional.empty() : Optional.of(who.getItemAt(who.getSelectedIndex()));
+    }
+
+    void choose(String terminal) {
+        who.setSelectedItem(terminal);
+    }
+
+    /** Offers these terminals; the selection is kept if it is among them. */
+    void offer(List<String> terminals) {
+        List<String> sorted = new ArrayList<>(terminals);
+        sorted.sort(String::compareTo);
+        List<String> present = new ArrayList<>();
+        for (int i = 1; i < who.getItemCount(); i++) {
+            present.add(who.getItemAt(i));
+        }
+        if (who.getItemCount() > 0 && present.equals(sorted)) {
+            return;
+        }
+        Optional<String> chosen = terminal();
+        isFilling = true;
+        who.removeAllItems();
+        who.addItem(texts.of("window.ladder.everybody"));
+        sorted.forEach(who::addItem);
+        chosen.filter(sorted::contains).ifPresent(who::setSelectedItem);
+        isFilling = false;
+        if (chosen.isPresent() && terminal().isEmpty()) {
+            changed.run();
+        }
+    }
+}

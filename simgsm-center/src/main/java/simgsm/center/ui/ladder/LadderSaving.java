@@ -1,0 +1,55 @@
+package simgsm.center.ui.ladder;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import javax.swing.JComponent;
+import javax.swing.JOptionPane;
+import simgsm.console.TextBundle;
+import simgsm.ui.window.SaveDialog;
+
+/** Saves the shown messages as text or as a picture, where the user says. */
+final class LadderSaving {
+    private static final String TEXT = "txt";
+    private static final String PICTURE = "svg";
+
+    private final TextBundle texts;
+
+    LadderSaving(TextBundle texts) {
+        this.texts = texts;
+    }
+
+    void ask(JComponent owner, List<LadderRow> rows, Lifelines lifelines) {
+        List<SaveDialog.Kind> kinds = List.of(
+                new SaveDialog.Kind(texts.of("window.ladder.save.text"), TEXT),
+                new SaveDialog.Kind(texts.of("window.ladder.save.picture"), PICTURE));
+        SaveDialog.Replacing replacing = new SaveDialog.Replacing(
+                name -> texts.of("window.ladder.save.replace", name),
+                texts.of("window.ladder.save.title"),
+                texts.of("window.ladder.save.yes"),
+                texts.of("window.ladder.save.cancel"));
+        SaveDialog.ask(owner, Path.of("ladder." + TEXT), kinds, UnaryOperator.identity(), replacing)
+                .ifPresent(file -> save(owner, file, rows, lifelines));
+    }
+
+    private void save(JComponent owner, Path file, List<LadderRow> rows, Lifelines lifelines) {
+        try {
+            write(file, rows, lifelines);
+        } catch (IOException e) {
+            JOptionPane.showMessageDialog(
+                    owner,
+                    texts.of("window.ladder.save.failed", String.valueOf(file), e.getMessage()),
+                    texts.of("window.ladder.save.title"),
+                    JOptionPane.WARNING_MESSAGE);
+        }
+    }
+
+    /** Writes the kind of file that the ending says: a picture for svg, else text. */
+    void write(Path file, List<LadderRow> rows, Lifelines lifelines) throws IOException {
+        boolean isPicture = String.valueOf(file).endsWith("." + PICTURE);
+        Files.writeString(
+                file, isPicture ? LadderFile.svg(rows, lifelines, texts.of("window.ladder")) : LadderFile.text(rows));
+    }
+}

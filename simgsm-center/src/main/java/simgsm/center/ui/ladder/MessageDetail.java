@@ -1,0 +1,147 @@
+package simgsm.center.ui.ladder;
+
+import java.awt.BorderLayout;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.util.BitSet;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import simgsm.console.TextBundle;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.ScrolledColumn;
+import simgsm.ui.Theme;
+
+/**
+ * A message in full: its fields, and its octets next to them or, in a narrow place, below. A chosen field marks its octets,
+ * a chosen octet its field.
+ */
+public final class MessageDetail extends JPanel {
+    private static final int LEAST_FIELDS_UNITS = 200;
+    private static final int OCTETS_PER_LINE = 16;
+    private static final int LEAST_OCTETS_PER_LINE = 8;
+    private static final double LOWER_SHARE = 0.4;
+
+    private final TextBundle texts;
+    private final JLabel title = new JLabel(" ");
+    private final FieldTable fields = new FieldTable();
+    private final HexDump octets;
+    private final JScrollPane fieldPane = new JScrollPane(fields);
+    private final JScrollPane octetPane;
+    private MessageFields shown;
+    /** Whether a choice in one part is being shown in the other. */
+    private boolean isFollowing;
+
+    MessageDetail(TextBundle texts) {
+        super(new BorderLayout());
+        this.texts = texts;
+        setOpaque(false);
+        setName("ladder.message");
+        octets = new HexDump(texts, this::octetChosen);
+        octetPane = new JScrollPane(new ScrolledColumn(octets));
+        octetPane.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        fields.getAccessibleContext().setAccessibleName(texts.of("window.ladder.detail"));
+        fields.getSelectionModel().addListSelectionListener(event -> fieldChosen());
+        JPanel parts = new JPanel(new Parts());
+        parts.setOpaque(false);
+        parts.add(fieldPane);
+        parts.add(octetPane);
+        add(ComponentNames.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
+        add(parts, BorderLayout.CENTER);
+        setMinimumSize(new Dimension(0, 0));
+        dress();
+    }
+
+    void show(LadderRow row) {
+        shown = MessageFields.of(row);
+        String way = row.entry().from() + " \u2192 " + row.entry().to();
+        title.setText(row.entry().name() + "   " + way + "   " + row.clock());
+        title.setToolTipText(title.getText());
+        fields.show(shown.message().fields());
+        octets.show(shown.message().octets());
+    }
+
+    /** The message in lines of text; empty before the first. */
+    String lines() {
+        return shown == null ? "" : shown.lines();
+    }
+
+    private void fieldChosen() {
+        int field = fields.getSelectedRow();
+        if (!isFollowing && shown != null && field >= 0) {
+            fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
+            octets.mark(
+                    shown.octets().of(field),
+                    shown.message().fields().get(field).name());
+        }
+    }
+
+    private void octetChosen(int octet) {
+        int field = shown.octets().at(octet);
+        isFollowing = true;
+        if (field >= 0) {
+            fields.setRowSelectionInterval(field, field);
+            fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
+            octets.mark(
+                    shown.octets().of(field),
+                    shown.message().fields().get(field).name());
+        } else {
+            fields.clearSelection();
+            octets.mark(new BitSet(), octet < 2 ? texts.of("window.ladder.header") : "");
+        }
+        isFollowing = false;
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (title != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        title.setFont(Theme.strong());
+        title.setBorder(Theme.padding(8, 2, 6, 2));
+    }
+
+    /** Fields and octets in a row when both fit, else one over the other. */
+    private final class Parts implements Arrange.FixedLayout {
+        @Override
+        public Dimension preferredLayoutSize(Container parent) {
+            return new Dimension(
+                    Theme.px(LEAST_FIELDS_UNITS) + octetsWidth(OCTETS_PER_LINE), octetPane.getPreferredSize().height);
+        }
+
+        @Override
+        public Dimension minimumLayoutSize(Container parent) {
+            return new Dimension(0, 0);
+        }
+
+        private int octetsWidth(int perLine) {
+            return HexDump.widthOf(perLine) + octetPane.getVerticalScrollBar().getPreferredSize().width + Theme.px(4);
+        }
+
+        @Override
+        public void layoutContainer(Container parent) {
+            int gap = Theme.px(Theme.GRID);
+            int width = parent.getWidth();
+            int height = parent.getHeight();
+            int least = Theme.px(LEAST_FIELDS_UNITS);
+            int right = octetsWidth(OCTETS_PER_LINE);
+            if (width - gap - right < least) {
+                right = octetsWidth(LEAST_OCTETS_PER_LINE);
+            }
+            if (width - gap - right >= least) {
+                fieldPane.setBounds(0, 0, width - gap - right, height);
+                octetPane.setBounds(width - right, 0, right, height);
+            } else {
+                int lower = (int) (height * LOWER_SHARE);
+                fieldPane.setBounds(0, 0, width, height - lower - gap);
+                octetPane.setBounds(0, height - lower, width, lower);
+            }
+        }
+    }
+}
