@@ -22,7 +22,17 @@ public final class Propagation {
     private final double[] megahertz;
     private final double[] antennaMetres;
 
+    /** @param seed of the shadowing */
     public Propagation(Town town, long seed) {
+        this(town, town.shadowDecibels(), seed);
+    }
+
+    /** The same town's median losses: without shadowing. */
+    public Propagation median() {
+        return new Propagation(town, 0, 0);
+    }
+
+    private Propagation(Town town, double shadowDecibels, long seed) {
         this.town = town;
         towers = town.towers();
         losses = new PathLoss[towers.size()];
@@ -34,7 +44,7 @@ public final class Propagation {
             megahertz[i] = Frequencies.downlinkMegahertz(tower.arfcn());
             losses[i] = new PathLoss(megahertz[i], tower.heightMetres(), MOBILE_METRES, town.surroundings());
             shadows[i] = new ShadowField(
-                    town.shadowDecibels(),
+                    shadowDecibels,
                     town.shadowMetres(),
                     seed * 1_000_003 + tower.name().hashCode());
             antennaMetres[i] = tower.heightMetres()

@@ -9,7 +9,8 @@ import simgsm.draw.Ink;
 
 /**
  * A coverage as a picture, a pixel a square: the colour is the strongest cell, its density the level in steps of 10 dB, so
- * that the steps are contour lines. Location areas other than the lowest are hatched.
+ * that the steps are contour lines. Borders and location areas are those without shadowing, which would tear them to pieces;
+ * location areas other than the lowest are hatched.
  */
 final class CoverageImage {
     /** Nothing is drawn below; mobiles hear nothing there. */
@@ -19,18 +20,20 @@ final class CoverageImage {
     private static final int STEPS = 7;
     private static final double FAINTEST = 0.07;
     private static final double DENSER_EACH = 0.075;
-    private static final double BAND_DENSER = 0.12;
+    private static final double BAND_DENSER = 0.22;
     private static final double BORDER = 0.75;
     private static final double HATCH = 0.2;
     private static final int HATCH_SQUARES = 7;
 
     private final Coverage coverage;
+    private final Coverage median;
     private final List<Tower> towers;
     private final Appearance appearance;
     private final int lowestArea;
 
-    private CoverageImage(Coverage coverage, List<Tower> towers, Appearance appearance) {
+    private CoverageImage(Coverage coverage, Coverage median, List<Tower> towers, Appearance appearance) {
         this.coverage = coverage;
+        this.median = median;
         this.towers = towers;
         this.appearance = appearance;
         lowestArea = towers.stream().mapToInt(Tower::area).min().orElse(0);
@@ -39,18 +42,20 @@ final class CoverageImage {
     /**
      * Draws the picture.
      *
+     * @param median the coverage without shadowing, on the same raster
      * @param levels whether levels are shown
      * @param borders whether borders are shown
      * @param marginDecibels width of the strip along borders in which a mobile keeps the cell that it has
      */
     static BufferedImage of(
             Coverage coverage,
+            Coverage median,
             List<Tower> towers,
             Appearance appearance,
             boolean levels,
             boolean borders,
             double marginDecibels) {
-        CoverageImage picture = new CoverageImage(coverage, towers, appearance);
+        CoverageImage picture = new CoverageImage(coverage, median, towers, appearance);
         BufferedImage image = new BufferedImage(coverage.columns(), coverage.rows(), BufferedImage.TYPE_INT_RGB);
         for (int row = 0; row < coverage.rows(); row++) {
             for (int column = 0; column < coverage.columns(); column++) {
@@ -72,28 +77,37 @@ final class CoverageImage {
     private int color(int column, int row, boolean levels, boolean borders, double marginDecibels) {
         int at = row * coverage.columns() + column;
         int best = coverage.best()[at];
-        int floor = Ink.FLOOR.rgb(appearance);
-        if (best == Coverage.NONE || coverage.levelDbm()[at] < WEAKEST_DBM) {
-            return floor;
+        int color = Ink.FLOOR.rgb(appearance);
+        if (best != Coverage.NONE) {
+            double density = levels ? density(coverage.levelDbm()[at]) : FAINTEST;
+            color = blend(color, CellInk.of(best).rgb(appearance), density);
         }
-        double density = levels ? density(coverage.levelDbm()[at]) : FAINTEST;
-        if (borders && coverage.leadDecibels()[at] < marginDecibels) {
-            density += BAND_DENSER;
+        return borders ? bordered(color, column, row, marginDecibels) : color;
+    }
+
+    private int bordered(int color, int column, int row, double marginDecibels) {
+        int at = row * median.columns() + column;
+        int best = median.best()[at];
+        if (best == Coverage.NONE || median.levelDbm()[at] < WEAKEST_DBM) {
+            return color;
         }
-        int color = blend(floor, CellInk.of(best).rgb(appearance), density);
-        if (borders && towers.get(best).area() != lowestArea && (column + row) % HATCH_SQUARES == 0) {
-            color = blend(color, Ink.QUIET.rgb(appearance), HATCH);
+        int result = color;
+        if (median.leadDecibels()[at] < marginDecibels) {
+            result = blend(result, CellInk.of(best).rgb(appearance), BAND_DENSER);
         }
-        return borders && isBorder(column, row, best) ? blend(color, Ink.TEXT.rgb(appearance), BORDER) : color;
+        if (towers.get(best).area() != lowestArea && (column + row) % HATCH_SQUARES == 0) {
+            result = blend(result, Ink.QUIET.rgb(appearance), HATCH);
+        }
+        return isBorder(column, row, best) ? blend(result, Ink.TEXT.rgb(appearance), BORDER) : result;
     }
 
     private boolean isBorder(int column, int row, int best) {
-        return column + 1 < coverage.columns() && differs(row * coverage.columns() + column + 1, best)
-                || row + 1 < coverage.rows() && differs((row + 1) * coverage.columns() + column, best);
+        return column + 1 < median.columns() && differs(row * median.columns() + column + 1, best)
+                || row + 1 < median.rows() && differs((row + 1) * median.columns() + column, best);
     }
 
     private boolean differs(int at, int best) {
-        return coverage.best()[at] != best && coverage.levelDbm()[at] >= WEAKEST_DBM;
+        return median.best()[at] != best && median.levelDbm()[at] >= WEAKEST_DBM;
     }
 
     private static int blend(int under, int over, double share) {

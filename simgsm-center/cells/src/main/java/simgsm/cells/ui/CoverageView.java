@@ -32,6 +32,7 @@ final class CoverageView {
     private final Executor eventThread;
     private final Runnable changed;
     private LossRaster raster;
+    private LossRaster medianRaster;
     private double rasterSquareMetres;
     private Optional<Look> shown = Optional.empty();
     private Optional<Look> wanted = Optional.empty();
@@ -86,14 +87,16 @@ final class CoverageView {
         });
     }
 
-    /** On the worker, which alone uses the raster. */
+    /** On the worker, which alone uses the rasters. */
     private BufferedImage draw(Look look) {
         if (raster == null || rasterSquareMetres != look.squareMetres) {
             raster = LossRaster.of(propagation, look.squareMetres);
+            medianRaster = LossRaster.of(propagation.median(), look.squareMetres);
             rasterSquareMetres = look.squareMetres;
         }
         return CoverageImage.of(
                 raster.coverage(look.towers),
+                medianRaster.coverage(look.towers),
                 propagation.town().towers(),
                 look.appearance,
                 look.levels,

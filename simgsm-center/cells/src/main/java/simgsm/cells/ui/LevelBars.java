@@ -26,7 +26,8 @@ final class LevelBars extends PaintedComponent {
     private static final double WEAKEST_DBM = -110;
     private static final double STRONGEST_DBM = -45;
     private static final int NAME_UNITS = 72;
-    private static final int FIGURE_UNITS = 88;
+    private static final int FIGURE_UNITS = 60;
+    private static final int C2_UNITS = 98;
 
     private final TextBundle texts;
     private transient List<Tower> towers = List.of();
@@ -94,12 +95,13 @@ final class LevelBars extends PaintedComponent {
         List<Level> levels = mobile.get().levels();
         double row = Theme.exact(ROW_UNITS);
         double from = Theme.exact(NAME_UNITS);
-        double track = Math.max(1, width - from - Theme.exact(FIGURE_UNITS));
+        boolean isIdle = levels.get(0).c2().isPresent();
+        double track = Math.max(1, width - from - Theme.exact(isIdle ? C2_UNITS : FIGURE_UNITS));
         int rows = Math.min(ROWS, levels.size());
         for (int i = 0; i < rows; i++) {
             bar(g, levels.get(i), i == 0, i * row, from, track, width);
         }
-        if (levels.get(0).c2().isEmpty() && rows > 1) {
+        if (!isIdle && rows > 1) {
             double line =
                     from + track * share(levels.get(0).dbm() + mobile.get().marginDecibels());
             g.setColor(Theme.color(Ink.DANGER));

@@ -86,7 +86,10 @@ public final class TownPanel extends JPanel {
                 new ScrolledColumn(column),
                 JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
                 JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(null);
+        Theme.styled(scroll, pane -> {
+            pane.setBorder(null);
+            pane.setViewportBorder(null);
+        });
         scroll.setOpaque(false);
         scroll.getViewport().setOpaque(false);
         return scroll;

@@ -28,6 +28,9 @@ final class TownPicture {
     static final double MAST_UNITS = 26;
 
     private static final double CHIP_HEIGHT_UNITS = 17;
+    /** Each tower needs a map of that width for its second line. */
+    private static final double DETAIL_UNITS = 170;
+
     private static final double CHIP_PADDING_UNITS = 4;
 
     private final TownSnapshot snapshot;
@@ -103,8 +106,10 @@ final class TownPicture {
     private void walk(Walk walk) {
         path(walk.points(), Ink.QUIET);
         Place first = walk.points().get(0);
-        g.ink(Ink.QUIET);
-        g.text(walk.name(), Face.SMALL, scale.x(first.xMetres()), scale.y(first.yMetres()) - g.px(9));
+        Place middle = first.towards(
+                walk.points().get(1), first.distanceMetres(walk.points().get(1)) / 2);
+        g.ink(Ink.TEXT);
+        g.text(walk.name(), Face.SMALL, scale.x(middle.xMetres()), scale.y(middle.yMetres()) - g.px(9));
     }
 
     private void path(MobileState mobile, boolean isSelected) {
@@ -170,6 +175,9 @@ final class TownPicture {
         StatusMark mark = state.isOn() ? StatusMark.DISC : StatusMark.SLASHED_RING;
         mark.draw(g, x, top, g.px(4.5), state.isOn() ? CellInk.of(index) : Ink.QUIET);
         chip(tower.name(), Face.STRONG, x, foot + g.px(12), Optional.of(CellInk.of(index)));
+        if (scale.width() / Math.sqrt(snapshot.cells().size()) < g.px(DETAIL_UNITS)) {
+            return;
+        }
         String below = state.isOn()
                 ? texts.of(
                         "map.tower",
@@ -229,6 +237,8 @@ final class TownPicture {
         double length = metres * scale.pixelsPerMetre();
         double x = scale.left() + g.px(12);
         double y = scale.top() + scale.height() - g.px(12);
+        g.ink(Ink.CARD, 0.85);
+        g.fill(Outline.round(x - g.px(6), y - g.px(18), length + g.px(12), g.px(24), g.px(4)));
         g.ink(Ink.TEXT);
         g.pen(1.4);
         g.draw(Outline.polyline(x, y - g.px(4), x, y, x + length, y, x + length, y - g.px(4)));
