@@ -34,7 +34,7 @@ public final class IdentityElements {
         return readIdentityValue(in.lengthAndValue("mobile identity"));
     }
 
-    static MobileIdentity readIdentityValue(MessageReader in) throws ProtocolViolation {
+    public static MobileIdentity readIdentityValue(MessageReader in) throws ProtocolViolation {
         if (in.remaining() > MAX_LENGTH) {
             throw ProtocolViolation.invalid("a mobile identity of " + in.remaining() + " octets");
         }

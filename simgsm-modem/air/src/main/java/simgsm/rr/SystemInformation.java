@@ -19,7 +19,7 @@ public sealed interface SystemInformation {
             LocationArea area,
             ControlChannel control,
             int radioLinkTimeout,
-            CellSelection selection,
+            SelectionParameters selection,
             RandomAccess access,
             Optional<Reselection> reselection)
             implements SystemInformation {}
@@ -56,7 +56,7 @@ public sealed interface SystemInformation {
      * @param hysteresisDecibels CELL_RESELECT_HYSTERESIS; @param powerLevel MS_TXPWR_MAX_CCH; @param accessMin
      *     RXLEV_ACCESS_MIN, 0 to 63
      */
-    record CellSelection(int hysteresisDecibels, int powerLevel, int accessMin) {}
+    record SelectionParameters(int hysteresisDecibels, int powerLevel, int accessMin) {}
 
     /**
      * RACH control parameters (10.5.2.29).

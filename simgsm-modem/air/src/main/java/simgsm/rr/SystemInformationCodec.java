@@ -6,10 +6,10 @@ import simgsm.air.LocationArea;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetWriter;
-import simgsm.rr.SystemInformation.CellSelection;
 import simgsm.rr.SystemInformation.ControlChannel;
 import simgsm.rr.SystemInformation.RandomAccess;
 import simgsm.rr.SystemInformation.Reselection;
+import simgsm.rr.SystemInformation.SelectionParameters;
 import simgsm.rr.SystemInformation.Type2;
 import simgsm.rr.SystemInformation.Type3;
 import simgsm.rr.SystemInformation.Type5;
@@ -49,7 +49,7 @@ final class SystemInformationCodec {
             writeArea(out, type.area());
             writeControl(out, type.control());
             out.octet(timeoutCode(type.radioLinkTimeout()));
-            CellSelection selection = type.selection();
+            SelectionParameters selection = type.selection();
             out.octet(selection.hysteresisDecibels() / HYSTERESIS_STEP_DECIBELS << 5 | selection.powerLevel())
                     .octet(selection.accessMin());
             writeAccess(out, type.access());
@@ -157,8 +157,8 @@ final class SystemInformationCodec {
         int timeout = readTimeout(in);
         int power = in.octet("cell selection");
         int access = in.octet("cell selection");
-        CellSelection selection =
-                new CellSelection((power >> 5) * HYSTERESIS_STEP_DECIBELS, power & 0x1f, access & 0x3f);
+        SelectionParameters selection =
+                new SelectionParameters((power >> 5) * HYSTERESIS_STEP_DECIBELS, power & 0x1f, access & 0x3f);
         return new Type3(cell, area, control, timeout, selection, readAccess(in), readReselection(in));
     }
 

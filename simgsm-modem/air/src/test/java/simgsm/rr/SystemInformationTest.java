@@ -11,10 +11,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.LocationArea;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
-import simgsm.rr.SystemInformation.CellSelection;
 import simgsm.rr.SystemInformation.ControlChannel;
 import simgsm.rr.SystemInformation.RandomAccess;
 import simgsm.rr.SystemInformation.Reselection;
+import simgsm.rr.SystemInformation.SelectionParameters;
 import simgsm.rr.SystemInformation.Type2;
 import simgsm.rr.SystemInformation.Type3;
 import simgsm.rr.SystemInformation.Type5;
@@ -29,7 +29,7 @@ class SystemInformationTest {
                 new LocationArea("001", "01", 7),
                 new ControlChannel(true, 1, true, 5, 5),
                 32,
-                new CellSelection(4, 15, 0),
+                new SelectionParameters(4, 15, 0),
                 ACCESS,
                 reselection);
     }

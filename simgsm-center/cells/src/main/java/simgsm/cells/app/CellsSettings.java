@@ -1,11 +1,14 @@
 package simgsm.cells.app;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
 import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 import simgsm.console.UsageException;
 
@@ -32,6 +35,17 @@ public record CellsSettings(
         Town town = TownFile.read(
                 arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed")));
         return new CellsSettings(town, address, port, controller, isOsmocom, seed);
+    }
+
+    public InetSocketAddress controllerAddress() {
+        return InetSocketAddress.createUnresolved(controller.host(), controller.port());
+    }
+
+    /** Prints the configuration of osmo-bsc for the towers. @return the exit status */
+    public int printOsmoBsc(PrintStream out) {
+        out.print(OsmoBscConfig.of(town));
+        out.flush();
+        return ExitStatus.OK;
     }
 
     private static InetAddress address(String text) {

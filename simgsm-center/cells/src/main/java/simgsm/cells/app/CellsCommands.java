@@ -1,0 +1,131 @@
+package simgsm.cells.app;
+
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import simgsm.cells.net.CellsLoop;
+import simgsm.cells.network.CellNetwork;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.town.Place;
+import simgsm.console.CommandException;
+import simgsm.console.CommandTable;
+import simgsm.console.Console;
+import simgsm.console.ConsoleCommand;
+import simgsm.console.Event;
+
+/** The console commands of the cells. */
+public final class CellsCommands implements Console.Commands {
+    /** All commands, for the console and for the reference. */
+    public static final CommandTable<CellsCommands> COMMANDS = new CommandTable<CellsCommands>()
+            .add(
+                    "cells",
+                    "",
+                    "lists the cells, their places and free traffic channels",
+                    (to, command) -> to.list(
+                            command, network -> network.towers().stream().map(CellsEventPrinter::of)))
+            .add(
+                    "mobiles",
+                    "",
+                    "lists the phones and robots, their places, cells and levels",
+                    (to, command) -> to.list(
+                            command,
+                            network -> network.mobiles().stream().map(mobile -> CellsEventPrinter.of(mobile, network))))
+            .add("place", "NUMBER X Y", "puts a phone or robot at a place, in metres", CellsCommands::place)
+            .add(
+                    "walk",
+                    "NUMBER X Y METRES_PER_SECOND",
+                    "lets a phone or robot go to a place and stop there",
+                    CellsCommands::walk)
+            .add("tower", "NAME on|off", "switches a tower", CellsCommands::tower)
+            .add("reports", "on|off", "prints measurement reports, or stops that", CellsCommands::reports);
+
+    private static final double FASTEST_METRES_PER_SECOND = 1_000;
+    private static final double FARTHEST_METRES = 1e6;
+
+    private final CellsLoop cells;
+    private final Console console;
+    private final CellsEvents events;
+
+    public CellsCommands(CellsLoop cells, Console console, CellsEvents events) {
+        this.cells = cells;
+        this.console = console;
+        this.events = events;
+    }
+
+    @Override
+    public void perform(ConsoleCommand command) throws CommandException {
+        try {
+            COMMANDS.perform(this, command);
+        } catch (IllegalStateException noAnswer) {
+            throw new CommandException(command.name() + ": " + noAnswer.getMessage());
+        }
+    }
+
+    private void list(ConsoleCommand command, Function<CellNetwork, Stream<Event>> question) {
+        List<Event> rows = cells.ask(network -> question.apply(network).toList());
+        rows.forEach(console::emit);
+        console.emit(CellsEventPrinter.end(command.name(), rows.size()));
+    }
+
+    private void place(ConsoleCommand command) throws CommandException {
+        List<String> words = command.words(3, "place NUMBER X Y");
+        Place place = place(command, words);
+        cells.ask(network -> {
+            network.place(words.get(0), place);
+            return true;
+        });
+    }
+
+    private void walk(ConsoleCommand command) throws CommandException {
+        List<String> words = command.words(4, "walk NUMBER X Y METRES_PER_SECOND");
+        Place place = place(command, words);
+        double speed = number(command, words.get(3), 0, FASTEST_METRES_PER_SECOND);
+        boolean isThere = cells.ask(network -> network.walk(words.get(0), List.of(place), speed));
+        if (!isThere) {
+            throw new CommandException(
+                    "walk: expected the number of a phone or robot that is connected, found " + words.get(0));
+        }
+    }
+
+    private static Place place(ConsoleCommand command, List<String> words) throws CommandException {
+        return new Place(
+                number(command, words.get(1), -FARTHEST_METRES, FARTHEST_METRES),
+                number(command, words.get(2), -FARTHEST_METRES, FARTHEST_METRES));
+    }
+
+    private static double number(ConsoleCommand command, String word, double least, double most)
+            throws CommandException {
+        if (word.matches("-?[0-9]{1,9}(\\.[0-9]{1,9})?")) {
+            double number = Double.parseDouble(word);
+            if (number >= least && number <= most) {
+                return number;
+            }
+        }
+        throw new CommandException(
+                String.format("%s: expected a number of %.0f to %.0f, found %s", command.name(), least, most, word));
+    }
+
+    private void tower(ConsoleCommand command) throws CommandException {
+        List<String> words = command.words(2, "tower NAME on|off");
+        boolean on = isOn(command, words.get(1));
+        boolean isThere = cells.ask(network -> {
+            var found = network.tower(words.get(0));
+            found.ifPresent((BaseStation tower) -> cells.switchTower(tower, on));
+            return found.isPresent();
+        });
+        if (!isThere) {
+            throw new CommandException("tower: expected the name of a tower as cells lists it, found " + words.get(0));
+        }
+    }
+
+    private void reports(ConsoleCommand command) throws CommandException {
+        events.showReports(isOn(command, command.words(1, "reports on|off").get(0)));
+    }
+
+    private static boolean isOn(ConsoleCommand command, String word) throws CommandException {
+        if (!word.equals("on") && !word.equals("off")) {
+            throw new CommandException(command.name() + ": expected on or off, found " + word);
+        }
+        return word.equals("on");
+    }
+}

@@ -1,0 +1,30 @@
+package simgsm.cells.app;
+
+import java.util.function.Consumer;
+import simgsm.cells.mobile.MobileEvent;
+import simgsm.console.Console;
+import simgsm.console.Event;
+
+/** Prints what happens to mobiles on the console; reports only if they are asked for. */
+public final class CellsEvents implements Consumer<MobileEvent> {
+    private final Console console;
+    private volatile boolean areReportsShown;
+
+    public CellsEvents(Console console) {
+        this.console = console;
+    }
+
+    void showReports(boolean shown) {
+        areReportsShown = shown;
+    }
+
+    @Override
+    public void accept(MobileEvent event) {
+        if (!(event instanceof MobileEvent.Reported) || areReportsShown) {
+            Event line = CellsEventPrinter.of(event);
+            if (line != null) {
+                console.emit(line);
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package simgsm.cells.app;
+
+import java.util.Locale;
+import simgsm.cells.town.CellSelection;
+import simgsm.cells.town.Tower;
+import simgsm.cells.town.Town;
+
+/** The configuration of osmo-bsc 1.9 for the towers of a town: one base station a tower, handover by algorithm 1. */
+final class OsmoBscConfig {
+    private static final int FIRST_OF_DCS_1800 = 512;
+    private static final int TIME_SLOTS = 8;
+
+    private OsmoBscConfig() {}
+
+    static String of(Town town) {
+        StringBuilder text = new StringBuilder("""
+                e1_input
+                 e1_line 0 driver ipa
+                network
+                 network country code 1
+                 mobile network code 1
+                 encryption a5 0
+                 neci 1
+                 paging any use tch 0
+                 handover 1
+                 handover algorithm 1
+                 handover1 window rxlev averaging 10
+                 handover1 window rxqual averaging 1
+                 handover1 window rxlev neighbor averaging 10
+                 handover1 power budget interval 6
+                 handover1 power budget hysteresis 3
+                 handover1 maximum distance 9999
+                """);
+        for (int i = 0; i < town.towers().size(); i++) {
+            append(text, i, town.towers().get(i), town.radioLinkTimeout());
+        }
+        return text.append("""
+                        msc 0
+                         allow-emergency allow
+                         mgw remote-ip 127.0.0.1
+                         mgw remote-port 2427
+                         mgw local-port 2727
+                        bsc
+                         mid-call-timeout 0
+                        log stderr
+                         logging color 0
+                         logging filter all 1
+                         logging print category 1
+                         logging level set-all notice
+                        """).toString();
+    }
+
+    private static void append(StringBuilder text, int number, Tower tower, int radioLinkTimeout) {
+        CellSelection selection = tower.selection();
+        line(text, " bts %d", number);
+        line(text, "  type osmo-bts");
+        line(text, "  band %s", tower.arfcn() >= FIRST_OF_DCS_1800 ? "DCS1800" : "GSM900");
+        line(text, "  cell_identity %d", tower.cellIdentity());
+        line(text, "  location_area_code %d", tower.area());
+        line(text, "  base_station_id_code %d", tower.bsic());
+        line(text, "  ms max power 33");
+        line(text, "  cell reselection hysteresis %d", selection.hysteresisDecibels());
+        line(text, "  rxlev access min %d", selection.accessMinimumRxlev());
+        line(text, "  radio-link-timeout %d", radioLinkTimeout);
+        line(text, "  channel allocator ascending");
+        line(text, "  rach tx integer 9");
+        line(text, "  rach max transmission 7");
+        line(text, "  channel-description attach 1");
+        line(text, "  channel-description bs-pa-mfrms 2");
+        line(text, "  channel-description bs-ag-blks-res 1");
+        line(text, "  early-classmark-sending forbidden");
+        line(text, "  ipa unit-id %d 0", tower.site());
+        line(text, "  oml ipa stream-id 255 line 0");
+        line(text, "  codec-support fr");
+        line(text, "  gprs mode none");
+        line(text, "  trx 0");
+        line(text, "   rf_locked 0");
+        line(text, "   arfcn %d", tower.arfcn());
+        line(text, "   nominal power 23");
+        line(text, "   max_power_red 0");
+        line(text, "   rsl e1 tei 0");
+        for (int slot = 0; slot < TIME_SLOTS; slot++) {
+            line(text, "   timeslot %d", slot);
+            line(text, "    phys_chan_config %s", channels(tower, slot));
+            line(text, "    hopping enabled 0");
+        }
+    }
+
+    /** Traffic channels are the last time slots; those between them and slot 0 are for signalling. */
+    private static String channels(Tower tower, int slot) {
+        if (slot == 0) {
+            return "CCCH+SDCCH4";
+        }
+        return slot >= TIME_SLOTS - tower.trafficChannels() ? "TCH/F" : "SDCCH8";
+    }
+
+    private static void line(StringBuilder text, String pattern, Object... values) {
+        text.append(String.format(Locale.ROOT, pattern, values)).append('\n');
+    }
+}

@@ -1,0 +1,82 @@
+package simgsm.cells.mobile;
+
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.town.CellSelection;
+import simgsm.rr.SystemInformation;
+
+/**
+ * What a cell broadcasts for mobiles in idle mode (TS 45.008, 6.4 and 9).
+ *
+ * @param area location area code
+ * @param accessMinimumDbm RXLEV_ACCESS_MIN
+ * @param largestPowerDbm MS_TXPWR_MAX_CCH
+ * @param hysteresisDecibels CELL_RESELECT_HYSTERESIS
+ * @param offsetDecibels CELL_RESELECT_OFFSET
+ * @param temporaryOffsetDecibels TEMPORARY_OFFSET; may be infinite
+ * @param penaltySeconds PENALTY_TIME; -1 if the offset is subtracted for good
+ */
+public record CellParameters(
+        int area,
+        int accessMinimumDbm,
+        int largestPowerDbm,
+        int hysteresisDecibels,
+        int offsetDecibels,
+        double temporaryOffsetDecibels,
+        int penaltySeconds) {
+    /** RXLEV 0 (TS 45.008, 8.1.4). */
+    private static final int RXLEV_0_DBM = -110;
+    /** Output of a handset of power class 4, GSM 900 (TS 45.005, 4.1.1). */
+    private static final int HANDSET_DBM = 33;
+    /** Power control level 0 of GSM 900; each level is 2 dB less (TS 45.005, 4.1.1). */
+    private static final int LEVEL_0_DBM = 43;
+
+    private static final int LEVEL_DECIBELS = 2;
+
+    /** Those that the controller has sent to the tower; what it does not say is the town's. */
+    public static CellParameters of(BaseStation tower) {
+        CellSelection town = tower.tower().selection();
+        if (tower.cell().isEmpty()) {
+            return of(tower.area(), town);
+        }
+        SystemInformation.Type3 cell = tower.cell().get();
+        var selection = cell.selection();
+        var reselection = cell.reselection()
+                .orElse(new SystemInformation.Reselection(
+                        town.offsetDecibels(), town.temporaryOffsetDecibels(), town.penaltySeconds()));
+        return new CellParameters(
+                tower.area(),
+                RXLEV_0_DBM + selection.accessMin(),
+                LEVEL_0_DBM - LEVEL_DECIBELS * selection.powerLevel(),
+                selection.hysteresisDecibels(),
+                reselection.offsetDecibels(),
+                reselection.temporaryOffsetDecibels(),
+                reselection.penaltySeconds());
+    }
+
+    /** Those of a town file. */
+    public static CellParameters of(int area, CellSelection town) {
+        return new CellParameters(
+                area,
+                RXLEV_0_DBM + town.accessMinimumRxlev(),
+                HANDSET_DBM,
+                town.hysteresisDecibels(),
+                town.offsetDecibels(),
+                town.temporaryOffsetDecibels(),
+                town.penaltySeconds());
+    }
+
+    /** C1 (TS 45.008, 6.4). @param levelDbm average received level */
+    public double c1(double levelDbm) {
+        return levelDbm - accessMinimumDbm - Math.max(0, largestPowerDbm - HANDSET_DBM);
+    }
+
+    /** C2 (TS 45.008, 6.4). @param knownSeconds since the cell came among the six strongest; infinite for the serving cell */
+    public double c2(double levelDbm, double knownSeconds) {
+        double c1 = c1(levelDbm);
+        if (penaltySeconds < 0) {
+            return c1 - offsetDecibels;
+        }
+        double temporary = knownSeconds < penaltySeconds ? temporaryOffsetDecibels : 0;
+        return c1 + offsetDecibels - temporary;
+    }
+}

@@ -1,0 +1,217 @@
+package simgsm.cells.mobile;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import simgsm.air.CellDescription;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Message;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.air.RadioResource.AssignmentCommand;
+import simgsm.air.RadioResource.HandoverCommand;
+import simgsm.cells.snapshot.Passing;
+import simgsm.cells.tower.TowerChannel;
+import simgsm.octets.OctetString;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+
+/** The mobile's way from one channel to another: assignment (TS 44.018, 3.4.3) and handover (3.4.4). */
+final class ChannelChange {
+    /** Tuning to the new channel and setting up its link layer takes so long. */
+    private static final long TUNING_NANOS = 40_000_000;
+    /** HANDOVER ACCESS is sent again each 20 ms here; the standard asks for every burst. */
+    private static final long ACCESS_NANOS = 20_000_000;
+
+    private static final long T3124_NANOS = 320_000_000;
+    /** HANDOVER ACCESS bursts in a synchronised cell. */
+    private static final int SYNCHRONISED_ACCESSES = 4;
+
+    private static final int FREQUENCY_NOT_IMPLEMENTED = 10;
+    private static final int CHANNEL_UNACCEPTABLE = 0x09;
+    private static final int TIMER_EXPIRED = 3;
+
+    private final Mobile mobile;
+    private final MobileNetwork network;
+    private final Timers timers;
+    private AssignmentCommand assignment;
+    private HandoverCommand handover;
+    /** Null before the mobile is on it. */
+    private TowerChannel target;
+
+    private int targetTower = IdleSelection.NONE;
+    private int cause;
+    private Timer next;
+    private Timer limit;
+
+    ChannelChange(Mobile mobile, MobileNetwork network, Timers timers) {
+        this.mobile = mobile;
+        this.network = network;
+        this.timers = timers;
+    }
+
+    static OctetString encoded(RadioResource message) {
+        Direction direction = message instanceof RadioResource.ChannelRelease ? Direction.DOWNLINK : Direction.UPLINK;
+        return OctetString.of(Layer3Codec.encode(message, direction, 0));
+    }
+
+    /** Takes a message that concerns the radio part only. @return whether it does */
+    boolean takes(OctetString layer3) {
+        if (layer3.length() < 2 || layer3.octet(0) != Layer3Header.RADIO_RESOURCE) {
+            return false;
+        }
+        Layer3Message message;
+        try {
+            message = Layer3Codec.decode(layer3.toArray(), Direction.DOWNLINK);
+        } catch (ProtocolViolation unknown) {
+            return false;
+        }
+        if (message instanceof AssignmentCommand command) {
+            assignment = command;
+            mobile.fire(MobileRadioEvent.ASSIGNMENT_COMMAND);
+            return true;
+        } else if (message instanceof HandoverCommand command) {
+            handover = command;
+            mobile.fire(MobileRadioEvent.HANDOVER_COMMAND);
+            return true;
+        }
+        return false;
+    }
+
+    // Assignment.
+
+    void beginAssignment() {
+        mobile.passed(Passing.Kind.ASSIGNMENT_COMMAND, mobile.cell(), "", 0);
+        target = mobile.current()
+                .tower()
+                .channel(assignment.channel().channel())
+                .filter(active -> !active.isUsed())
+                .orElse(null);
+        cause = CHANNEL_UNACCEPTABLE;
+        next = timers.start(
+                TUNING_NANOS,
+                () -> mobile.fire(target == null ? MobileRadioEvent.CHANGE_FAILED : MobileRadioEvent.ARRIVED));
+    }
+
+    void completeAssignment() {
+        TowerChannel old = mobile.current();
+        old.forsake(false);
+        mobile.take(target);
+        target.establish(mobile.user(), null);
+        target.send(0, encoded(new RadioResource.AssignmentComplete(RadioResource.NORMAL_EVENT)));
+        mobile.passed(Passing.Kind.ASSIGNMENT_COMPLETE, mobile.cell(), "", 0);
+        end();
+    }
+
+    void failAssignment() {
+        mobile.current().send(0, encoded(new RadioResource.AssignmentFailure(cause)));
+        end();
+    }
+
+    // Handover.
+
+    void beginHandover() {
+        CellDescription cell = handover.cell();
+        OptionalInt found = network.find(cell);
+        mobile.passed(
+                Passing.Kind.HANDOVER_COMMAND,
+                mobile.cell(),
+                found.isPresent()
+                        ? network.towers().get(found.getAsInt()).tower().name()
+                        : "",
+                handover.reference());
+        if (found.isEmpty()) {
+            cause = FREQUENCY_NOT_IMPLEMENTED;
+            next = timers.start(TUNING_NANOS, () -> mobile.fire(MobileRadioEvent.CHANGE_FAILED));
+            return;
+        }
+        mobile.speech().handoverBegan();
+        targetTower = found.getAsInt();
+        cause = TIMER_EXPIRED;
+        limit = timers.start(T3124_NANOS, () -> mobile.fire(MobileRadioEvent.CHANGE_FAILED));
+        next = timers.start(ACCESS_NANOS, () -> access(1));
+    }
+
+    private String targetName() {
+        return network.towers().get(targetTower).tower().name();
+    }
+
+    /** HANDOVER ACCESS, until PHYSICAL INFORMATION comes; in a synchronised cell four times. */
+    private void access(int count) {
+        if (count == 1) {
+            mobile.passed(Passing.Kind.HANDOVER_ACCESS, mobile.cell(), targetName(), handover.reference());
+        }
+        if (target == null && mobile.receives(targetTower)) {
+            Optional<TowerChannel> active =
+                    network.towers().get(targetTower).channel(handover.channel().channel());
+            if (active.isPresent()
+                    && active.get()
+                            .handoverAccess(mobile.user(), handover.reference(), mobile.timingAdvance(targetTower))) {
+                target = active.get();
+            }
+        }
+        if (target != null && target.isSynchronised()) {
+            if (count >= SYNCHRONISED_ACCESSES) {
+                arrive();
+                return;
+            }
+        }
+        next = timers.start(ACCESS_NANOS, () -> access(count + 1));
+    }
+
+    void physicalInformation(TowerChannel from, int timingAdvance) {
+        if (from == target && handover != null && mobile.receives(targetTower)) {
+            mobile.passed(Passing.Kind.PHYSICAL_INFORMATION, mobile.cell(), targetName(), timingAdvance);
+            arrive();
+        }
+    }
+
+    private void arrive() {
+        timers.cancel(next);
+        timers.cancel(limit);
+        next = timers.start(ACCESS_NANOS, () -> mobile.fire(MobileRadioEvent.ARRIVED));
+    }
+
+    void completeHandover() {
+        String from = mobile.cell();
+        mobile.current().forsake(false);
+        mobile.take(target);
+        target.establish(mobile.user(), null);
+        target.send(0, encoded(new RadioResource.HandoverComplete(RadioResource.NORMAL_EVENT)));
+        mobile.passed(Passing.Kind.HANDOVER_COMPLETE, from, mobile.cell(), 0);
+        network.happened(new MobileEvent.HandedOver(mobile, from, mobile.cell(), OptionalInt.empty()));
+        end();
+    }
+
+    void failHandover() {
+        String to = targetTower == IdleSelection.NONE ? "" : targetName();
+        if (target != null) {
+            target.forsake(false);
+        }
+        TowerChannel old = mobile.current();
+        old.establish(mobile.user(), null);
+        old.send(0, encoded(new RadioResource.HandoverFailure(cause)));
+        mobile.passed(Passing.Kind.HANDOVER_FAILURE, mobile.cell(), to, cause);
+        network.happened(new MobileEvent.HandedOver(mobile, mobile.cell(), to, OptionalInt.of(cause)));
+        end();
+    }
+
+    /** The tower has taken a channel away. */
+    void lost(TowerChannel channel) {
+        if (channel == target) {
+            target = null;
+            mobile.fire(MobileRadioEvent.CHANGE_FAILED);
+        }
+    }
+
+    /** No change is under way any longer. */
+    void end() {
+        timers.cancel(next);
+        timers.cancel(limit);
+        assignment = null;
+        handover = null;
+        target = null;
+        targetTower = IdleSelection.NONE;
+    }
+}

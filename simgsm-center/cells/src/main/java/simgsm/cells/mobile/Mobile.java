@@ -1,0 +1,508 @@
+package simgsm.cells.mobile;
+
+import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Queue;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
+import simgsm.abis.RslMessage.Sapi;
+import simgsm.air.MobileIdentity;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.cells.radio.RadioScale;
+import simgsm.cells.radio.ReceptionQuality;
+import simgsm.cells.snapshot.Passing;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.tower.ChannelUser;
+import simgsm.cells.tower.TowerChannel;
+import simgsm.cells.town.Place;
+import simgsm.octets.OctetString;
+import simgsm.rr.ImmediateAssignment;
+import simgsm.state.StateMachine;
+import simgsm.timer.Timers;
+
+/**
+ * One terminal and the radio part that it lacks, as a deterministic core: frames of the terminal, messages of its tower and
+ * time in; frames to both out. The terminal's layer 3 waits while the mobile changes channels or its signal is too weak.
+ */
+public final class Mobile {
+    /** Period of measurements and of blocks of the slow associated channel: 480 ms. */
+    public static final long PERIOD_NANOS = 480_000_000L;
+
+    private static final System.Logger LOG = System.getLogger(Mobile.class.getName());
+    /** Above this share of lost blocks the link layer's repetitions are of no use. */
+    private static final double UNUSABLE = 0.9;
+    /** Messages that wait in one direction at most; the terminal's own time-outs end the transaction long before. */
+    private static final int MOST_HELD = 1_000;
+
+    private static final int ABNORMAL_RELEASE = 1;
+    private static final int POWER_LEVEL = 5;
+
+    private final MobilePort port;
+    private final MobileNetwork network;
+    private final Timers timers;
+    private final Walker walker;
+    private final Reception reception;
+    private final IdleSelection selection;
+    private final SubscriberIdentity identity = new SubscriberIdentity();
+    private final ChannelRequests requests;
+    private final MobileSpeech speech;
+    private final ChannelChange change;
+    private final StateMachine<MobileRadioState, MobileRadioEvent, MobileRadioAction> machine;
+    private final Queue<RslMessage.DataIndication> heldUp = new ArrayDeque<>();
+    private final Queue<RslMessage.DataRequest> heldDown = new ArrayDeque<>();
+    private final Receiver receiver = new Receiver();
+    private final String address;
+    /** The first message of the connection that is being opened; null otherwise. */
+    private OctetString firstMessage;
+    /** Null while the mobile is on none. */
+    private TowerChannel channel;
+
+    private ImmediateAssignment granted;
+    private RadioLinkCounter uplinkCounter = new RadioLinkCounter(4);
+    private RadioLinkCounter counter = new RadioLinkCounter(4);
+    private int reports;
+    private int quality;
+    private double erasure;
+    private boolean isGone;
+    private long measuredNanos;
+
+    /** Answers of the tower. */
+    private final class Receiver implements ChannelUser, ChannelRequests.Outcome {
+        @Override
+        public void granted(ImmediateAssignment assignment) {
+            granted = assignment;
+            machine.fire(MobileRadioEvent.GRANTED);
+        }
+
+        @Override
+        public void failed() {
+            machine.fire(MobileRadioEvent.ACCESS_FAILED);
+        }
+
+        @Override
+        public void layer3Arrived(TowerChannel from, int sapi, OctetString layer3) {
+            if (from == channel) {
+                Sapi link = sapi == 0 ? Sapi.SIGNALLING : Sapi.SHORT_MESSAGES;
+                if (heldDown.size() < MOST_HELD) {
+                    heldDown.add(new RslMessage.DataRequest(link, layer3));
+                }
+                passHeld();
+            }
+        }
+
+        @Override
+        public void speechArrived(TowerChannel from, byte[] rtp) {
+            if (from == channel && machine.state() == MobileRadioState.DEDICATED && !isLost(frameErasure())) {
+                speech.deliver(rtp);
+            }
+        }
+
+        @Override
+        public void physicalInformation(TowerChannel from, int timingAdvance) {
+            change.physicalInformation(from, timingAdvance);
+        }
+
+        @Override
+        public void channelLost(TowerChannel lost) {
+            if (lost == channel) {
+                machine.fire(MobileRadioEvent.CHANNEL_LOST);
+            } else {
+                change.lost(lost);
+            }
+        }
+    }
+
+    /** A terminal that has just connected. */
+    public Mobile(MobilePort port, String address, MobileNetwork network, Timers timers, Place place) {
+        this.port = port;
+        this.address = address;
+        this.network = network;
+        this.timers = timers;
+        walker = new Walker(place);
+        reception = new Reception(network);
+        selection = new IdleSelection(network.towers().size());
+        requests = new ChannelRequests(network, timers, receiver);
+        speech = new MobileSpeech(port, timers, millis -> network.happened(new MobileEvent.SpeechGap(this, millis)));
+        change = new ChannelChange(this, network, timers);
+        machine = new StateMachine<>(MobileRadioTable.TABLE, address, this::perform);
+        timers.start((long) (network.random() * PERIOD_NANOS), this::period);
+        measuredNanos = timers.nowNanos();
+    }
+
+    /** The number; as long as it is not known, the terminal's address. */
+    public String number() {
+        return identity.number().orElse(address);
+    }
+
+    public Walker walker() {
+        return walker;
+    }
+
+    public MobileRadioState state() {
+        return machine.state();
+    }
+
+    /** The index of the tower that carries the mobile; {@link IdleSelection#NONE} for none. */
+    public int serving() {
+        return channel == null ? selection.serving() : network.towers().indexOf(channel.tower());
+    }
+
+    /** The name of the tower that carries the mobile; empty for none. */
+    public String cell() {
+        return nameOf(serving());
+    }
+
+    private String nameOf(int tower) {
+        return tower == IdleSelection.NONE
+                ? ""
+                : network.towers().get(tower).tower().name();
+    }
+
+    public Optional<TowerChannel> channel() {
+        return Optional.ofNullable(channel);
+    }
+
+    public IdleSelection selection() {
+        return selection;
+    }
+
+    /** The levels of all towers at the last measurement, in dBm. */
+    public double[] levelsDbm() {
+        return reception.levelsDbm().clone();
+    }
+
+    /** RXQUAL at the last measurement in a connection. */
+    public int quality() {
+        return quality;
+    }
+
+    public int radioLinkCount() {
+        return counter.count();
+    }
+
+    /** Measurement reports on this channel so far. */
+    public int reports() {
+        return reports;
+    }
+
+    /** The silence across the last handover. */
+    public OptionalInt gapMillis() {
+        return speech.gapMillis();
+    }
+
+    // From the terminal.
+
+    /** A message of the terminal. */
+    public void arrived(RslMessage message) {
+        if (message instanceof RslMessage.EstablishIndication establish) {
+            machine.fire(MobileRadioEvent.LEFT);
+            read(establish.layer3());
+            firstMessage = establish.layer3();
+            machine.fire(MobileRadioEvent.FIRST_MESSAGE);
+        } else if (message instanceof RslMessage.DataIndication data) {
+            read(data.layer3());
+            if (heldUp.size() < MOST_HELD) {
+                heldUp.add(data);
+            }
+            passHeld();
+        } else if (message instanceof RslMessage.ReleaseIndication) {
+            machine.fire(MobileRadioEvent.LEFT);
+        }
+    }
+
+    private void read(OctetString layer3) {
+        if (identity.readUplink(layer3)) {
+            network.identified(this);
+            measure();
+        }
+    }
+
+    /** An RTP packet of the terminal. */
+    public void speechArrived(byte[] rtp) throws ProtocolViolation {
+        if (machine.state() == MobileRadioState.DEDICATED && channel.isTraffic() && !isLost(frameErasure())) {
+            channel.sendSpeech(speech.convert(rtp));
+        }
+    }
+
+    private boolean isLost(double share) {
+        return share > 0 && network.random() < share;
+    }
+
+    private double frameErasure() {
+        return erasure;
+    }
+
+    /** The terminal's connection is closed. */
+    public void close() {
+        isGone = true;
+        machine.fire(MobileRadioEvent.TERMINAL_LOST);
+    }
+
+    // From the tower.
+
+    /** PAGING REQUEST in a group's block. */
+    public void paged(int tower, int group, int groups, MobileIdentity paged) {
+        if (machine.state() == MobileRadioState.IDLE
+                && selection.serving() == tower
+                && identity.isInGroup(group, groups)
+                && identity.isOwn(paged)) {
+            passed(Passing.Kind.PAGING, cell(), "", 0);
+            send(new RslMessage.PagingCommand(paged));
+        }
+    }
+
+    /** A page of cell broadcast. */
+    public void broadcast(int tower, OctetString page) {
+        if (serving() == tower && page.length() == RslMessage.SmsBroadcastCommand.PAGE_LENGTH) {
+            send(new RslMessage.SmsBroadcastCommand(page));
+        }
+    }
+
+    private void send(RslMessage message) {
+        port.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+    }
+
+    // What the machine does.
+
+    private void perform(MobileRadioAction action) {
+        switch (action) {
+            case REQUEST_CHANNEL -> requestChannel();
+            case END_ACCESS -> requests.end();
+            case ESTABLISH -> establish();
+            case BEGIN_ASSIGNMENT -> change.beginAssignment();
+            case COMPLETE_ASSIGNMENT -> change.completeAssignment();
+            case FAIL_ASSIGNMENT -> change.failAssignment();
+            case BEGIN_HANDOVER -> change.beginHandover();
+            case COMPLETE_HANDOVER -> change.completeHandover();
+            case FAIL_HANDOVER -> change.failHandover();
+            case SEND_HELD -> passHeld();
+            case LEAVE_CHANNEL -> {
+                passHeldUp();
+                channel.leave();
+            }
+            case FORSAKE_CHANNEL -> forsake();
+            case RELEASE_TERMINAL ->
+                send(new RslMessage.DataRequest(
+                        Sapi.SIGNALLING, ChannelChange.encoded(new RadioResource.ChannelRelease(ABNORMAL_RELEASE))));
+            case FORGET -> forget();
+        }
+    }
+
+    private void requestChannel() {
+        int tower = selection.serving();
+        if (tower == IdleSelection.NONE || !network.towers().get(tower).isInService()) {
+            if (!EstablishmentCause.isLocationUpdating(firstMessage)) {
+                machine.fire(MobileRadioEvent.ACCESS_FAILED);
+            }
+            // A mobile that wants to register waits for a cell, until its terminal gives up.
+            return;
+        }
+        passed(Passing.Kind.CHANNEL_REQUEST, cell(), "", 0);
+        requests.begin(network.towers().get(tower), reception.timingAdvance(tower, walker.place()), firstMessage);
+    }
+
+    private void establish() {
+        requests.end();
+        BaseStation tower = network.towers().get(selection.serving());
+        Optional<TowerChannel> assigned =
+                tower.channel(granted.channel().channel()).filter(active -> !active.isUsed());
+        if (assigned.isEmpty()) {
+            LOG.log(Level.DEBUG, "{0}: {1} is not active", this, granted.channel());
+            machine.fire(MobileRadioEvent.CHANNEL_LOST);
+            return;
+        }
+        int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(32);
+        counter = new RadioLinkCounter(timeout);
+        uplinkCounter = new RadioLinkCounter(timeout);
+        take(assigned.get());
+        passed(Passing.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
+        channel.establish(receiver, firstMessage);
+    }
+
+    /** Moves to a channel. */
+    void take(TowerChannel newChannel) {
+        channel = newChannel;
+        reports = 0;
+        if (newChannel.isTraffic()) {
+            speech.restart();
+        }
+        measureQuality();
+    }
+
+    TowerChannel current() {
+        return channel;
+    }
+
+    ChannelUser user() {
+        return receiver;
+    }
+
+    MobileSpeech speech() {
+        return speech;
+    }
+
+    void fire(MobileRadioEvent event) {
+        machine.fire(event);
+    }
+
+    /** Whether a block from a tower reaches the mobile now, by chance. */
+    boolean receives(int tower) {
+        return network.towers().get(tower).isInService()
+                && !isLost(ReceptionQuality.blockErasureRate(reception.errorRate(tower)));
+    }
+
+    int timingAdvance(int tower) {
+        return reception.timingAdvance(tower, walker.place());
+    }
+
+    private void forsake() {
+        change.end();
+        if (channel != null) {
+            channel.forsake(true);
+        }
+    }
+
+    private void forget() {
+        change.end();
+        int last = serving();
+        channel = null;
+        speech.callEnded();
+        granted = null;
+        firstMessage = null;
+        heldUp.clear();
+        heldDown.clear();
+        if (last != IdleSelection.NONE) {
+            selection.camp(last, timers.nowNanos());
+        }
+    }
+
+    // Layer 3 that waits.
+
+    private void passHeld() {
+        passHeldUp();
+        while (!heldDown.isEmpty() && isReachable()) {
+            pass(heldDown.remove());
+        }
+    }
+
+    private void passHeldUp() {
+        while (!heldUp.isEmpty() && isReachable()) {
+            RslMessage.DataIndication data = heldUp.remove();
+            channel.send(data.sapi().code(), data.layer3());
+        }
+    }
+
+    private boolean isReachable() {
+        return machine.state() == MobileRadioState.DEDICATED
+                && ReceptionQuality.blockErasureRate(reception.errorRate(serving())) < UNUSABLE;
+    }
+
+    private void pass(RslMessage.DataRequest message) {
+        if (message.sapi() == Sapi.SIGNALLING && change.takes(message.layer3())) {
+            return;
+        }
+        Optional<Integer> area = identity.readDownlink(message.layer3());
+        send(message);
+        area.ifPresent(code -> network.happened(new MobileEvent.LocationUpdated(this, code)));
+    }
+
+    // Measurements.
+
+    private void period() {
+        if (!isGone) {
+            timers.start(PERIOD_NANOS, this::period);
+            measure();
+        }
+    }
+
+    /** Moves, measures, and chooses a cell or reports. */
+    public void measure() {
+        long now = timers.nowNanos();
+        walker.advance(now - measuredNanos);
+        measuredNanos = now;
+        reception.measure(walker.place());
+        if (machine.state() == MobileRadioState.DEDICATED) {
+            measureQuality();
+            report();
+            passHeld();
+        } else if (channel == null) {
+            chooseCell(now);
+        }
+    }
+
+    private void measureQuality() {
+        double errorRate = reception.errorRate(serving());
+        quality = RadioScale.rxqual(errorRate);
+        erasure = ReceptionQuality.frameErasureRate(errorRate);
+    }
+
+    private void chooseCell(long now) {
+        int before = selection.serving();
+        CellParameters[] cells = network.towers().stream()
+                .map(tower -> tower.isInService() ? CellParameters.of(tower) : null)
+                .toArray(CellParameters[]::new);
+        if (selection.measured(now, reception.levelsDbm(), cells)) {
+            int chosen = selection.serving();
+            if (chosen == IdleSelection.NONE) {
+                network.happened(new MobileEvent.CellLost(this, nameOf(before)));
+            } else {
+                network.happened(new MobileEvent.Camped(this, nameOf(chosen), selection.c2(chosen)));
+                if (machine.state() == MobileRadioState.ACCESS && !requests.isUnderWay()) {
+                    requestChannel();
+                }
+            }
+        }
+    }
+
+    private void report() {
+        double lost = ReceptionQuality.blockErasureRate(reception.errorRate(serving()));
+        boolean isUplinkGood = !isLost(lost) && channel.tower().isInService();
+        boolean isDownlinkGood = !isLost(lost) && channel.tower().isInService();
+        sendReport(isUplinkGood);
+        if (uplinkCounter.block(isUplinkGood)) {
+            channel.forsake(true);
+        }
+        if (counter.block(isDownlinkGood)) {
+            network.happened(new MobileEvent.RadioLinkFailed(this));
+            machine.fire(MobileRadioEvent.LINK_FAILED);
+        }
+    }
+
+    private void sendReport(boolean isReceived) {
+        int tower = serving();
+        List<Integer> neighbours = reception.neighbours(tower);
+        int level = RadioScale.rxlev(reception.levelsDbm()[tower]);
+        int sent = channel.measured(
+                level,
+                quality,
+                POWER_LEVEL,
+                reception.timingAdvance(tower, walker.place()),
+                isReceived ? Optional.of(reception.report(tower, neighbours)) : Optional.empty());
+        if (sent >= 0) {
+            reports++;
+            network.happened(new MobileEvent.Reported(
+                    this,
+                    sent,
+                    nameOf(tower),
+                    level,
+                    neighbours.stream()
+                            .map(each -> new MobileEvent.NeighbourLevel(
+                                    nameOf(each), RadioScale.rxlev(reception.levelsDbm()[each])))
+                            .toList()));
+        }
+    }
+
+    void passed(Passing.Kind step, String from, String to, int figure) {
+        network.happened(new MobileEvent.Passed(this, step, from, to, figure));
+    }
+
+    @Override
+    public String toString() {
+        return number();
+    }
+}

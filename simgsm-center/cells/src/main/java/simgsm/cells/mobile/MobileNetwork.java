@@ -1,0 +1,37 @@
+package simgsm.cells.mobile;
+
+import java.util.List;
+import java.util.OptionalInt;
+import simgsm.air.CellDescription;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.town.Place;
+
+/** What a mobile receives, and where it appears. */
+public interface MobileNetwork {
+    List<BaseStation> towers();
+
+    /** The levels of all towers at a place in dBm. */
+    void levelsDbm(Place place, double[] into);
+
+    /** The carrier of one tower over noise and interference, in dB. @param levelsDbm of all towers at the place */
+    double carrierDecibels(int tower, double[] levelsDbm);
+
+    /** The tower of a HANDOVER COMMAND. */
+    default OptionalInt find(CellDescription cell) {
+        for (int i = 0; i < towers().size(); i++) {
+            var tower = towers().get(i).tower();
+            if (tower.arfcn() == cell.frequency() && tower.bsic() == cell.identityCode()) {
+                return OptionalInt.of(i);
+            }
+        }
+        return OptionalInt.empty();
+    }
+
+    /** A number from 0 to less than 1, of the program's seed. */
+    double random();
+
+    /** The mobile's number has become known. */
+    void identified(Mobile mobile);
+
+    void happened(MobileEvent event);
+}

@@ -1,0 +1,65 @@
+package simgsm.cells.mobile;
+
+import java.util.OptionalInt;
+import java.util.function.IntConsumer;
+import simgsm.abis.IpaFrame;
+import simgsm.air.ProtocolViolation;
+import simgsm.timer.Timers;
+
+/** The speech of one mobile in both directions, and the silence that its terminal hears across a handover. */
+final class MobileSpeech {
+    private static final long NANOS_PER_MILLI = 1_000_000;
+    private static final long FRAME_NANOS = 20 * NANOS_PER_MILLI;
+    private static final long NONE = Long.MIN_VALUE;
+
+    private final MobilePort port;
+    private final Timers timers;
+    private final UplinkSpeech uplink = new UplinkSpeech();
+    private final IntConsumer gapEnded;
+    private long deliveredNanos = NONE;
+    private boolean isHandedOver;
+    private OptionalInt gap = OptionalInt.empty();
+
+    /** @param gapEnded takes the length of each gap in milliseconds */
+    MobileSpeech(MobilePort port, Timers timers, IntConsumer gapEnded) {
+        this.port = port;
+        this.timers = timers;
+        this.gapEnded = gapEnded;
+    }
+
+    OptionalInt gapMillis() {
+        return gap;
+    }
+
+    /** A new traffic channel of a new call, or of the same. */
+    void restart() {
+        uplink.restart();
+    }
+
+    byte[] convert(byte[] rtp) throws ProtocolViolation {
+        return uplink.convert(rtp);
+    }
+
+    /** The mobile has left the old cell, or the call. */
+    void handoverBegan() {
+        isHandedOver = deliveredNanos != NONE;
+    }
+
+    void callEnded() {
+        deliveredNanos = NONE;
+        isHandedOver = false;
+    }
+
+    /** A frame reaches the terminal. */
+    void deliver(byte[] rtp) {
+        long now = timers.nowNanos();
+        port.send(new IpaFrame(IpaFrame.SPEECH, rtp));
+        if (isHandedOver) {
+            isHandedOver = false;
+            int millis = (int) (Math.max(0, now - deliveredNanos - FRAME_NANOS) / NANOS_PER_MILLI);
+            gap = OptionalInt.of(millis);
+            gapEnded.accept(millis);
+        }
+        deliveredNanos = now;
+    }
+}

@@ -1,0 +1,69 @@
+package simgsm.cells.mobile;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import simgsm.air.MeasurementResults;
+import simgsm.cells.radio.RadioScale;
+import simgsm.cells.radio.ReceptionQuality;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.town.Place;
+
+/** What a mobile receives at its place now. */
+final class Reception {
+    /** Below, a neighbour's BSIC cannot be read. */
+    private static final double DECODABLE_DBM = -108;
+
+    private final MobileNetwork network;
+    private final double[] levels;
+
+    Reception(MobileNetwork network) {
+        this.network = network;
+        levels = new double[network.towers().size()];
+    }
+
+    void measure(Place place) {
+        network.levelsDbm(place, levels);
+    }
+
+    double[] levelsDbm() {
+        return levels;
+    }
+
+    double errorRate(int tower) {
+        return ReceptionQuality.bitErrorRate(network.carrierDecibels(tower, levels));
+    }
+
+    int timingAdvance(int tower, Place place) {
+        return RadioScale.timingAdvance(
+                network.towers().get(tower).tower().place().distanceMetres(place));
+    }
+
+    /** Neighbours that a report names: at most six of the serving cell's list, the strongest first. */
+    List<Integer> neighbours(int serving) {
+        List<Integer> listed = network.towers().get(serving).neighbours();
+        return IntStream.range(0, levels.length)
+                .filter(tower -> tower != serving && levels[tower] >= DECODABLE_DBM)
+                .filter(tower -> network.towers().get(tower).isInService())
+                .filter(tower ->
+                        listed.contains(network.towers().get(tower).tower().arfcn()))
+                .boxed()
+                .sorted(Comparator.comparingDouble(tower -> -levels[tower]))
+                .limit(MeasurementResults.MOST_NEIGHBOURS)
+                .toList();
+    }
+
+    MeasurementResults report(int serving, List<Integer> neighbours) {
+        List<Integer> listed = network.towers().get(serving).neighbours();
+        List<MeasurementResults.Neighbour> named = new ArrayList<>();
+        for (int neighbour : neighbours) {
+            BaseStation tower = network.towers().get(neighbour);
+            named.add(new MeasurementResults.Neighbour(
+                    RadioScale.rxlev(levels[neighbour]),
+                    listed.indexOf(tower.tower().arfcn()),
+                    tower.tower().bsic()));
+        }
+        return MeasurementResults.of(RadioScale.rxlev(levels[serving]), RadioScale.rxqual(errorRate(serving)), named);
+    }
+}

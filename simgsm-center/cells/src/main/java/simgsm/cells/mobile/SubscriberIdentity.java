@@ -1,0 +1,107 @@
+package simgsm.cells.mobile;
+
+import java.util.Optional;
+import simgsm.air.Direction;
+import simgsm.air.Imsi;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement.CmServiceRequest;
+import simgsm.air.MobilityManagement.IdentityResponse;
+import simgsm.air.MobilityManagement.ImsiDetachIndication;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.Msisdn;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource.PagingResponse;
+import simgsm.air.Tmsi;
+import simgsm.octets.OctetString;
+
+/** Who a terminal is, read from the messages that pass: the radio part needs it for paging. */
+final class SubscriberIdentity {
+    private static final int GROUP_DIGITS = 3;
+
+    private Optional<Imsi> imsi = Optional.empty();
+    private Optional<Tmsi> tmsi = Optional.empty();
+    private Optional<LocationUpdatingAccept> accepted = Optional.empty();
+
+    /** Reads a message of the terminal. @return whether the IMSI has become known by it */
+    boolean readUplink(OctetString layer3) {
+        Optional<Imsi> before = imsi;
+        identityIn(layer3).ifPresent(identity -> {
+            if (identity instanceof Imsi known) {
+                imsi = Optional.of(known);
+            } else if (identity instanceof Tmsi temporary) {
+                tmsi = Optional.of(temporary);
+            }
+        });
+        return !imsi.equals(before);
+    }
+
+    private static Optional<MobileIdentity> identityIn(OctetString layer3) {
+        try {
+            Layer3Message message = Layer3Codec.decode(layer3.toArray(), Direction.UPLINK);
+            if (message instanceof LocationUpdatingRequest request) {
+                return Optional.of(request.identity());
+            } else if (message instanceof CmServiceRequest request) {
+                return Optional.of(request.identity());
+            } else if (message instanceof PagingResponse response) {
+                return Optional.of(response.identity());
+            } else if (message instanceof IdentityResponse response) {
+                return Optional.of(response.identity());
+            } else if (message instanceof ImsiDetachIndication detach) {
+                return Optional.of(detach.identity());
+            }
+        } catch (ProtocolViolation unknown) {
+            // The network answers it.
+        }
+        return Optional.empty();
+    }
+
+    /** Reads a message for the terminal. @return the area of a LOCATION UPDATING ACCEPT */
+    Optional<Integer> readDownlink(OctetString layer3) {
+        try {
+            if (Layer3Codec.decode(layer3.toArray(), Direction.DOWNLINK) instanceof LocationUpdatingAccept accept) {
+                accept.newIdentity().ifPresent(identity -> {
+                    if (identity instanceof Tmsi temporary) {
+                        tmsi = Optional.of(temporary);
+                    } else if (identity instanceof Imsi) {
+                        tmsi = Optional.empty();
+                    }
+                });
+                accepted = Optional.of(accept);
+                return Optional.of(accept.area().areaCode());
+            }
+        } catch (ProtocolViolation unknown) {
+            // The terminal answers it.
+        }
+        return Optional.empty();
+    }
+
+    /** The area of the last LOCATION UPDATING ACCEPT. */
+    Optional<Integer> area() {
+        return accepted.map(accept -> accept.area().areaCode());
+    }
+
+    boolean isOwn(MobileIdentity identity) {
+        return identity instanceof Imsi
+                ? imsi.isPresent() && imsi.get().equals(identity)
+                : tmsi.isPresent() && tmsi.get().equals(identity);
+    }
+
+    /** Whether paging in this group reaches the mobile; as long as its IMSI is not known, any does. */
+    boolean isInGroup(int group, int groups) {
+        return imsi.isEmpty() || pagingGroup(imsi.get(), groups) == group;
+    }
+
+    /** TS 45.002, 6.5.2, with one control channel. */
+    static int pagingGroup(Imsi imsi, int groups) {
+        String digits = imsi.digits();
+        return Integer.parseInt(digits.substring(digits.length() - GROUP_DIGITS)) % groups;
+    }
+
+    /** The number of an open network, else the IMSI; empty as long as that is not known. */
+    Optional<String> number() {
+        return imsi.map(known -> known.openNumber().map(Msisdn::digits).orElse(known.digits()));
+    }
+}

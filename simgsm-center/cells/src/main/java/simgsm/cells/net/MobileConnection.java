@@ -1,0 +1,92 @@
+package simgsm.cells.net;
+
+import java.lang.System.Logger.Level;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaConnection;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.KeepAlive;
+import simgsm.abis.RslCodec;
+import simgsm.air.ProtocolViolation;
+import simgsm.cells.mobile.Mobile;
+import simgsm.cells.mobile.MobilePort;
+import simgsm.timer.RateLimit;
+import simgsm.timer.Timers;
+
+/** The connection of one terminal, which finds the same here as at a centre. */
+final class MobileConnection extends IpaConnection implements MobilePort {
+    private static final System.Logger LOG = System.getLogger(MobileConnection.class.getName());
+    private static final int FRAMES_PER_SECOND = 20_000;
+    private static final int MOST_FRAMES = 2_000;
+    /** Of one terminal; after these its connection is closed. */
+    private static final int MOST_VIOLATIONS = 100;
+
+    private final CellsLoop cells;
+    private Mobile mobile;
+    private KeepAlive keepAlive;
+    private int violations;
+
+    MobileConnection(Endpoint endpoint, CellsLoop cells) {
+        super(endpoint, new RateLimit(FRAMES_PER_SECOND, FRAMES_PER_SECOND), MOST_FRAMES, written -> {});
+        this.cells = cells;
+    }
+
+    @Override
+    protected void opened() {
+        Timers timers = cells.now().timers();
+        mobile = cells.now()
+                .connected(
+                        this,
+                        address().getAddress().getHostAddress() + ":"
+                                + address().getPort());
+        keepAlive = new KeepAlive(timers, this::send, this::fail);
+        keepAlive.start();
+        send(new CcmMessage.IdentityRequest());
+    }
+
+    private void send(CcmMessage message) {
+        send(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
+    }
+
+    @Override
+    protected void frameArrived(IpaFrame frame) {
+        cells.now();
+        keepAlive.heard();
+        try {
+            switch (frame.stream()) {
+                case IpaFrame.RSL -> mobile.arrived(RslCodec.decode(frame.payload()));
+                case IpaFrame.SPEECH -> mobile.speechArrived(frame.payload());
+                case IpaFrame.CCM -> arrived(CcmCodec.decode(frame.payload()));
+                default -> LOG.log(Level.DEBUG, "{0}: a frame of stream {1} dropped", mobile, frame.stream());
+            }
+        } catch (ProtocolViolation e) {
+            LOG.log(Level.WARNING, "{0}: {1}", mobile, e.getMessage());
+            violations++;
+            if (violations == MOST_VIOLATIONS) {
+                fail(MOST_VIOLATIONS + " protocol errors");
+            }
+        }
+    }
+
+    private void arrived(CcmMessage message) {
+        if (message instanceof CcmMessage.IdentityResponse) {
+            send(new CcmMessage.IdentityAcknowledge());
+        } else {
+            keepAlive.receive(message);
+        }
+    }
+
+    @Override
+    protected void closing(boolean isByPeer) {
+        super.closing(isByPeer);
+        if (mobile != null) {
+            keepAlive.stop();
+            cells.now().disconnected(mobile);
+        }
+    }
+
+    @Override
+    public void close(String reason) {
+        fail(reason);
+    }
+}

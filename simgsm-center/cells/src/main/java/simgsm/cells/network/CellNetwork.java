@@ -1,0 +1,218 @@
+package simgsm.cells.network;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import simgsm.air.MobileIdentity;
+import simgsm.cells.mobile.Mobile;
+import simgsm.cells.mobile.MobileEvent;
+import simgsm.cells.mobile.MobileNetwork;
+import simgsm.cells.mobile.MobilePort;
+import simgsm.cells.radio.Propagation;
+import simgsm.cells.radio.RadioField;
+import simgsm.cells.radio.TowerState;
+import simgsm.cells.snapshot.Passing;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.tower.TowerListener;
+import simgsm.cells.town.Place;
+import simgsm.cells.town.Town;
+import simgsm.octets.OctetString;
+import simgsm.timer.Timers;
+
+/** The town's towers and mobiles as one deterministic core; a seed makes it repeatable. One owner thread calls all methods. */
+public final class CellNetwork implements MobileNetwork, TowerListener {
+    private static final int MOST_PASSING = 300;
+
+    private final Town town;
+    private final Timers timers = new Timers();
+    private final RadioField field;
+    private final SplittableRandom random;
+    private final List<BaseStation> towers = new ArrayList<>();
+    private final Map<BaseStation, Integer> indices = new HashMap<>();
+    private final Set<Mobile> mobiles = new LinkedHashSet<>();
+    private final Map<String, Place> placed = new HashMap<>();
+    private final Deque<Passing> passing = new ArrayDeque<>();
+    private final Consumer<MobileEvent> listener;
+
+    /** The towers are on and have no controller yet. */
+    public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
+        this.town = town;
+        this.listener = listener;
+        field = new RadioField(new Propagation(town, seed));
+        random = new SplittableRandom(seed);
+        town.towers().forEach(tower -> {
+            BaseStation station = new BaseStation(tower, timers, this);
+            indices.put(station, towers.size());
+            towers.add(station);
+        });
+    }
+
+    // Time.
+
+    public void advance(long nowNanos) {
+        timers.advance(nowNanos);
+    }
+
+    public OptionalLong nextDeadlineNanos() {
+        return timers.nextDeadlineNanos();
+    }
+
+    /** The clock and timers of all cores. */
+    public Timers timers() {
+        return timers;
+    }
+
+    public long nowNanos() {
+        return timers.nowNanos();
+    }
+
+    // Mobiles.
+
+    /** A terminal has connected. */
+    public Mobile connected(MobilePort port, String address) {
+        Mobile mobile = new Mobile(port, address, this, timers, town.start(address));
+        mobiles.add(mobile);
+        return mobile;
+    }
+
+    /** Its connection is closed. */
+    public void disconnected(Mobile mobile) {
+        if (mobiles.remove(mobile)) {
+            mobile.close();
+        }
+    }
+
+    /** In the order of their numbers. */
+    public List<Mobile> mobiles() {
+        return mobiles.stream().sorted(Comparator.comparing(Mobile::number)).toList();
+    }
+
+    public Optional<Mobile> mobile(String number) {
+        return mobiles.stream().filter(mobile -> mobile.number().equals(number)).findFirst();
+    }
+
+    /** Puts a mobile at a place, where it stays; one that is not there yet appears there. */
+    public void place(String number, Place place) {
+        placed.put(number, place);
+        mobile(number).ifPresent(mobile -> mobile.walker().standAt(place));
+    }
+
+    /** Lets a mobile walk. @return false if it is not there */
+    public boolean walk(String number, List<Place> points, double metresPerSecond) {
+        Optional<Mobile> mobile = mobile(number);
+        mobile.ifPresent(found -> found.walker().walk(points, metresPerSecond));
+        return mobile.isPresent();
+    }
+
+    /** The mobile appears at its place; its walk begins. */
+    @Override
+    public void identified(Mobile mobile) {
+        String number = mobile.number();
+        mobile.walker().standAt(placed.getOrDefault(number, town.start(number)));
+        if (!placed.containsKey(number)) {
+            town.walkOf(number).ifPresent(walk -> mobile.walker().walk(walk.points(), walk.metersPerSecond()));
+        }
+    }
+
+    // Towers.
+
+    public Town town() {
+        return town;
+    }
+
+    @Override
+    public List<BaseStation> towers() {
+        return towers;
+    }
+
+    public Optional<BaseStation> tower(String name) {
+        return towers.stream()
+                .filter(station -> station.tower().name().equals(name))
+                .findFirst();
+    }
+
+    public void switchTower(BaseStation tower, boolean on) {
+        int index = indices.get(tower);
+        field.set(index, new TowerState(on, field.tower(index).powerDbm()));
+        tower.switchTo(on);
+        note(new Passing(
+                timers.nowNanos(),
+                "",
+                on ? Passing.Kind.TOWER_ON : Passing.Kind.TOWER_OFF,
+                tower.tower().name(),
+                "",
+                0));
+    }
+
+    public void setPower(BaseStation tower, double dbm) {
+        int index = indices.get(tower);
+        field.set(index, new TowerState(field.tower(index).isOn(), dbm));
+    }
+
+    /** Radiated power now. */
+    public double powerDbm(BaseStation tower) {
+        return field.tower(indices.get(tower)).powerDbm();
+    }
+
+    /** What passed lately, the newest last. */
+    public Collection<Passing> passing() {
+        return List.copyOf(passing);
+    }
+
+    // What mobiles and towers ask for.
+
+    @Override
+    public void levelsDbm(Place place, double[] into) {
+        field.levelsDbm(place.xMetres(), place.yMetres(), into);
+    }
+
+    @Override
+    public double carrierDecibels(int tower, double[] levelsDbm) {
+        return field.carrierDecibels(tower, levelsDbm);
+    }
+
+    @Override
+    public double random() {
+        return random.nextDouble();
+    }
+
+    @Override
+    public void happened(MobileEvent event) {
+        PassingSteps.of(event, timers.nowNanos()).ifPresent(this::note);
+        listener.accept(event);
+    }
+
+    private void note(Passing step) {
+        passing.add(step);
+        if (passing.size() > MOST_PASSING) {
+            passing.remove();
+        }
+    }
+
+    @Override
+    public void paged(BaseStation tower, int group, MobileIdentity identity) {
+        int index = indices.get(tower);
+        int groups = tower.cell().orElseThrow().control().pagingGroups();
+        mobiles.forEach(mobile -> mobile.paged(index, group, groups, identity));
+    }
+
+    @Override
+    public void broadcast(BaseStation tower, OctetString page) {
+        int index = indices.get(tower);
+        mobiles.forEach(mobile -> mobile.broadcast(index, page));
+    }
+
+    @Override
+    public void changed(BaseStation tower) {}
+}

@@ -1,0 +1,317 @@
+package simgsm.cells.tower;
+
+import java.lang.System.Logger.Level;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.KeepAlive;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.rsl.RslType;
+import simgsm.air.ChannelNumber;
+import simgsm.air.ChannelNumber.Kind;
+import simgsm.air.IdentityElements;
+import simgsm.air.MobileIdentity;
+import simgsm.air.ProtocolViolation;
+import simgsm.cells.town.Tower;
+import simgsm.octets.OctetString;
+import simgsm.rr.ImmediateAssignment;
+import simgsm.rr.ImmediateAssignmentReject;
+import simgsm.rr.RequestReference;
+import simgsm.rr.SystemInformation;
+import simgsm.timer.Timers;
+
+/**
+ * One tower with one transceiver, as a deterministic core: answers the controller's RSL (TS 48.058) and carries it to the
+ * mobiles of its cell. While it is off or without a controller, no mobile hears it.
+ */
+public final class BaseStation {
+    private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
+    private static final String UNIT_NAME = "SimGSM cells";
+    private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
+    /** Mobiles that may wait for an answer on the access grant channel; more are not heard. */
+    private static final int MOST_ACCESSES = 1_000;
+
+    private static final int VIOLATIONS_LOGGED = 3;
+
+    private final Tower tower;
+    private final Timers timers;
+    private final TowerListener listener;
+    private final KeepAlive keepAlive;
+    private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
+    private final Set<AccessUser> accesses = new LinkedHashSet<>();
+    private Optional<SystemInformation.Type3> cell = Optional.empty();
+    private List<Integer> neighbours = List.of();
+    private boolean isOn = true;
+    /** Null while there is none. */
+    private TowerPort port;
+
+    private int violations;
+
+    /** A tower that is on, without a controller. */
+    public BaseStation(Tower tower, Timers timers, TowerListener listener) {
+        this.tower = tower;
+        this.timers = timers;
+        this.listener = listener;
+        keepAlive = new KeepAlive(timers, this::sendCcm, reason -> {
+            if (port != null) {
+                port.drop(reason);
+            }
+        });
+    }
+
+    public Tower tower() {
+        return tower;
+    }
+
+    /** What the controller says that the cell broadcasts; empty before it has. */
+    public Optional<SystemInformation.Type3> cell() {
+        return cell;
+    }
+
+    /** The frequencies that mobiles in a connection measure, as their reports count them. */
+    public List<Integer> neighbours() {
+        return neighbours;
+    }
+
+    public boolean isOn() {
+        return isOn;
+    }
+
+    public boolean isConnected() {
+        return port != null;
+    }
+
+    /** Whether mobiles can use the cell. */
+    public boolean isInService() {
+        return isOn && port != null && cell.isPresent();
+    }
+
+    /** Location area code: the controller's, else the town's. */
+    public int area() {
+        return cell.map(known -> known.area().areaCode()).orElse(tower.area());
+    }
+
+    /** The channels in use. */
+    public Collection<TowerChannel> channels() {
+        return List.copyOf(channels.values());
+    }
+
+    public Optional<TowerChannel> channel(ChannelNumber number) {
+        return Optional.ofNullable(channels.get(number));
+    }
+
+    // The link to the controller.
+
+    /** There is a connection to the controller. */
+    public void connected(TowerPort newPort) {
+        port = newPort;
+        keepAlive.start();
+        listener.changed(this);
+    }
+
+    /** The connection is lost. */
+    public void disconnected() {
+        port = null;
+        keepAlive.stop();
+        cell = Optional.empty();
+        neighbours = List.of();
+        clear();
+        listener.changed(this);
+    }
+
+    /** Switches the transmitter; the link goes with it, as with the power of the site. */
+    public void switchTo(boolean on) {
+        if (on != isOn) {
+            isOn = on;
+            if (!on) {
+                clear();
+                if (port != null) {
+                    port.drop("the tower is switched off");
+                }
+            }
+            listener.changed(this);
+        }
+    }
+
+    private void clear() {
+        List<TowerChannel> lost = List.copyOf(channels.values());
+        channels.clear();
+        accesses.clear();
+        lost.forEach(TowerChannel::close);
+    }
+
+    /** A frame of the controller. */
+    public void frameArrived(IpaFrame frame) {
+        keepAlive.heard();
+        try {
+            switch (frame.stream()) {
+                case IpaFrame.RSL -> arrived(RslPdu.decode(frame.payload()));
+                case IpaFrame.CCM -> arrived(CcmCodec.decode(frame.payload()));
+                default -> LOG.log(Level.DEBUG, "{0}: a frame of stream {1} dropped", this, frame.stream());
+            }
+        } catch (ProtocolViolation e) {
+            violated(e.getMessage());
+        }
+    }
+
+    private void violated(String what) {
+        violations++;
+        LOG.log(violations <= VIOLATIONS_LOGGED ? Level.WARNING : Level.DEBUG, "{0}: {1}", this, what);
+    }
+
+    private void arrived(CcmMessage message) {
+        if (message instanceof CcmMessage.IdentityRequest) {
+            sendCcm(new CcmMessage.IdentityResponse(UNIT_NAME, tower.name(), tower.unitId()));
+            sendCcm(new CcmMessage.IdentityAcknowledge());
+        } else {
+            keepAlive.receive(message);
+        }
+    }
+
+    private void sendCcm(CcmMessage message) {
+        if (port != null) {
+            port.send(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
+        }
+    }
+
+    void send(RslPdu message) {
+        if (port != null) {
+            port.send(new IpaFrame(IpaFrame.RSL, message.encode()));
+        }
+    }
+
+    TowerPort port() {
+        return port;
+    }
+
+    private void arrived(RslPdu message) throws ProtocolViolation {
+        switch (message.type()) {
+            case BCCH_INFORMATION -> {
+                if (message.has(RslElement.FULL_BCCH_INFORMATION)) {
+                    informed(message.value(RslElement.FULL_BCCH_INFORMATION));
+                }
+            }
+            case SACCH_FILLING -> {
+                if (message.has(RslElement.L3_INFORMATION)) {
+                    informed(message.value(RslElement.L3_INFORMATION));
+                }
+            }
+            case MEASUREMENT_PREPROCESSING_DEFAULTS, SACCH_INFORMATION_MODIFY, RF_RESOURCE_INDICATION -> {}
+            case CHANNEL_ACTIVATION -> activate(message);
+            case IMMEDIATE_ASSIGN_COMMAND -> answerAccess(message.value(RslElement.FULL_IMMEDIATE_ASSIGN));
+            case PAGING_COMMAND -> page(message);
+            case SMS_BROADCAST_COMMAND -> listener.broadcast(this, message.value(RslElement.BROADCAST_MESSAGE));
+            default -> toChannel(message);
+        }
+    }
+
+    private void informed(OctetString octets) throws ProtocolViolation {
+        SystemInformation information = SystemInformation.decode(octets).orElse(null);
+        if (information instanceof SystemInformation.Type3 type3) {
+            cell = Optional.of(type3);
+            listener.changed(this);
+        } else if (information instanceof SystemInformation.Type5 type5) {
+            neighbours = type5.neighbours();
+        }
+    }
+
+    private void activate(RslPdu message) throws ProtocolViolation {
+        ChannelNumber number = message.channel();
+        if (channels.containsKey(number)) {
+            send(RslPdu.of(RslType.CHANNEL_ACTIVATION_NEGATIVE_ACKNOWLEDGE, number)
+                    .with(RslElement.CAUSE, TowerChannel.CAUSE_CHANNEL_ACTIVATED));
+            return;
+        }
+        channels.put(number, new TowerChannel(this, timers, message));
+        send(RslPdu.of(RslType.CHANNEL_ACTIVATION_ACKNOWLEDGE, number).with(RslElement.FRAME_NUMBER, frameOctets()));
+    }
+
+    private OctetString frameOctets() {
+        int frame =
+                RequestReference.at(0, FrameClock.frameAt(timers.nowNanos())).frame();
+        return OctetString.of(new byte[] {(byte) (frame >> 8), (byte) frame});
+    }
+
+    private void answerAccess(OctetString octets) throws ProtocolViolation {
+        if (ImmediateAssignment.isOne(octets)) {
+            ImmediateAssignment assignment = ImmediateAssignment.decode(octets);
+            List.copyOf(accesses).forEach(access -> access.granted(assignment));
+        } else if (ImmediateAssignmentReject.isOne(octets)) {
+            ImmediateAssignmentReject reject = ImmediateAssignmentReject.decode(octets);
+            for (RequestReference reference : reject.references()) {
+                List.copyOf(accesses).forEach(access -> access.refused(reference, reject.waitSeconds()));
+            }
+        }
+    }
+
+    private void page(RslPdu message) throws ProtocolViolation {
+        int group = message.octet(RslElement.PAGING_GROUP);
+        MobileIdentity identity = IdentityElements.readIdentityValue(message.reader(RslElement.MOBILE_IDENTITY));
+        if (cell.isPresent()) {
+            var control = cell.get().control();
+            timers.start(
+                    FrameClock.untilPagingNanos(
+                            timers.nowNanos(), group, control.pagingBlocks(), control.pagingMultiframes()),
+                    () -> {
+                        if (isInService()) {
+                            listener.paged(this, group, identity);
+                        }
+                    });
+        }
+    }
+
+    private void toChannel(RslPdu message) throws ProtocolViolation {
+        ChannelNumber number = message.channel();
+        TowerChannel channel = channels.get(number);
+        if (channel != null) {
+            channel.arrived(message);
+        } else if (message.type() == RslType.RF_CHANNEL_RELEASE) {
+            send(RslPdu.of(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE, number));
+        } else {
+            violated(message.type().title() + " for " + number + ", which is not active");
+        }
+    }
+
+    /** The controller has released the channel. */
+    void released(TowerChannel channel) {
+        channels.remove(channel.number());
+        send(RslPdu.of(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE, channel.number()));
+    }
+
+    // The common channels.
+
+    /**
+     * A CHANNEL REQUEST has been received in this frame.
+     *
+     * @param access its octet; @param delay of the burst, as timing advance
+     * @param user listens to the access grant channel from now on
+     */
+    public RequestReference requestChannel(int access, int delay, AccessUser user) {
+        RequestReference reference = RequestReference.at(access, FrameClock.frameAt(timers.nowNanos()));
+        if (accesses.size() < MOST_ACCESSES) {
+            accesses.add(user);
+            send(RslPdu.of(RslType.CHANNEL_REQUIRED, RACH)
+                    .with(RslElement.REQUEST_REFERENCE, reference.octets())
+                    .with(RslElement.ACCESS_DELAY, delay));
+        }
+        return reference;
+    }
+
+    /** The mobile listens to the access grant channel no longer. */
+    public void endAccess(AccessUser user) {
+        accesses.remove(user);
+    }
+
+    @Override
+    public String toString() {
+        return "tower " + tower.name();
+    }
+}

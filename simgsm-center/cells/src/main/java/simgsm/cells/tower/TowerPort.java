@@ -1,0 +1,16 @@
+package simgsm.cells.tower;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import simgsm.abis.IpaFrame;
+
+/** The socket of a tower's link to its controller. */
+public interface TowerPort {
+    void send(IpaFrame frame);
+
+    /** Opens a UDP socket for the speech of one channel. @param received takes each RTP packet; empty if it cannot be opened */
+    Optional<SpeechSocket> openSpeech(Consumer<byte[]> received);
+
+    /** Ends the connection; it is made again. */
+    void drop(String reason);
+}

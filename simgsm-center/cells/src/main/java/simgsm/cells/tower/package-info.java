@@ -1,0 +1,5 @@
+/**
+ * A tower as its controller sees it: system information, channels, paging, and the RSL dialogue. Read {@link
+ * simgsm.cells.tower.BaseStation}.
+ */
+package simgsm.cells.tower;
