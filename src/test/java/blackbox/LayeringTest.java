@@ -97,7 +97,7 @@ class LayeringTest {
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
             simgsm.cells.tower       : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.cells.town
             simgsm.cells.mobile      : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
-            simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
+            simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
             simgsm.cells.app         : simgsm.console simgsm.air simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network

@@ -121,7 +121,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         String number = mobile.number();
         mobile.walker().standAt(placed.getOrDefault(number, town.start(number)));
         if (!placed.containsKey(number)) {
-            town.walkOf(number).ifPresent(walk -> mobile.walker().walk(walk.points(), walk.metersPerSecond()));
+            town.walkOf(number).ifPresent(walk -> mobile.walker().walk(walk.points(), walk.metresPerSecond()));
         }
     }
 
