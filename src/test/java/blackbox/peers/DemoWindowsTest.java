@@ -71,7 +71,7 @@ class DemoWindowsTest {
         Process demo = demo();
         String phone = window(TITLES.get(0));
         ProcessHandle program = demo.toHandle()
-                .children()
+                .descendants()
                 .filter(child -> Arrays.stream(child.info().arguments().orElse(new String[0]))
                         .anyMatch(argument -> argument.endsWith("simgsm-phone.jar")))
                 .findFirst()

@@ -12,6 +12,7 @@ import simgsm.center.app.DataDirectory;
 import simgsm.center.app.NewSims;
 import simgsm.center.capture.CapturePlan;
 import simgsm.center.demo.HeadlessDemo;
+import simgsm.center.demo.QuickDemo;
 import simgsm.center.demo.WindowedDemo;
 import simgsm.center.lesson.LessonCheck;
 import simgsm.center.net.PortLimits;
@@ -29,7 +30,7 @@ public final class CenterMain {
     private CenterMain() {}
 
     public static void main(String[] args) {
-        new Program(Center.NAME, options()).runAndExit(args, CenterMain::run);
+        new Program(Center.NAME, options()).runAndExit(args, arguments -> run(arguments, args));
     }
 
     private static Options options() {
@@ -122,7 +123,7 @@ public final class CenterMain {
                                 + CapturePlan.DEFAULT_LIMIT_MIB);
     }
 
-    private static int run(Arguments arguments) throws Exception {
+    private static int run(Arguments arguments, String... words) throws Exception {
         if (arguments.has("new-sim")) {
             return NewSims.make(arguments);
         }
@@ -137,6 +138,10 @@ public final class CenterMain {
         CenterSettings settings = CenterSettings.read(arguments);
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
+            OptionalInt status = QuickDemo.run(arguments, words);
+            if (status.isPresent()) {
+                return status.getAsInt();
+            }
             return isHeadless || !Display.isAvailable()
                     ? HeadlessDemo.run(arguments, settings)
                     : WindowedDemo.run(arguments, settings);

@@ -7,16 +7,14 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import simgsm.console.ProgramFolder;
+import simgsm.console.QuickStart;
 
 /**
  * Other programs of the suite as child processes. The standard input of each is a pipe from this process, and each ends with
  * its input, so they exit with this process, even on SIGKILL.
  */
 public final class ChildPrograms implements AutoCloseable {
-    private static final long FAREWELL_MILLIS = 3_000;
-    /** A window program starts in half the CPU time with the first compiler and the serial collector only. */
-    private static final List<String> QUICK_START = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
-
+    private static final long FAREWELL_MILLIS = 8_000;
     private final ProgramFolder programs;
     private final List<Child> started = new CopyOnWriteArrayList<>();
 
@@ -42,7 +40,9 @@ public final class ChildPrograms implements AutoCloseable {
      */
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
-        List<String> command = programs.command(jar, QUICK_START);
+        boolean isHeadless = arguments.contains("--headless");
+        List<String> command =
+                programs.command(jar, isHeadless ? QuickStart.options() : QuickStart.options(programs, jar));
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .redirectInput(ProcessBuilder.Redirect.PIPE)
@@ -61,12 +61,12 @@ public final class ChildPrograms implements AutoCloseable {
      * @param folder in which it runs
      */
     public Process startTool(String jar, List<String> arguments, Path folder) throws IOException {
-        return start(programs.command(jar, QUICK_START), arguments, folder);
+        return start(programs.command(jar, QuickStart.options()), arguments, folder);
     }
 
     /** Starts a Java source file as a program, likewise. */
     public Process startSource(Path source, List<String> arguments, Path folder) throws IOException {
-        List<String> command = ProgramFolder.java(QUICK_START);
+        List<String> command = ProgramFolder.java(QuickStart.options());
         command.add(source.toString());
         return start(command, arguments, folder);
     }
@@ -89,7 +89,7 @@ public final class ChildPrograms implements AutoCloseable {
                 .findFirst();
     }
 
-    /** Closes their standard input, and destroys those that have not ended after 3 s. */
+    /** Closes their standard input, and destroys those that have not ended after 8 s. */
     @Override
     public void close() {
         for (Child child : started) {

@@ -11,7 +11,6 @@ import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
-import simgsm.ui.window.WindowIcon;
 
 /** The content of the window "SMSyCT": a {@link MonitorPanel} that shows the latest snapshot. */
 public final class MonitorWindow {
@@ -39,7 +38,7 @@ public final class MonitorWindow {
         return new ProgramWindow.Content(
                 texts.of("window.title"),
                 texts.of("window.help"),
-                WindowIcon.images(Symbol.BROADCAST),
+                Symbol.BROADCAST,
                 panel,
                 Optional.empty(),
                 Optional.of(SuiteWindow.CENTER.least()),

@@ -1,8 +1,7 @@
 package simgsm.draw;
 
 import java.util.Arrays;
-import java.util.Scanner;
-import java.util.regex.MatchResult;
+import java.util.StringTokenizer;
 
 /** A shape of straight lines and cubic curves. Not to be changed once it is drawn. */
 public final class Outline {
@@ -129,20 +128,28 @@ public final class Outline {
      */
     public static Outline parse(String text) {
         Outline outline = new Outline();
-        try (Scanner scanner = new Scanner(text)) {
-            scanner.findAll("([A-Z])([^A-Z]*)").forEach(outline::add);
+        int from = 0;
+        while (from < text.length()) {
+            int to = from + 1;
+            while (to < text.length() && !Character.isUpperCase(text.charAt(to))) {
+                to++;
+            }
+            outline.add(text.charAt(from), numbers(text.substring(from + 1, to)));
+            from = to;
         }
         return outline;
     }
 
-    private void add(MatchResult match) {
-        String numbers = match.group(2).strip();
-        double[] n = numbers.isEmpty()
-                ? new double[0]
-                : Arrays.stream(numbers.split(" +"))
-                        .mapToDouble(Double::parseDouble)
-                        .toArray();
-        char kind = match.group(1).charAt(0);
+    private static double[] numbers(String text) {
+        StringTokenizer words = new StringTokenizer(text);
+        double[] numbers = new double[words.countTokens()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = Double.parseDouble(words.nextToken());
+        }
+        return numbers;
+    }
+
+    private void add(char kind, double... n) {
         switch (kind) {
             case 'O' -> addRound(n[0] - n[2], n[1] - n[2], 2 * n[2], 2 * n[2], n[2]);
             case 'R' -> addRound(n[0], n[1], n[2], n[3], n[4]);

@@ -84,12 +84,21 @@ public enum Symbol {
     private static final double SIDE = 16;
     private static final Stroke PEN = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
 
-    private final Path2D lines;
-    private final Path2D areas;
+    private final String lines;
+    private final String areas;
+    /** Lines and areas, made when they are first painted. */
+    private Path2D[] paths;
 
     Symbol(String lines, String areas) {
-        this.lines = GraphicsCanvas.path(Outline.parse(lines));
-        this.areas = GraphicsCanvas.path(Outline.parse(areas));
+        this.lines = lines;
+        this.areas = areas;
+    }
+
+    private synchronized Path2D[] paths() {
+        if (paths == null) {
+            paths = new Path2D[] {GraphicsCanvas.path(Outline.parse(lines)), GraphicsCanvas.path(Outline.parse(areas))};
+        }
+        return paths;
     }
 
     /** An icon with a side of 16 units. */
@@ -128,8 +137,8 @@ public enum Symbol {
         copy.translate(x - size / 2, y - size / 2);
         copy.scale(size / SIDE, size / SIDE);
         copy.setStroke(PEN);
-        copy.draw(lines);
-        copy.fill(areas);
+        copy.draw(paths()[0]);
+        copy.fill(paths()[1]);
         copy.dispose();
     }
 }

@@ -64,12 +64,17 @@ public final class Theme {
 
     /** Installs the look for this program. Windows that are already open need {@link #refresh} afterwards. */
     public static void install(Appearance newAppearance) {
-        appearance = newAppearance;
-        reinstall();
+        install(newAppearance, zoom);
     }
 
     /** Sets the zoom, limited to its bounds. Windows that are already open need {@link #refresh} afterwards. */
     public static void zoomTo(double newZoom) {
+        install(appearance, newZoom);
+    }
+
+    /** Installs the look at a zoom, limited to its bounds. */
+    public static void install(Appearance newAppearance, double newZoom) {
+        appearance = newAppearance;
         zoom = Math.max(ZOOM_MIN, Math.min(ZOOM_MAX, newZoom));
         reinstall();
     }

@@ -11,7 +11,6 @@ import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
-import simgsm.ui.window.WindowIcon;
 
 /** The window content of "Sim Cellular": the handset, updated from snapshots. */
 public final class HandsetWindow {
@@ -32,7 +31,7 @@ public final class HandsetWindow {
         return new ProgramWindow.Content(
                 HandsetView.title(texts, first),
                 texts.of("window.help"),
-                WindowIcon.images(Symbol.PHONE),
+                Symbol.PHONE,
                 view,
                 Optional.empty(),
                 Optional.empty(),

@@ -8,7 +8,6 @@ import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
-import simgsm.ui.window.WindowIcon;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SimRobotTexts;
 import simrobot.ui.WindowSnapshot;
@@ -32,7 +31,7 @@ public final class SimRobotWindow {
         return new ProgramWindow.Content(
                 title,
                 SimRobotTexts.in(language).of("help"),
-                WindowIcon.images(Symbol.ROBOT),
+                Symbol.ROBOT,
                 panel,
                 Optional.of(SIZE),
                 Optional.of(SuiteWindow.ROBOT.least()),

@@ -14,7 +14,6 @@ import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
-import simgsm.ui.window.WindowIcon;
 
 /** The content of the town's window: a {@link TownPanel} that shows the latest snapshot. */
 public final class TownWindow {
@@ -46,7 +45,7 @@ public final class TownWindow {
         return new ProgramWindow.Content(
                 texts.of("window.title", first.town().name()),
                 texts.of("window.help"),
-                WindowIcon.images(Symbol.BROADCAST),
+                Symbol.BROADCAST,
                 panel,
                 Optional.empty(),
                 Optional.of(SuiteWindow.CELLS.least()),

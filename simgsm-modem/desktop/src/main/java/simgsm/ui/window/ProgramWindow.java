@@ -1,21 +1,21 @@
 package simgsm.ui.window;
 
 import java.awt.Dimension;
-import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.KeyStroke;
@@ -27,6 +27,7 @@ import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
@@ -36,6 +37,7 @@ public final class ProgramWindow {
      * The content of a window, made on the event thread.
      *
      * @param help what the window is for, shown by F1 above its keys
+     * @param symbol of the window's icon
      * @param size at first, unless {@code --window} gives another; empty for the panel's preferred size
      * @param closing called when the user closes the window, with the action that does it; asks about what is unsaved
      * @param shown run when the window is on the screen
@@ -44,7 +46,7 @@ public final class ProgramWindow {
     public record Content(
             String title,
             String help,
-            List<Image> icons,
+            Symbol symbol,
             JComponent panel,
             Optional<Dimension> size,
             Optional<Dimension> least,
@@ -125,14 +127,15 @@ public final class ProgramWindow {
     /** Opens the window and returns when its user or {@link #close} has closed it. */
     public void show(Supplier<Content> content) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
-            Theme.install(appearance);
-            Theme.zoomTo(zoom);
+            Theme.install(appearance, zoom);
             open(content.get());
         });
         if (endsWithInput) {
             endWithInput();
         }
         ended.await();
+        // The end of the process may take a second or two.
+        SwingUtilities.invokeLater(() -> Stream.of(Window.getWindows()).forEach(Window::dispose));
     }
 
     /** Ends {@link #show}; any thread. */
@@ -142,7 +145,6 @@ public final class ProgramWindow {
 
     private void open(Content content) {
         JFrame frame = new JFrame(content.title());
-        frame.setIconImages(content.icons());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
         TextBundle texts = DesktopTexts.in(language);
@@ -169,6 +171,8 @@ public final class ProgramWindow {
         lay(frame, content);
         frame.setVisible(true);
         content.shown().run();
+        // The icon is painted once the window is there.
+        SwingUtilities.invokeLater(() -> frame.setIconImages(WindowIcon.images(content.symbol())));
     }
 
     private void lay(JFrame frame, Content content) {

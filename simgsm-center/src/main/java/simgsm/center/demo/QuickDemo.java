@@ -1,0 +1,94 @@
+package simgsm.center.demo;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import simgsm.console.Arguments;
+import simgsm.console.ProgramFolder;
+import simgsm.console.QuickStart;
+
+/**
+ * The demo's centre on a Java machine with the options of {@link QuickStart}: a jar's manifest cannot hold them, so the
+ * process that the user starts starts another and waits for its end. Both end together.
+ */
+public final class QuickDemo {
+    /** The property of the second process. */
+    private static final String SECOND = "simgsm.quick";
+
+    private static final String JAR = "simgsm-center.jar";
+    private static final long FAREWELL_SECONDS = 10;
+
+    private QuickDemo() {}
+
+    /**
+     * Runs the demo in a second process.
+     *
+     * @param words the command line
+     * @return its exit status; empty where the demo is to run in this process: without a display, from an image, in the second
+     *     process, or with options of the Java machine that the user has chosen
+     */
+    public static OptionalInt run(Arguments arguments, String... words) throws IOException, InterruptedException {
+        if (arguments.has("headless") || System.getProperty(SECOND) != null || !mayHaveDisplay() || !isPlainCommand()) {
+            return OptionalInt.empty();
+        }
+        ProgramFolder programs = ProgramFolder.of(QuickDemo.class);
+        if (programs.isImage()) {
+            return OptionalInt.empty();
+        }
+        List<String> options = new ArrayList<>(QuickStart.options(programs, JAR));
+        options.add("-D" + SECOND + "=true");
+        List<String> command = programs.command(JAR, options);
+        command.addAll(List.of(words));
+        command.add("--end-with-input");
+        Process second = new ProcessBuilder(command)
+                .redirectOutput(ProcessBuilder.Redirect.INHERIT)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> end(second), "end of the demo"));
+        if (arguments.has("end-with-input")) {
+            passEndOfInput(second);
+        }
+        return OptionalInt.of(second.waitFor());
+    }
+
+    /** Whether there may be a display, told without loading a desktop's libraries. */
+    private static boolean mayHaveDisplay() {
+        String system = System.getProperty("os.name");
+        return system.startsWith("Windows") || system.startsWith("Mac") || System.getenv("DISPLAY") != null;
+    }
+
+    private static boolean isPlainCommand() {
+        Optional<String[]> given = ProcessHandle.current().info().arguments();
+        return given.isPresent() && given.get().length > 0 && given.get()[0].equals("-jar");
+    }
+
+    private static void end(Process second) {
+        try {
+            second.getOutputStream().close();
+            if (!second.waitFor(FAREWELL_SECONDS, TimeUnit.SECONDS)) {
+                second.destroy();
+            }
+        } catch (IOException | InterruptedException e) {
+            second.destroy();
+        }
+    }
+
+    private static void passEndOfInput(Process second) {
+        Thread reader = new Thread(
+                () -> {
+                    try {
+                        System.in.transferTo(OutputStream.nullOutputStream());
+                        second.getOutputStream().close();
+                    } catch (IOException e) {
+                        second.destroy();
+                    }
+                },
+                "end of input");
+        reader.setDaemon(true);
+        reader.start();
+    }
+}

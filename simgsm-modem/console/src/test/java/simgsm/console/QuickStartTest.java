@@ -1,0 +1,78 @@
+package simgsm.console;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class QuickStartTest {
+    private static final String USE = "-XX:SharedArchiveFile=";
+    private static final String MAKE = "-XX:ArchiveClassesAtExit=";
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void jars() throws IOException {
+        Files.writeString(folder.resolve("simgsm-phone.jar"), "jar");
+        Files.writeString(folder.resolve("simgsm-base.jar"), "jar");
+    }
+
+    @Test
+    void theFirstRunMakesTheArchiveThatLaterOnesUse() throws IOException {
+        Path archive = archive(MAKE);
+        Files.writeString(archive, "archive");
+        assertEquals(archive, archive(USE));
+        assertTrue(Files.exists(archive));
+    }
+
+    @Test
+    void anArchiveIsNotUsedOnceAnyJarHasChanged() throws IOException {
+        Path archive = archive(MAKE);
+        Files.writeString(archive, "archive");
+        Files.writeString(folder.resolve("simgsm-base.jar"), "another jar");
+        assertNotEquals(archive, archive(MAKE));
+        assertFalse(Files.exists(archive), "the stale archive stays");
+    }
+
+    @Test
+    void anArchiveWhoseWritingWasEndedIsMadeAnew() throws IOException {
+        Path archive = archive(MAKE);
+        Files.write(archive, new byte[64]);
+        assertEquals(archive, archive(MAKE));
+    }
+
+    @Test
+    void theArchivesOfOtherProgramsStay() throws IOException {
+        Path other = Files.writeString(folder.resolve("simrobot-01234567.jsa"), "archive");
+        archive(MAKE);
+        assertTrue(Files.exists(other));
+    }
+
+    @Test
+    void aFolderThatCannotBeReadGivesNoArchive() {
+        List<String> options = QuickStart.options(new ProgramFolder(folder.resolve("none"), false), "simgsm-phone.jar");
+        assertEquals(QuickStart.options(), options);
+    }
+
+    @Test
+    void anImageHasItsOwnArchive() {
+        assertEquals(QuickStart.options(), QuickStart.options(new ProgramFolder(folder, true), "simgsm-phone.jar"));
+    }
+
+    private Path archive(String option) {
+        return QuickStart.options(new ProgramFolder(folder, false), "simgsm-phone.jar").stream()
+                .filter(word -> word.startsWith(option))
+                .map(word -> Path.of(word.substring(option.length())))
+                .findFirst()
+                .orElseThrow();
+    }
+}
