@@ -12,7 +12,6 @@ public final class WebServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebServer.class.getName());
 
     private final WebPort port;
-    private final CameraStreams streams;
 
     /**
      * Opens the port; requests are answered after {@link #start}.
@@ -28,7 +27,7 @@ public final class WebServer implements AutoCloseable {
             throws IOException {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
-        streams = new CameraStreams(scenes, cameras);
+        CameraStreams streams = new CameraStreams(scenes, cameras);
         this.port = new WebPort(
                 address, port, new Router(source, scenes, cameras, streams, new Page(language)), writeLimitNanos);
     }
@@ -44,7 +43,6 @@ public final class WebServer implements AutoCloseable {
 
     @Override
     public void close() {
-        streams.close();
         port.close();
     }
 }

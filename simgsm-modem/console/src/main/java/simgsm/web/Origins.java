@@ -1,7 +1,5 @@
 package simgsm.web;
 
-import com.sun.net.httpserver.Headers;
-import com.sun.net.httpserver.HttpExchange;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.regex.Pattern;
@@ -31,11 +29,10 @@ final class Origins {
     }
 
     /** @throws RequestException if the request names another host */
-    static void requireOwnHost(Headers asked) throws RequestException {
-        String host = asked.getFirst("Host");
+    static void requireOwnHost(WebRequest request) throws RequestException {
         // without a name no browser sent it
-        if (host != null
-                && !ADDRESS.matcher(host).matches()
+        String host = request.field("Host").orElse("localhost");
+        if (!ADDRESS.matcher(host).matches()
                 && !host.replaceFirst(":[0-9]+$", "").equalsIgnoreCase(OWN_NAME)) {
             throw new RequestException(
                     WebResponse.FORBIDDEN,
@@ -44,11 +41,12 @@ final class Origins {
     }
 
     /** Lets a page of this machine read the answer. */
-    static void admit(HttpExchange exchange) {
-        String origin = exchange.getRequestHeaders().getFirst("Origin");
-        exchange.getResponseHeaders().add("Vary", "Origin");
-        if (origin != null && LOCAL_PAGE.matcher(origin).matches()) {
-            exchange.getResponseHeaders().set("Access-Control-Allow-Origin", origin);
-        }
+    static WebResponse admit(WebRequest request, WebResponse answer) {
+        String vary = answer.fields().get("Vary");
+        WebResponse varying = answer.with("Vary", vary == null ? "Origin" : "Origin, " + vary);
+        return request.field("Origin")
+                .filter(origin -> LOCAL_PAGE.matcher(origin).matches())
+                .map(origin -> varying.with("Access-Control-Allow-Origin", origin))
+                .orElse(varying);
     }
 }
