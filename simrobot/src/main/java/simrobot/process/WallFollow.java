@@ -6,8 +6,9 @@ import simrobot.behaviour.Steering;
 
 /**
  * Follows a wall on the right. If the way ahead is blocked, the robot turns left on the spot. Otherwise it controls its
- * distance from the wall by the nearest echo on the right and by the change of that echo since the last decision. Where
- * the wall ends it turns right round the corner. Until it has found a wall it drives straight on.
+ * distance from the wall by the nearest echo on the right, and its angle to the wall by the two sonars that look to the right,
+ * which fire one after the other. Where the wall ends it turns right round the corner. Until it has found a wall it drives
+ * straight on.
  */
 public final class WallFollow implements Behaviour {
     /** Distance kept from the sonars, which lie about 0.14 m from the robot's centre. */
@@ -20,7 +21,13 @@ public final class WallFollow implements Behaviour {
     private static final double SPIN_RADIANS_PER_SECOND = Math.toRadians(40);
     private static final double BEND_RADIANS_PER_SECOND = Math.toRadians(30);
     private static final double BEND_PER_METER = 1.2;
-    private static final double BEND_PER_METER_PER_TICK = 14;
+    private static final double BEND_PER_RADIAN = 0.6;
+
+    /** The sonars that look to the right, and the distance between them along the robot. */
+    private static final int FRONT_RIGHT = 7;
+
+    private static final int REAR_RIGHT = 8;
+    private static final double BASE_METERS = 0.226;
 
     private static final Steering SPIN_LEFT = new Steering(0, SPIN_RADIANS_PER_SECOND);
     private static final Steering STRAIGHT = new Steering(METERS_PER_SECOND, 0);
@@ -28,7 +35,6 @@ public final class WallFollow implements Behaviour {
 
     private boolean hasFound;
     private boolean spins;
-    private double last = Double.NaN;
 
     /** Creates a process that has found no wall yet. */
     public WallFollow() {}
@@ -37,20 +43,24 @@ public final class WallFollow implements Behaviour {
     public Steering decide(Senses senses) {
         double ahead = senses.nearestMeters(2, 5);
         double right = senses.nearestMeters(6, 8);
-        double change = Double.isNaN(last) ? 0 : right - last;
-        last = right;
         spins = senses.isBlocked() || ahead < (spins ? CLEAR_METERS : BLOCKED_METERS);
         if (spins) {
             hasFound = true;
-            last = Double.NaN;
             return SPIN_LEFT;
         }
         if (right > LOST_METERS) {
             return hasFound ? ROUND_THE_CORNER : STRAIGHT;
         }
         hasFound = true;
-        double bend = (KEPT_METERS - right) * BEND_PER_METER - change * BEND_PER_METER_PER_TICK;
+        double bend = (KEPT_METERS - right) * BEND_PER_METER - angleRadians(senses) * BEND_PER_RADIAN;
         double within = Math.max(-BEND_RADIANS_PER_SECOND, Math.min(BEND_RADIANS_PER_SECOND, bend));
         return new Steering(METERS_PER_SECOND, within);
+    }
+
+    /** Of the robot to the wall, positive away from it; 0 where only one of the two sonars sees the wall. */
+    private static double angleRadians(Senses senses) {
+        double front = senses.sonarMeters(FRONT_RIGHT);
+        double rear = senses.sonarMeters(REAR_RIGHT);
+        return Math.max(front, rear) > LOST_METERS ? 0 : Math.atan((front - rear) / BASE_METERS);
     }
 }

@@ -38,11 +38,15 @@ public interface Floor {
      * The distance along a single ray from (x, y) to something other than this robot, or the range; metres.
      *
      * @param ux with uy the ray's direction, a unit vector
+     * @param moment of the sonar clock: where the other robots are, or were
      */
-    double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double rangeMeters);
+    double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double rangeMeters, int moment);
 
-    /** The distance at which the cone first holds something other than this robot, or the range. */
-    double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters);
+    /** The distance at which the cone first holds something other than this robot, or the range, at a moment. */
+    double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters, int moment);
+
+    /** When sonars fire. */
+    SonarClock sonarClock();
 
     /** The world of this floor. */
     World world();

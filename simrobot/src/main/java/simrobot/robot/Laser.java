@@ -23,6 +23,7 @@ public final class Laser {
                 robot.yMeters() + MOUNT_METERS * StrictMath.sin(heading),
                 StrictMath.cos(heading + bearing),
                 StrictMath.sin(heading + bearing),
-                RANGE_METERS);
+                RANGE_METERS,
+                SonarClock.NOW);
     }
 }

@@ -51,7 +51,7 @@ public final class SimulatedRobot implements Pioneer {
     private final Battery battery = new Battery();
     private ContactDirection touch = ContactDirection.NONE;
     private Noise noise = Noise.NONE;
-    private long steps;
+    private final Sonars sonars;
     private boolean laserOn;
 
     /**
@@ -70,6 +70,7 @@ public final class SimulatedRobot implements Pioneer {
         ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
         autonomy = new Autonomy(this, floor);
+        sonars = new Sonars(this, floor);
     }
 
     @Override
@@ -187,7 +188,6 @@ public final class SimulatedRobot implements Pioneer {
     public void step(long nanos) {
         double seconds = nanos * 1e-9;
         autonomy.step(nanos);
-        steps++;
         if (isPowered()) {
             battery.drain(seconds, speed, turnSpeed);
         }
@@ -237,8 +237,7 @@ public final class SimulatedRobot implements Pioneer {
 
     void stand() {
         driven.halt();
-        speed = 0;
-        turnSpeed = 0;
+        setSpeeds(0, 0);
     }
 
     /** Whether the path ahead is free over less than 1 cm, the gap that a contact leaves not counted. */
@@ -262,6 +261,10 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     void setSpeeds(double metersPerSecond, double radiansPerSecond) {
+        boolean stands = metersPerSecond == 0 && radiansPerSecond == 0;
+        if (stands && (speed != 0 || turnSpeed != 0)) {
+            sonars.rest();
+        }
         speed = metersPerSecond;
         turnSpeed = 0 - radiansPerSecond;
     }
@@ -404,7 +407,26 @@ public final class SimulatedRobot implements Pioneer {
         return trail;
     }
 
-    /** The ranges of the sixteen sonars now, metres, sonar 0 first. */
+    Sonars sonars() {
+        return sonars;
+    }
+
+    /** Where it is or was at a moment of the sonar clock. */
+    public double xMetersAt(int moment) {
+        return moment == SonarClock.NOW ? x : sonars.xMeters(moment);
+    }
+
+    /** As {@link #xMetersAt}. */
+    public double yMetersAt(int moment) {
+        return moment == SonarClock.NOW ? y : sonars.yMeters(moment);
+    }
+
+    /** As {@link #xMetersAt}; not wrapped. */
+    public double headingRadiansAt(int moment) {
+        return moment == SonarClock.NOW ? heading : sonars.headingRadians(moment);
+    }
+
+    /** What the sixteen sonars measured when they last fired, metres, sonar 0 first. */
     public double[] sonarRangesMeters() {
         double[] ranges = new double[SonarRing.COUNT];
         for (int i = 0; i < ranges.length; i++) {
@@ -435,9 +457,9 @@ public final class SimulatedRobot implements Pioneer {
                 .toArray();
     }
 
-    /** What one sonar measures now, noise included. */
+    /** What one sonar measured when it last fired, noise included. */
     double sonarRangeMeters(int sonar) {
-        return noise.sonar(Sonars.rangeMeters(this, direction.to(heading), floor, sonar), sonar, steps);
+        return sonars.rangeMeters(sonar);
     }
 
     /** What the laser measures now, without noise: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */

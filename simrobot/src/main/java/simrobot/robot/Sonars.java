@@ -1,9 +1,18 @@
 package simrobot.robot;
 
+import java.util.Arrays;
 import simrobot.world.Cone;
 
-/** Computes what one sonar of a robot measures; sonars that are not read cost nothing. */
+/**
+ * The sonars of one robot. Each array of eight fires one sonar every 40 ms, both arrays at the same time, so that a range is
+ * up to 320 ms old (P2OS manual; the order is that of ARIA's numbers). All ranges are new when something on the floor was put
+ * elsewhere by hand, and when this robot comes to rest.
+ *
+ * <p>A range is computed when it is read, from where everything was when the sonar fired: sonars that are not read cost
+ * nothing, and reading changes nothing.
+ */
 final class Sonars {
+    private static final int EACH_ARRAY = SonarRing.COUNT / 2;
     private static final double HALF_CONE_RADIANS = Pioneer2Dx.SONAR_CONE_RADIANS / 2;
 
     /**
@@ -38,24 +47,116 @@ final class Sonars {
         }
     }
 
-    private Sonars() {}
+    private final SimulatedRobot robot;
+    private final Floor floor;
+    private final SonarClock clock;
+    private final Rotation direction = new Rotation();
+
+    /** Where the robot was, by {@link SonarClock}'s moments. */
+    private final double[] xs = new double[SonarClock.MOMENTS];
+
+    private final double[] ys = new double[SonarClock.MOMENTS];
+    private final double[] headings = new double[SonarClock.MOMENTS];
+
+    private final double[] ranges = new double[SonarRing.COUNT];
+
+    /** Which firing each range is of: a step, or a renewal as a negative number; the least for none. */
+    private final long[] firings = new long[SonarRing.COUNT];
+
+    private boolean rests;
+    /** The step at which the robot has come to rest; all ranges are of that step or later. */
+    private long restStep = -1;
+
+    Sonars(SimulatedRobot robot, Floor floor) {
+        this.robot = robot;
+        this.floor = floor;
+        clock = floor.sonarClock();
+        Arrays.fill(firings, Long.MIN_VALUE);
+    }
+
+    // ---- time ----------------------------------------------------------------------------------------------------
+
+    /** Remembers where the robot is. */
+    void keep(int moment) {
+        xs[moment] = robot.xMeters();
+        ys[moment] = robot.yMeters();
+        headings[moment] = robot.headingRadians();
+    }
+
+    /** The robot has come to rest. At the end of the step all sonars measure, whoever reads them. */
+    void rest() {
+        if (!rests) {
+            rests = true;
+            clock.addResting(this);
+        }
+    }
+
+    /** All robots have moved through the step in which this one came to rest. */
+    void measureAtRest() {
+        rests = false;
+        restStep = clock.steps();
+        for (int sonar = 0; sonar < SonarRing.COUNT; sonar++) {
+            ranges[sonar] = noisyRangeMeters(sonar, restStep, SonarClock.NOW);
+            firings[sonar] = restStep;
+        }
+    }
+
+    double xMeters(int moment) {
+        return xs[moment];
+    }
+
+    double yMeters(int moment) {
+        return ys[moment];
+    }
+
+    double headingRadians(int moment) {
+        return headings[moment];
+    }
+
+    // ---- ranges --------------------------------------------------------------------------------------------------
+
+    /** What a sonar measured when it last fired, 0.1 to 5 m, noise included. */
+    double rangeMeters(int sonar) {
+        long fired = clock.lastStepOf(sonar % EACH_ARRAY);
+        long renewed = clock.renewedStep();
+        if (restStep > renewed && restStep >= fired) {
+            return ranges[sonar];
+        }
+        if (fired > renewed) {
+            return rangeMeters(sonar, fired, fired, clock.moment(fired));
+        }
+        return clock.isRenewedNow()
+                ? noisyRangeMeters(sonar, renewed, SonarClock.NOW)
+                : rangeMeters(sonar, -clock.renewals(), renewed, SonarClock.RENEWED);
+    }
+
+    private double rangeMeters(int sonar, long firing, long step, int moment) {
+        if (firings[sonar] != firing) {
+            ranges[sonar] = noisyRangeMeters(sonar, step, moment);
+            firings[sonar] = firing;
+        }
+        return ranges[sonar];
+    }
+
+    private double noisyRangeMeters(int sonar, long step, int moment) {
+        return robot.noise().sonar(exactRangeMeters(sonar, moment), sonar, step);
+    }
 
     /**
-     * The range of one sonar, 0.1 to 5 m. The rear mouths stick out of the collision circle, so a wall may stand between the
-     * robot's centre and a mouth; such a sonar measures the least range.
-     *
-     * @param heading of the robot
+     * The exact range at a moment. The rear mouths stick out of the collision circle, so a wall may stand between the robot's
+     * centre and a mouth; such a sonar measures the least range.
      */
-    static double rangeMeters(SimulatedRobot robot, Rotation heading, Floor floor, int sonar) {
+    private double exactRangeMeters(int sonar, int moment) {
         Mount mount = MOUNTS[sonar];
-        double cos = heading.cos();
-        double sin = heading.sin();
+        double x = robot.xMetersAt(moment);
+        double y = robot.yMetersAt(moment);
+        direction.to(robot.headingRadiansAt(moment));
+        double cos = direction.cos();
+        double sin = direction.sin();
         double armX = mount.x * cos - mount.y * sin;
         double armY = mount.x * sin + mount.y * cos;
-        double x = robot.xMeters();
-        double y = robot.yMeters();
         if (mount.arm > FREE_ARM_METERS
-                && floor.rayRange(robot, x, y, armX / mount.arm, armY / mount.arm, mount.arm) < mount.arm) {
+                && floor.rayRange(robot, x, y, armX / mount.arm, armY / mount.arm, mount.arm, moment) < mount.arm) {
             return Pioneer2Dx.SONAR_LEAST_METERS;
         }
         Cone cone = new Cone(
@@ -65,6 +166,7 @@ final class Sonars {
                 mount.leftX * sin + mount.leftY * cos,
                 mount.rightX * cos - mount.rightY * sin,
                 mount.rightX * sin + mount.rightY * cos);
-        return Math.max(Pioneer2Dx.SONAR_LEAST_METERS, floor.coneRange(robot, cone, Pioneer2Dx.SONAR_RANGE_METERS));
+        return Math.max(
+                Pioneer2Dx.SONAR_LEAST_METERS, floor.coneRange(robot, cone, Pioneer2Dx.SONAR_RANGE_METERS, moment));
     }
 }

@@ -29,6 +29,13 @@ final class FreeSpace {
     /** The obstacles in reach of its sonars; null before the first look. */
     private NearbyObstacles obstacles;
 
+    /** The robots in reach of its sonars. */
+    private final NearbyRobots robots = new NearbyRobots();
+
+    NearbyRobots robots() {
+        return robots;
+    }
+
     /** Forgets the walls, for a change of the world. */
     void forgetWalls() {
         toWall = Double.NEGATIVE_INFINITY;

@@ -5,6 +5,7 @@ import java.util.List;
 import simrobot.robot.Floor;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
+import simrobot.robot.SonarClock;
 import simrobot.world.Area;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
@@ -36,6 +37,7 @@ final class SimulatedFloor implements Floor {
     private static final double LIST_SPARE_METERS = 1;
 
     private final DiscGrid places = new DiscGrid();
+    private final SonarClock sonarClock = new SonarClock(Simulation.STEP_NANOS);
 
     /** By their numbers; null where none is. */
     private SimulatedRobot[] robots = {};
@@ -45,10 +47,9 @@ final class SimulatedFloor implements Floor {
     private ObstacleGrid obstacles;
     private Area ground;
 
-    /** The robots within {@link #reach} of {@link #seer}, looked up once for all its sensors until a robot moves. */
-    private SimulatedRobot[] neighbours = new SimulatedRobot[16];
+    /** The robots in reach of the laser of {@link #seer}, looked up once for all its rays until a robot moves. */
+    private final NearbyRobots inLaserReach = new NearbyRobots();
 
-    private int neighbourCount;
     private SimulatedRobot seer;
 
     /** By the robots' numbers. */
@@ -61,8 +62,6 @@ final class SimulatedFloor implements Floor {
 
     /** What a robot moves in a step at most, with a reserve for accelerations; from the top speed of orders on. */
     private double mostPerStep = 0.006;
-
-    private double reach;
 
     SimulatedFloor(World world) {
         load(world, new ObstacleGrid(world));
@@ -77,6 +76,7 @@ final class SimulatedFloor implements Floor {
         for (FreeSpace space : spaces) {
             space.forgetWalls();
         }
+        sonarClock.renew();
     }
 
     @Override
@@ -96,6 +96,8 @@ final class SimulatedFloor implements Floor {
         robots[robot.number()] = null;
         places.remove(robot.number());
         seer = null;
+        epoch++;
+        sonarClock.renew();
     }
 
     @Override
@@ -118,11 +120,23 @@ final class SimulatedFloor implements Floor {
     public void placed(SimulatedRobot robot) {
         moved(robot);
         epoch++;
+        sonarClock.renew();
     }
 
-    /** A step of time begins. */
-    void beginStep() {
+    @Override
+    public SonarClock sonarClock() {
+        return sonarClock;
+    }
+
+    /** A step of time begins. @param moving the robots, which have not moved yet */
+    void beginStep(List<SimulatedRobot> moving) {
         steps++;
+        sonarClock.begin(moving);
+    }
+
+    /** The step has ended. @param moved the robots */
+    void endStep(List<SimulatedRobot> moved) {
+        sonarClock.end(moved);
     }
 
     @Override
@@ -226,61 +240,78 @@ final class SimulatedFloor implements Floor {
     }
 
     @Override
-    public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range) {
+    public double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double range, int moment) {
         double nearest = obstacles.rayRange(x, y, ux, uy, range);
-        lookUpNeighbours(robot, range);
-        for (int i = 0; i < neighbourCount; i++) {
-            SimulatedRobot other = neighbours[i];
-            if (Distances.alongRayToDisc(x, y, ux, uy, other.xMeters(), other.yMeters(), OCTAGON_REACH) < nearest) {
+        NearbyRobots others = range > Pioneer2Dx.SONAR_RANGE_METERS ? inLaserReach(robot, range) : inSonarReach(robot);
+        for (int i = 0; i < others.count(); i++) {
+            SimulatedRobot other = others.get(i);
+            double otherX = other.xMetersAt(moment);
+            double otherY = other.yMetersAt(moment);
+            if (Distances.alongRayToDisc(x, y, ux, uy, otherX, otherY, OCTAGON_REACH) < nearest) {
                 nearest = Math.min(
-                        nearest, toBody((x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2), other));
+                        nearest,
+                        toBody((x1, y1, x2, y2) -> Distances.alongRay(x, y, ux, uy, x1, y1, x2, y2), other, moment));
             }
         }
         return nearest;
     }
 
     @Override
-    public double coneRange(SimulatedRobot robot, Cone cone, double range) {
-        double nearest = around(robot, range).coneRange(cone, range);
-        lookUpNeighbours(robot, range);
-        for (int i = 0; i < neighbourCount; i++) {
-            SimulatedRobot other = neighbours[i];
-            if (cone.mayHold(other.xMeters(), other.yMeters(), OCTAGON_REACH, nearest)) {
-                nearest = Math.min(nearest, toBody(cone::distanceToSegment, other));
+    public double coneRange(SimulatedRobot robot, Cone cone, double range, int moment) {
+        double nearest = around(robot, range, moment).coneRange(cone, range);
+        NearbyRobots others = inSonarReach(robot);
+        for (int i = 0; i < others.count(); i++) {
+            SimulatedRobot other = others.get(i);
+            if (cone.mayHold(other.xMetersAt(moment), other.yMetersAt(moment), OCTAGON_REACH, nearest)) {
+                nearest = Math.min(nearest, toBody(cone::distanceToSegment, other, moment));
             }
         }
         return nearest;
     }
 
     /** The obstacles in reach of the robot's sonars, looked up anew after each metre. */
-    private NearbyObstacles around(SimulatedRobot robot, double range) {
+    private NearbyObstacles around(SimulatedRobot robot, double range, int moment) {
         FreeSpace space = spaces[robot.number()];
         NearbyObstacles nearby = space.obstacles();
         double reach = range + MOUTH_REACH;
-        if (nearby == null || !nearby.covers(obstacles, robot.xMeters(), robot.yMeters(), reach)) {
+        if (nearby == null || !nearby.covers(obstacles, robot.xMetersAt(moment), robot.yMetersAt(moment), reach)) {
             nearby = obstacles.near(robot.xMeters(), robot.yMeters(), reach + LIST_SPARE_METERS);
             space.setObstacles(nearby);
         }
         return nearby;
     }
 
-    /** @param range of a sensor; the robots found may be farther away */
-    private void lookUpNeighbours(SimulatedRobot robot, double range) {
-        if (seer != robot || range > reach) {
-            double x = robot.xMeters();
-            double y = robot.yMeters();
-            reach = Math.max(range, Pioneer2Dx.SONAR_RANGE_METERS);
-            double around = reach + MOUTH_REACH + OCTAGON_REACH;
-            int found = places.near(x - around, y - around, x + around, y + around);
-            neighbours = found > neighbours.length ? new SimulatedRobot[2 * found] : neighbours;
-            neighbourCount = 0;
-            for (int i = 0; i < found; i++) {
-                SimulatedRobot other = robots[places.found(i)];
-                if (other != robot) {
-                    neighbours[neighbourCount++] = other;
-                }
-            }
+    /** The robots that a sonar may measure at any moment that the clock remembers; looked up anew after as many steps. */
+    private NearbyRobots inSonarReach(SimulatedRobot robot) {
+        NearbyRobots nearby = spaces[robot.number()].robots();
+        long most = sonarClock.rememberedSteps();
+        if (!nearby.isValid(steps, most, epoch)) {
+            // both may have moved for so long, before the look or after it
+            double moved = 2 * (most + 1) * mostPerStep;
+            lookUp(nearby, robot, Pioneer2Dx.SONAR_RANGE_METERS + moved);
+        }
+        return nearby;
+    }
+
+    private NearbyRobots inLaserReach(SimulatedRobot robot, double range) {
+        if (seer != robot) {
+            lookUp(inLaserReach, robot, range);
             seer = robot;
+        }
+        return inLaserReach;
+    }
+
+    private void lookUp(NearbyRobots nearby, SimulatedRobot robot, double range) {
+        double x = robot.xMeters();
+        double y = robot.yMeters();
+        double around = range + MOUTH_REACH + OCTAGON_REACH;
+        int found = places.near(x - around, y - around, x + around, y + around);
+        nearby.clear(steps, epoch);
+        for (int i = 0; i < found; i++) {
+            SimulatedRobot other = robots[places.found(i)];
+            if (other != robot) {
+                nearby.add(other);
+            }
         }
     }
 
@@ -289,19 +320,21 @@ final class SimulatedFloor implements Floor {
         double distance(double x1, double y1, double x2, double y2);
     }
 
-    private static double toBody(BodySide side, SimulatedRobot other) {
-        double cos = Math.cos(other.headingRadians());
-        double sin = Math.sin(other.headingRadians());
+    private static double toBody(BodySide side, SimulatedRobot other, int moment) {
+        double x = other.xMetersAt(moment);
+        double y = other.yMetersAt(moment);
+        double cos = Math.cos(other.headingRadiansAt(moment));
+        double sin = Math.sin(other.headingRadiansAt(moment));
         double nearest = Double.POSITIVE_INFINITY;
         double[] from = OCTAGON[OCTAGON.length - 1];
         for (double[] to : OCTAGON) {
             nearest = Math.min(
                     nearest,
                     side.distance(
-                            other.xMeters() + from[0] * cos - from[1] * sin,
-                            other.yMeters() + from[0] * sin + from[1] * cos,
-                            other.xMeters() + to[0] * cos - to[1] * sin,
-                            other.yMeters() + to[0] * sin + to[1] * cos));
+                            x + from[0] * cos - from[1] * sin,
+                            y + from[0] * sin + from[1] * cos,
+                            x + to[0] * cos - to[1] * sin,
+                            y + to[0] * sin + to[1] * cos));
             from = to;
         }
         return nearest;

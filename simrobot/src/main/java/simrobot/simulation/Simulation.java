@@ -242,10 +242,12 @@ public final class Simulation {
     /** Advances time by 10 ms. */
     public void step() {
         timeNanos += STEP_NANOS;
-        floor.beginStep();
-        for (SimulatedRobot robot : robots) {
+        List<SimulatedRobot> moving = robots;
+        floor.beginStep(moving);
+        for (SimulatedRobot robot : moving) {
             robot.step(STEP_NANOS);
         }
+        floor.endStep(moving);
         if (trails) {
             layTrails();
         }

@@ -56,7 +56,7 @@ class FreeSpaceTest {
     }
 
     private void step() {
-        floor.beginStep();
+        floor.beginStep(List.of());
         for (SimulatedRobot robot : robots) {
             robot.step(STEP_NANOS);
             double size = chance.nextInt(10) == 0 ? 0.4 : 0.01;

@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simrobot.process.BehaviourKind;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
 import simrobot.robot.SimulatedRobot;
@@ -221,7 +223,7 @@ class SensesTest {
         double sum = 0;
         double most = 0;
         for (int i = 0; i < 400; i++) {
-            simulation.step();
+            simulation.run(32); // a turn of all sonars
             double error = robot.sonarRangesMeters()[3] - exact[3];
             sum += error;
             most = Math.max(most, Math.abs(error));
@@ -229,5 +231,89 @@ class SensesTest {
         }
         assertTrue(most > 0.003 && most < 0.025, "most " + most);
         assertEquals(0, sum / 400, 0.002);
+    }
+
+    // ---- sonars that fire in turn ----------------------------------------------------------------------------------
+
+    /** After each 40 ms the ranges of one sonar of each array are new, in the order of their numbers. */
+    @Test
+    void oneSonarOfEachArrayFiresEvery40Milliseconds() {
+        Simulation simulation = simulation(CORNER, 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        robot.drive().setTurnSpeed(0.5);
+        simulation.run(100);
+        List<List<Integer>> fired = new ArrayList<>();
+        double[] before = robot.sonarRangesMeters();
+        for (int step = 101; step <= 164; step++) {
+            simulation.step();
+            double[] after = robot.sonarRangesMeters();
+            for (int sonar = 0; sonar < 8; sonar++) {
+                boolean isNew = after[sonar] != before[sonar] || after[sonar + 8] != before[sonar + 8];
+                if (isNew) {
+                    fired.add(List.of(step, sonar));
+                }
+            }
+            before = after;
+        }
+        for (List<Integer> firing : fired) {
+            int step = firing.get(0);
+            assertEquals(List.of(step / 4 * 4, step / 4 % 8), firing);
+        }
+        assertTrue(fired.size() > 8, "walls are seen by some sonar: " + fired);
+    }
+
+    @Test
+    void whatIsPutElsewhereByHandIsMeasuredAtOnceByAll() {
+        Simulation simulation = simulation(CORNER, 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        simulation.run(41);
+        robot.place(1, 0, 0);
+        double[] atOnce = robot.sonarRangesMeters();
+        assertEquals((1 - 0.166) / Math.cos(Math.toRadians(2.5)), atOnce[3], 1e-9);
+        assertEquals(1 - 0.136, atOnce[0], 1e-9);
+        SimulatedRobot other = simulation.addRobot("other", new Position(1, -1), 0);
+        assertEquals(1 - 0.136 - 0.19, robot.sonarRangesMeters()[7], 1e-9);
+        simulation.run(1);
+        assertEquals(1 - 0.136 - 0.19, robot.sonarRangesMeters()[7], 1e-9);
+        simulation.removeRobot(other);
+        assertEquals(5, robot.sonarRangesMeters()[7]);
+        simulation.change(World.bare());
+        assertEquals(5, robot.sonarRangesMeters()[0]);
+    }
+
+    @Test
+    void aRobotThatHasComeToRestMeasuresFromWhereItStands() {
+        Simulation simulation = simulation(CORNER, 0, 1);
+        SimulatedRobot robot = robot(simulation);
+        robot.start(new Instruction.Forward(50), outcome -> {});
+        while (robot.status() == RobotStatus.MOVING) {
+            simulation.step();
+        }
+        assertEquals((1.5 - 0.166) / Math.cos(Math.toRadians(2.5)), robot.sonarRangesMeters()[3], 1e-9);
+        assertEquals((1.5 - 0.166) / Math.cos(Math.toRadians(2.5)), robot.sonarRangesMeters()[4], 1e-9);
+    }
+
+    /** So a window, a client or a log may read at any time: the robot goes on in the same way. */
+    @Test
+    void readingSonarsAtAnyTimeChangesNothing() {
+        List<double[]> heard = new ArrayList<>();
+        for (int run = 0; run < 2; run++) {
+            Simulation simulation = simulation(CORNER, 1, 4);
+            SimulatedRobot robot = robot(simulation);
+            SimulatedRobot other = simulation.addRobot("other", new Position(-1, -1), 1);
+            robot.autonomy().begin(BehaviourKind.WANDER);
+            other.autonomy().begin(BehaviourKind.WANDER);
+            for (int step = 0; step < 3000; step++) {
+                simulation.step();
+                if (run == 1 && step % 3 == 0) {
+                    robot.sonarRangesMeters();
+                    other.sonarRangesMeters();
+                }
+            }
+            heard.add(robot.sonarRangesMeters());
+            heard.add(new double[] {robot.xMeters(), robot.yMeters(), other.xMeters(), other.yMeters()});
+        }
+        assertArrayEquals(heard.get(0), heard.get(2));
+        assertArrayEquals(heard.get(1), heard.get(3));
     }
 }

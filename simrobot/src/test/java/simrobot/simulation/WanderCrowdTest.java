@@ -47,35 +47,79 @@ class WanderCrowdTest {
         return World.ofSegments("clutter", segments);
     }
 
-    /** The sides of everything that a robot's sonars can measure. */
-    private static List<Segment> sidesAround(Simulation simulation, SimulatedRobot robot) {
-        List<Segment> sides = new ArrayList<>(simulation.world().obstacles());
-        for (SimulatedRobot other : simulation.robots()) {
-            double[][] corners = Pioneer2Dx.octagon();
-            for (int i = 0; other != robot && i < corners.length; i++) {
-                Position from = place(other, corners[i][0], corners[i][1]);
-                Position to = place(other, corners[(i + 1) % corners.length][0], corners[(i + 1) % corners.length][1]);
-                sides.add(new Segment(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
-            }
+    /** Where a robot was after a step. */
+    private record Place(double x, double y, double heading, boolean rolls) {
+        static Place of(SimulatedRobot robot) {
+            boolean rolls = robot.speedMetersPerSecond() != 0 || robot.turnRadiansPerSecond() != 0;
+            return new Place(robot.xMeters(), robot.yMeters(), robot.headingRadians(), rolls);
         }
-        return sides;
+
+        Position at(double ahead, double left) {
+            double cos = Math.cos(heading);
+            double sin = Math.sin(heading);
+            return new Position(x + ahead * cos - left * sin, y + ahead * sin + left * cos);
+        }
     }
 
-    private static Position place(SimulatedRobot robot, double ahead, double left) {
-        double cos = Math.cos(robot.headingRadians());
-        double sin = Math.sin(robot.headingRadians());
-        return new Position(robot.xMeters() + ahead * cos - left * sin, robot.yMeters() + ahead * sin + left * cos);
+    /** All places after each step, the first ones before any step. */
+    private static final class History {
+        private final List<List<Place>> steps = new ArrayList<>();
+        private final World world;
+
+        History(Simulation simulation) {
+            world = simulation.world();
+            remember(simulation);
+            simulation.addStepListener(nanos -> remember(simulation));
+        }
+
+        private void remember(Simulation simulation) {
+            steps.add(simulation.robots().stream().map(Place::of).toList());
+        }
+
+        /** The step after which a sonar measured last: one of each array in 4 steps, or all as the robot came to rest. */
+        int firing(int robot, int sonar) {
+            int last = steps.size() - 1;
+            for (int step = last; step > 0; step--) {
+                boolean fires = step % 4 == 0 && step / 4 % 8 == sonar % 8;
+                boolean rests = steps.get(step - 1).get(robot).rolls()
+                        && !steps.get(step).get(robot).rolls();
+                if (fires || rests) {
+                    return step;
+                }
+            }
+            return 0;
+        }
+
+        /** The sides of everything that a robot's sonars could measure after a step. */
+        List<Segment> sidesAround(int robot, int step) {
+            List<Segment> sides = new ArrayList<>(world.obstacles());
+            for (int other = 0; other < steps.get(step).size(); other++) {
+                double[][] corners = Pioneer2Dx.octagon();
+                for (int i = 0; other != robot && i < corners.length; i++) {
+                    Place place = steps.get(step).get(other);
+                    Position from = place.at(corners[i][0], corners[i][1]);
+                    Position to = place.at(corners[(i + 1) % corners.length][0], corners[(i + 1) % corners.length][1]);
+                    sides.add(new Segment(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
+                }
+            }
+            return sides;
+        }
+
+        double range(int robot, int sonar) {
+            int step = firing(robot, sonar);
+            return rangeOneByOne(sidesAround(robot, step), steps.get(step).get(robot), sonar);
+        }
     }
 
-    private static double rangeOneByOne(List<Segment> sides, SimulatedRobot robot, int sonar) {
-        Position mouth = place(robot, SonarRing.mountX(sonar), SonarRing.mountY(sonar));
-        double armX = mouth.xMeters() - robot.xMeters();
-        double armY = mouth.yMeters() - robot.yMeters();
+    private static double rangeOneByOne(List<Segment> sides, Place robot, int sonar) {
+        Position mouth = robot.at(SonarRing.mountX(sonar), SonarRing.mountY(sonar));
+        double armX = mouth.xMeters() - robot.x();
+        double armY = mouth.yMeters() - robot.y();
         double arm = Math.hypot(armX, armY);
         Cone cone = new Cone(
                 mouth.xMeters(),
                 mouth.yMeters(),
-                robot.headingRadians() + SonarRing.directionRadians(sonar),
+                robot.heading() + SonarRing.directionRadians(sonar),
                 Pioneer2Dx.SONAR_CONE_RADIANS);
         double nearest = 5;
         for (Segment side : sides) {
@@ -83,7 +127,7 @@ class WanderCrowdTest {
             double y1 = side.y1Meters();
             double x2 = side.x2Meters();
             double y2 = side.y2Meters();
-            if (Distances.alongRay(robot.xMeters(), robot.yMeters(), armX / arm, armY / arm, x1, y1, x2, y2) < arm) {
+            if (Distances.alongRay(robot.x(), robot.y(), armX / arm, armY / arm, x1, y1, x2, y2) < arm) {
                 return 0.1;
             }
             nearest = Math.min(nearest, cone.distanceToSegment(x1, y1, x2, y2));
@@ -92,15 +136,14 @@ class WanderCrowdTest {
     }
 
     private static void assertSonarsMeasureWhatIsThere(Simulation simulation, int checks, int every) {
+        History history = new History(simulation);
         for (int check = 0; check < checks; check++) {
             simulation.run(37);
             for (int i = check % every; i < simulation.robots().size(); i += every) {
-                SimulatedRobot robot = simulation.robots().get(i);
-                List<Segment> sides = sidesAround(simulation, robot);
-                double[] ranges = robot.sonarRangesMeters();
+                double[] ranges = simulation.robots().get(i).sonarRangesMeters();
                 for (int sonar = 0; sonar < SonarRing.COUNT; sonar++) {
                     assertEquals(
-                            rangeOneByOne(sides, robot, sonar),
+                            history.range(i, sonar),
                             ranges[sonar],
                             1e-9,
                             "check " + check + ", robot " + i + ", sonar " + sonar);

@@ -1,0 +1,39 @@
+package simrobot.simulation;
+
+import java.util.Arrays;
+import simrobot.robot.SimulatedRobot;
+
+/** The robots that are in reach of another one's sensors, or may come there before the list is made anew. */
+final class NearbyRobots {
+    private SimulatedRobot[] robots = {};
+    private int count;
+    private long step = Long.MIN_VALUE / 2;
+    private long epoch = -1;
+
+    /** Whether a list of that epoch is at most so many steps old. */
+    boolean isValid(long now, long mostSteps, long presentEpoch) {
+        return epoch == presentEpoch && now - step <= mostSteps;
+    }
+
+    /** Begins anew. */
+    void clear(long now, long presentEpoch) {
+        count = 0;
+        step = now;
+        epoch = presentEpoch;
+    }
+
+    void add(SimulatedRobot robot) {
+        if (count == robots.length) {
+            robots = Arrays.copyOf(robots, Math.max(4, 2 * count));
+        }
+        robots[count++] = robot;
+    }
+
+    int count() {
+        return count;
+    }
+
+    SimulatedRobot get(int index) {
+        return robots[index];
+    }
+}
