@@ -40,6 +40,20 @@ class ModemToolsTest {
     }
 
     @Test
+    void noiseTwentyDecibelsBelowTheTonesIsHarmlessAndTenAboveThemHidesThem() throws Exception {
+        assertEquals("159", decodedWithNoise("20"));
+        assertEquals("", decodedWithNoise("-10"));
+    }
+
+    private String decodedWithNoise(String decibels) throws Exception {
+        String file = folder.resolve("noisy.wav").toString();
+        FinishedProgram made =
+                FinishedProgram.run("simgsm-modem", "tones", "159", file, "--noise", decibels, "--seed", "3");
+        assertEquals(0, made.status(), made.error());
+        return FinishedProgram.run("simgsm-modem", "decode", file).output().split("\t", -1)[1];
+    }
+
+    @Test
     void theFileIsEightKilohertzSixteenBitMono() throws Exception {
         try (AudioInputStream audio =
                 AudioSystem.getAudioInputStream(tones("12").toFile())) {

@@ -7,6 +7,7 @@ module simgsm.desktop {
     exports simgsm.audio;
     exports simgsm.draw;
     exports simgsm.ui;
+    exports simgsm.ui.lesson;
     exports simgsm.ui.scope;
     exports simgsm.ui.window;
 }

@@ -78,6 +78,7 @@ public final class SimRobotMain {
                         "java -jar simrobot.jar --number 5550200 --world worlds/office.map [options]",
                         "SimRobot: a simulated Pioneer with a GSM modem (M2), driven by telephone keys or SMS.")
                 .commands(RobotConsole.COMMANDS)
+                .flag("console", Program.CONSOLE_HELP)
                 .value("number", "N", "the modem's number (5550200)")
                 .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")
@@ -250,13 +251,25 @@ public final class SimRobotMain {
             startRecording(record, arguments, built);
             endInOrder(simRobot, record);
             simRobot.onAdded(robot -> robot.listen(record.listener(robot.name())));
+            Optional<Console> console =
+                    arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
+            console.ifPresent(out -> {
+                simRobot.onAdded(robot -> robot.listen(event -> out.emit(event.line(robot.name()))));
+                out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
+                window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
+            });
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
             model.setResolution(WorldFile.resolution(arguments));
             simRobot.start();
             ports.start();
             built.behaviours().start(simRobot, record::event);
+            if (console.isPresent()) {
+                RobotConsole commands = commands(arguments, built, console.get()::emit);
+                window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
+            }
             window.show(
                     () -> SimRobotWindow.content("SimRobot " + model.firstNumber(), language, model::snapshot, model));
+            console.ifPresent(Console::close);
         }
         return ExitStatus.OK;
     }
@@ -345,18 +358,20 @@ public final class SimRobotMain {
             simRobot.start();
             ports.start();
             built.behaviours().start(simRobot, out);
-            OptionalDouble resolution = WorldFile.resolution(arguments);
-            Program.runConsole(
-                    console,
-                    arguments,
-                    new RobotConsole(
-                            simRobot,
-                            built.fleet(),
-                            new FileExports(simRobot.tracks()::csv, new WorldPictures()),
-                            file -> WorldFile.read(Optional.of(file), resolution),
-                            out));
+            Program.runConsole(console, arguments, commands(arguments, built, out));
             return console.exitStatus();
         }
+    }
+
+    private static RobotConsole commands(Arguments arguments, Built built, Consumer<Event> out) throws UsageException {
+        OptionalDouble resolution = WorldFile.resolution(arguments);
+        SimRobot simRobot = built.simRobot();
+        return new RobotConsole(
+                simRobot,
+                built.fleet(),
+                new FileExports(simRobot.tracks()::csv, new WorldPictures()),
+                file -> WorldFile.read(Optional.of(file), resolution),
+                out);
     }
 
     private static void startRecording(SessionRecording record, Arguments arguments, Built built)

@@ -15,10 +15,12 @@ import simgsm.center.demo.HeadlessDemo;
 import simgsm.center.demo.QuickDemo;
 import simgsm.center.demo.WindowedDemo;
 import simgsm.center.lesson.LessonCheck;
+import simgsm.center.lesson.WindowedLesson;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
@@ -142,18 +144,34 @@ public final class CenterMain {
             if (status.isPresent()) {
                 return status.getAsInt();
             }
-            return isHeadless || !Display.isAvailable()
-                    ? HeadlessDemo.run(arguments, settings)
-                    : WindowedDemo.run(arguments, settings);
+            if (isHeadless || !Display.isAvailable()) {
+                return HeadlessDemo.run(arguments, settings);
+            }
+            return lessons(
+                    arguments,
+                    arguments.has("lesson") ? arguments.text("lesson") : WindowedDemo.run(arguments, settings));
         }
+        requireTogether(arguments, "lesson", "demo");
         Optional<ProgramWindow> window =
                 isHeadless ? Optional.empty() : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
         Path data = settings.data().orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
+        Optional<String> chosen;
         try (Center center = Center.open(settings, data, settings.port().orElse(CenterSettings.DEFAULT_PORT))) {
-            return window.isPresent()
-                    ? CenterWindow.run(center, arguments, settings, null, window.get())
-                    : runConsole(center, arguments, settings);
+            if (window.isEmpty()) {
+                return runConsole(center, arguments, settings);
+            }
+            chosen = CenterWindow.run(center, arguments, settings, null, window.get(), CenterWindow.Watch.NONE);
         }
+        return lessons(arguments, chosen);
+    }
+
+    /** Opens the lesson that was chosen, and those that are chosen in its windows. */
+    private static int lessons(Arguments arguments, Optional<String> first) throws Exception {
+        Optional<String> next = first;
+        while (next.isPresent()) {
+            next = WindowedLesson.run(arguments.with("lesson", next.get()));
+        }
+        return ExitStatus.OK;
     }
 
     private static void requireTogether(Arguments arguments, String option, String needed) throws UsageException {

@@ -1,5 +1,7 @@
 package simgsm.phone;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -7,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import simgsm.air.Msisdn;
+import simgsm.audio.SoundFile;
 import simgsm.console.CommandException;
 import simgsm.console.CommandTable;
 import simgsm.console.Console;
@@ -33,6 +36,11 @@ final class PhoneCommands implements Console.Commands {
                     "KEYS",
                     "sends keys of 0-9*#ABCD in the call, 100 ms each; blanks are ignored",
                     PhoneCommands::press)
+            .add(
+                    "play",
+                    "FILE.wav",
+                    "sends a sound in the call, in place of a microphone: 8 kHz, 16 bit, mono",
+                    PhoneCommands::play)
             .add(
                     "sms",
                     "NUMBER TEXT",
@@ -92,6 +100,17 @@ final class PhoneCommands implements Console.Commands {
         }
         perform(command, handset -> handset.press(keys));
         keysPressed += keys.size();
+    }
+
+    private void play(ConsoleCommand command) throws CommandException {
+        String file = command.words(1, "play FILE.wav").get(0);
+        short[] samples;
+        try {
+            samples = SoundFile.read(Path.of(file));
+        } catch (IOException | IllegalArgumentException e) {
+            throw new CommandException("play: " + file + ": " + e.getMessage());
+        }
+        perform(command, handset -> handset.play(samples));
     }
 
     private void sms(ConsoleCommand command) throws CommandException {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
@@ -17,6 +18,7 @@ import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
+import simgsm.station.context.StationEvent;
 import simgsm.ui.window.ProgramWindow;
 
 /** Starts a phone, with its window or on a console. */
@@ -36,6 +38,7 @@ public final class PhoneMain {
                         "java -jar simgsm-phone.jar --number 5550101 [options]",
                         "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
                 .commands(PhoneCommands.TABLE)
+                .flag("console", Program.CONSOLE_HELP)
                 .value("number", "N", "the phone's own number, 1 to 10 digits (5550100)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the phone's speech is coded; it understands both (alaw)")
@@ -99,12 +102,24 @@ public final class PhoneMain {
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center)
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
-        Phone phone = new Phone(settings, event -> {}, sound(arguments));
-        withAtPort(arguments, phone, Event.of("ready"));
+        Optional<Console> console =
+                arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
+        TextBundle texts = PhoneTexts.in(arguments.language());
+        Consumer<StationEvent> printer =
+                console.isPresent() ? new PhoneEventPrinter(console.get(), texts) : event -> {};
+        Phone phone = new Phone(settings, printer, sound(arguments));
+        Event ready = withAtPort(arguments, phone, Event.of("ready"));
+        console.ifPresent(out -> {
+            out.ready(ready);
+            window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
+        });
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
+        console.ifPresent(
+                out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
         window.show(() -> HandsetWindow.content(PhoneTexts::in, phone.handset()::snapshot, new PhoneControls(phone)));
         phone.close();
+        console.ifPresent(Console::close);
         return ExitStatus.OK;
     }
 

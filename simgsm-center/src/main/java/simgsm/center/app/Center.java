@@ -221,12 +221,10 @@ public final class Center implements AutoCloseable {
         return ask(exchange -> exchange.stopBroadcast(id));
     }
 
-    /** Updates {@link #snapshot} from now on, at most 10 times a second. To be called before {@link #start}. */
-    void publishSnapshots() {
-        publishSnapshots(each -> {});
-    }
-
-    /** The same, and shows each to a listener on the exchange's thread. */
+    /**
+     * Updates {@link #snapshot} from now on, at most 10 times a second, and shows each to a listener on the exchange's
+     * thread. To be called before {@link #start}.
+     */
     public void publishSnapshots(Consumer<ExchangeSnapshot> listener) {
         loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> {
             ExchangeSnapshot newest = exchange.snapshot();

@@ -8,17 +8,18 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.BroadcastOrder;
+import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.ui.CenterActions;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.Arguments;
-import simgsm.console.ExitStatus;
 import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
@@ -37,6 +38,16 @@ public final class CenterWindow implements CenterActions {
     private final Set<String> cardsGivenOut = new HashSet<>();
     private ChildPrograms children;
     private WindowCascade cascade;
+    private Optional<String> lesson = Optional.empty();
+
+    /**
+     * What else happens with the centre and its window.
+     *
+     * @param opened run on the event thread when the window is made
+     */
+    public record Watch(Consumer<ExchangeEvent> events, Consumer<ExchangeSnapshot> snapshots, Runnable opened) {
+        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {});
+    }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
         this.center = center;
@@ -48,17 +59,36 @@ public final class CenterWindow implements CenterActions {
      * Shows the window and returns when it is closed.
      *
      * @param children running children that end with the window; null for none
+     * @return the lesson that the user has chosen to begin, if any
      */
-    public static int run(
-            Center center, Arguments arguments, CenterSettings settings, ChildPrograms children, ProgramWindow window)
+    public static Optional<String> run(
+            Center center,
+            Arguments arguments,
+            CenterSettings settings,
+            ChildPrograms children,
+            ProgramWindow window,
+            Watch watch)
             throws InterruptedException {
         CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;
-        center.publishSnapshots();
-        center.start(event -> {});
-        window.show(() -> MonitorWindow.content(operator, CenterTexts.in(settings.language())));
+        center.publishSnapshots(watch.snapshots());
+        center.start(watch.events());
+        window.onLesson(operator::beginLesson);
+        window.show(() -> {
+            watch.opened().run();
+            return MonitorWindow.content(operator, CenterTexts.in(settings.language()));
+        });
         operator.endChildren();
-        return ExitStatus.OK;
+        return operator.chosenLesson();
+    }
+
+    private synchronized void beginLesson(String name) {
+        lesson = Optional.of(name);
+        window.close();
+    }
+
+    private synchronized Optional<String> chosenLesson() {
+        return lesson;
     }
 
     @Override

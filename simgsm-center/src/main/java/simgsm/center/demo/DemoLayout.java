@@ -8,7 +8,7 @@ import simgsm.ui.window.WindowPlace;
  * The demo's three windows on one screen: the phone at the left in its own size, SimRobot at its right, the centre below
  * SimRobot. No window meets another, none leaves the screen, and the world takes at least a fifth of the screen.
  */
-record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
+public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
     /** What the windows fill comfortably at 100 %; a larger screen gets a larger zoom. */
     private static final int COMFORTABLE_WIDTH = 1_340;
 
@@ -33,7 +33,7 @@ record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int 
      * @param area usable area of the screen
      * @param wantedPercent the zoom that was asked for; where it does not fit, the largest one below it that does
      */
-    static DemoLayout of(WindowPlace area, OptionalInt wantedPercent) {
+    public static DemoLayout of(WindowPlace area, OptionalInt wantedPercent) {
         int wanted = wantedPercent.orElse(comfortablePercent(area));
         int zoom = wanted;
         while (zoom > LEAST_ZOOM_PERCENT && !fits(area, zoom)) {

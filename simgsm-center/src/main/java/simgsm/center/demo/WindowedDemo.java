@@ -17,7 +17,8 @@ public final class WindowedDemo {
 
     private WindowedDemo() {}
 
-    public static int run(Arguments arguments, CenterSettings settings) throws Exception {
+    /** @return the lesson that the user has chosen in one of the windows, if any */
+    public static Optional<String> run(Arguments arguments, CenterSettings settings) throws Exception {
         OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
         // Desktop libraries and centre load at the same time; the other programs start before the centre's window.
         CompletableFuture<WindowPlace> screen = CompletableFuture.supplyAsync(Display::usableArea);
@@ -31,25 +32,29 @@ public final class WindowedDemo {
                         layout.zoomPercent());
             }
             String zoom = String.valueOf(layout.zoomPercent());
-            programs.startPhone(
-                    Redirect.DISCARD,
-                    "--end-with-input",
+            LessonChoice choice = new LessonChoice();
+            choice.listenTo(programs.startPhone(
+                    Redirect.PIPE,
+                    "--console",
                     "--zoom",
                     zoom,
                     "--window",
-                    layout.phone().toString());
+                    layout.phone().toString()));
             // On one machine each tone is heard once, from the phone.
-            programs.startRobot(
-                    Redirect.DISCARD,
+            choice.listenTo(programs.startRobot(
+                    Redirect.PIPE,
                     "--no-sound",
-                    "--end-with-input",
+                    "--console",
                     "--zoom",
                     zoom,
                     "--window",
-                    layout.robot().toString());
+                    layout.robot().toString()));
             ProgramWindow window =
                     ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(layout.zoomPercent());
-            return CenterWindow.run(programs.center(), arguments, settings, programs.children(), window);
+            choice.onChosen(window::close);
+            Optional<String> chosen = CenterWindow.run(
+                    programs.center(), arguments, settings, programs.children(), window, CenterWindow.Watch.NONE);
+            return chosen.or(choice::chosen);
         }
     }
 }

@@ -21,6 +21,7 @@ final class LessonEvents {
     private final Map<String, ArrayDeque<Event>> unread = new HashMap<>();
     private final Set<String> ended = new HashSet<>();
     private Runnable changed = () -> {};
+    private Consumer<String> chosen = name -> {};
 
     LessonEvents(LessonRun run) {
         this.run = run;
@@ -31,13 +32,20 @@ final class LessonEvents {
         changed = listener;
     }
 
+    /** Called with the name of a lesson that is chosen in the help of a program's window. */
+    synchronized void onLesson(Consumer<String> listener) {
+        chosen = listener;
+    }
+
     void add(String source, Event event) {
         LOG.log(System.Logger.Level.DEBUG, () -> source + ": " + event);
         Runnable listener;
         synchronized (this) {
             run.event(source, event);
             unread.computeIfAbsent(source, key -> new ArrayDeque<>()).addLast(event);
-            listener = changed;
+            listener = event.name().equals("lesson")
+                    ? () -> chosen.accept(event.fields().getOrDefault("name", ""))
+                    : changed;
             notifyAll();
         }
         listener.run();

@@ -5,13 +5,14 @@ import java.lang.ProcessBuilder.Redirect;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.ChildConsole;
 import simgsm.center.demo.DemoPrograms;
@@ -20,6 +21,7 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
+import simgsm.lesson.LessonAction;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
 
@@ -40,7 +42,7 @@ final class LessonSession implements AutoCloseable {
     private final LessonTools tools;
     private final Path folder;
     private final Function<LessonProgram, List<String>> manner;
-    private final Map<String, ChildConsole> consoles = new LinkedHashMap<>();
+    private final Map<String, ChildConsole> consoles = new ConcurrentHashMap<>();
     private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
 
     /**
@@ -164,6 +166,14 @@ final class LessonSession implements AutoCloseable {
         }
     }
 
+    /** The programs that run. */
+    Set<String> running() {
+        return consoles.entrySet().stream()
+                .filter(each -> each.getValue().process().isAlive())
+                .map(Map.Entry::getKey)
+                .collect(Collectors.toSet());
+    }
+
     private ChildConsole console(String name) throws LessonFailure {
         program(name);
         ChildConsole console = consoles.get(name);
@@ -186,12 +196,11 @@ final class LessonSession implements AutoCloseable {
 
     private void act(String rest) throws LessonFailure, InterruptedException {
         String[] parts = rest.split("\\s+", 2);
-        List<String> lines = run.lesson().actions().get(parts[0]);
-        if (lines == null) {
-            throw new LessonFailure("expected an action of the lesson, found " + parts[0]);
-        }
+        LessonAction action = run.lesson()
+                .action(parts[0])
+                .orElseThrow(() -> new LessonFailure("expected an action of the lesson, found " + parts[0]));
         String input = parts.length == 2 ? parts[1] : "";
-        for (String line : lines) {
+        for (String line : action.lines()) {
             perform(replaced(line.replace("{input}", input), true));
         }
     }

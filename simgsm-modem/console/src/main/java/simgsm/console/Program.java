@@ -21,6 +21,11 @@ import java.util.Optional;
 public final class Program {
     private static final System.Logger LOG = System.getLogger(Program.class.getName());
 
+    /** The help of {@code --console}, for programs that have it. */
+    public static final String CONSOLE_HELP =
+            "with a window: commands on standard input, events on standard output, as with --headless; end when"
+                    + "\nstandard input ends";
+
     /** The work of a program. Returns the exit status. */
     public interface Body {
         int run(Arguments arguments) throws Exception;

@@ -1,7 +1,6 @@
 package simgsm.lesson;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -10,8 +9,6 @@ import java.util.Optional;
  * @param name of its folder
  * @param minutes that a class takes
  * @param closed numbers whose SIMs the network accepts; empty for an open network
- * @param actions lines of a solution by the action's name, which a button of the window performs; {@code {input}} is what the
- *     student has typed or chosen
  * @param isCaptured whether the centre writes {@code lesson.pcap}
  */
 public record Lesson(
@@ -20,15 +17,19 @@ public record Lesson(
         List<LessonProgram> programs,
         List<String> closed,
         boolean isCaptured,
-        Map<String, List<String>> actions,
+        List<LessonAction> actions,
         List<LessonStep> steps,
         List<LessonVariable> variables) {
     public Lesson {
         programs = List.copyOf(programs);
         closed = List.copyOf(closed);
-        actions = Map.copyOf(actions);
+        actions = List.copyOf(actions);
         steps = List.copyOf(steps);
         variables = List.copyOf(variables);
+    }
+
+    public Optional<LessonAction> action(String wanted) {
+        return actions.stream().filter(action -> action.name().equals(wanted)).findFirst();
     }
 
     public Optional<LessonProgram> program(String wanted) {

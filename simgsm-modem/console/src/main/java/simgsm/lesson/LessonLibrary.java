@@ -2,6 +2,7 @@ package simgsm.lesson;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
@@ -41,13 +42,17 @@ public final class LessonLibrary {
         return file(name + "/" + file);
     }
 
+    static String glossary(Locale language) throws LessonException {
+        return text("glossary", language.getLanguage().equals("es") ? "es.txt" : "en.txt");
+    }
+
     private static Optional<String> file(String path) {
         try (InputStream in = LessonLibrary.class.getResourceAsStream(PLACE + path)) {
             return in == null
                     ? Optional.empty()
                     : Optional.of(new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n"));
         } catch (IOException e) {
-            throw new java.io.UncheckedIOException(e);
+            throw new UncheckedIOException(e);
         }
     }
 }

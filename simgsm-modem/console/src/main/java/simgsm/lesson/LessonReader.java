@@ -2,9 +2,7 @@ package simgsm.lesson;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Reads {@code lesson.txt}: a line each for programs, variables, steps and their conditions. */
@@ -16,8 +14,7 @@ final class LessonReader {
     private final List<LessonProgram> programs = new ArrayList<>();
     private final List<String> closed = new ArrayList<>();
     private boolean captured;
-    private final Map<String, List<String>> actions = new LinkedHashMap<>();
-    private List<String> action;
+    private final List<LessonAction> actions = new ArrayList<>();
     private final List<LessonStep> steps = new ArrayList<>();
     private final List<LessonVariable> variables = new ArrayList<>();
     private String step;
@@ -71,10 +68,7 @@ final class LessonReader {
             case "draw" -> draw(words);
             case "let" -> let(words);
             case "keep" -> keep(words, rest);
-            case "action" -> {
-                action = new ArrayList<>();
-                actions.put(one(words, "a name"), action);
-            }
+            case "action" -> action(words);
             case "do" -> doing(rest);
             case "step" -> {
                 endStep();
@@ -152,11 +146,27 @@ final class LessonReader {
                 Optional.of(EventPattern.parse(parts[2]))));
     }
 
+    /** {@code action NAME [text|file]}. */
+    private void action(List<String> words) throws LessonException {
+        LessonAction.Input input = switch (words.size() == 2 ? words.get(1) : "") {
+            case "text" -> LessonAction.Input.TEXT;
+            case "file" -> LessonAction.Input.FILE;
+            default -> LessonAction.Input.NONE;
+        };
+        if (words.isEmpty() || words.size() > 2 || words.size() == 2 && input == LessonAction.Input.NONE) {
+            throw new LessonException("expected action NAME [text|file], found " + String.join(" ", words));
+        }
+        actions.add(new LessonAction(words.get(0), input, List.of()));
+    }
+
     private void doing(String line) throws LessonException {
-        if (action == null) {
+        if (actions.isEmpty()) {
             throw new LessonException("expected action NAME before do");
         }
-        action.add(line);
+        LessonAction last = actions.remove(actions.size() - 1);
+        List<String> lines = new ArrayList<>(last.lines());
+        lines.add(line);
+        actions.add(new LessonAction(last.name(), last.input(), lines));
     }
 
     private EventPattern pattern(String text) throws LessonException {

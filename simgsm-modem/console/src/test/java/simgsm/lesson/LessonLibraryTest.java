@@ -28,7 +28,7 @@ class LessonLibraryTest {
             keys.add("step " + step.name());
             keys.add("hint " + step.name());
         });
-        lesson.actions().keySet().forEach(action -> keys.add("action " + action));
+        lesson.actions().forEach(action -> keys.add("action " + action.name()));
         for (String language : new String[] {"en", "es"}) {
             LessonTexts texts = LessonLibrary.texts(name, Locale.forLanguageTag(language));
             assertEquals(keys, new TreeSet<>(texts.keys()), language);

@@ -46,6 +46,11 @@ public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double 
         return new ToneShape(toneMillis, pauseMillis, rowDbm0, columnDbm0, millis);
     }
 
+    /** The high tone raised by half of the twist and the low one lowered by it. @param decibels of high over low */
+    public ToneShape withTwist(double decibels) {
+        return new ToneShape(toneMillis, pauseMillis, rowDbm0 - decibels / 2, columnDbm0 + decibels / 2, rampMillis);
+    }
+
     /** Both tones at one level. */
     public ToneShape withLevel(double dbm0) {
         return new ToneShape(toneMillis, pauseMillis, dbm0, dbm0, rampMillis);

@@ -3,6 +3,8 @@ package simgsm.tools;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.Random;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
@@ -17,6 +19,9 @@ import simgsm.speech.WavWriter;
 final class TonesTool {
     private static final int MOST_MILLIS = 60_000;
     private static final int MOST_RAMP_MILLIS = 10;
+    private static final double MOST_TWIST = 20;
+    private static final double LEAST_NOISE = -20;
+    private static final double MOST_NOISE = 60;
     private static final int MOST_SAMPLES = 1 << 29;
 
     static final Tool TOOL = new Tool(
@@ -31,6 +36,15 @@ final class TonesTool {
                             "MILLIS",
                             "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
                     .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
+                    .value(
+                            "twist",
+                            "DB",
+                            "how much louder the high tone of each key is than the low one, -20 to 20 (0)")
+                    .value(
+                            "noise",
+                            "DB",
+                            "add white noise this much weaker than a key's two tones together, -20 to 60; else none")
+                    .value("seed", "N", "seed of the noise (1)")
                     .arguments(2),
             TonesTool::run);
 
@@ -41,14 +55,46 @@ final class TonesTool {
         if (rest.size() < 2) {
             throw new UsageException(rest.isEmpty() ? "missing KEYS and OUT.wav" : "missing OUT.wav");
         }
-        ToneShape shape = ToneShape.STANDARD
+        ToneShape level = ToneShape.STANDARD
                 .withRamp(0)
                 .withMillis((int) arguments.integer("tone-ms", 100, 1, MOST_MILLIS), (int)
                         arguments.integer("pause-ms", 100, 0, MOST_MILLIS))
                 .withLevel(arguments.value("level", TonesTool::level).orElse(-10.0))
                 .withRamp(ramp(arguments));
-        WavWriter.write(Path.of(rest.get(1)), sound(keys(rest.get(0)), shape));
+        double twist = arguments
+                .value("twist", text -> decibels(text, -MOST_TWIST, MOST_TWIST))
+                .orElse(0.0);
+        ToneShape shape = Arguments.checked(() -> level.withTwist(twist));
+        short[] samples = sound(keys(rest.get(0)), shape);
+        Optional<Double> noise = arguments.value("noise", text -> decibels(text, LEAST_NOISE, MOST_NOISE));
+        if (noise.isPresent()) {
+            addNoise(samples, shape, noise.get(), arguments.integer("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
+        }
+        WavWriter.write(Path.of(rest.get(1)), samples);
         return ExitStatus.OK;
+    }
+
+    /** White noise in the whole band of speech, as the tone scope's fader adds it. */
+    private static void addNoise(short[] samples, ToneShape shape, double decibels, long seed) {
+        double row = ToneLevel.amplitude(shape.rowDbm0());
+        double column = ToneLevel.amplitude(shape.columnDbm0());
+        double power = (row * row + column * column) / 2;
+        double deviation = Math.sqrt(power / Math.pow(10, decibels / 10));
+        Random random = new Random(seed);
+        for (int i = 0; i < samples.length; i++) {
+            double value = samples[i] + deviation * random.nextGaussian();
+            samples[i] = (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(value)));
+        }
+    }
+
+    private static double decibels(String text, double least, double most) {
+        if (text.matches("[-+]?[0-9]{1,4}(\\.[0-9]{1,9})?")) {
+            double value = Double.parseDouble(text);
+            if (value >= least && value <= most) {
+                return value;
+            }
+        }
+        throw new IllegalArgumentException("expected " + least + " to " + most + " dB, found " + text);
     }
 
     /** Milliseconds, at most the tone's length. */

@@ -39,6 +39,7 @@ import simgsm.station.context.StationEvent;
  */
 public final class Handset {
     private static final int KEY_MILLIS = 100;
+    private static final int SAMPLES_PER_MILLI = 8;
 
     private final Msisdn own;
     private final Consumer<StationEvent> listener;
@@ -186,6 +187,16 @@ public final class Handset {
             pressed.forEach(call::keyed);
         }
         changed();
+        return refusal;
+    }
+
+    /** Sends a sound in the call, in place of a microphone. @param samples at 8 kHz */
+    public Optional<Refusal> play(short[] samples) {
+        Optional<Refusal> refusal = call.refusalOfKeys();
+        if (refusal.isEmpty()) {
+            audio.play(
+                    samples, () -> listener.accept(new HandsetEvent.SoundPlayed(samples.length / SAMPLES_PER_MILLI)));
+        }
         return refusal;
     }
 

@@ -34,6 +34,7 @@ final class HandsetAudio {
     private final KeySender keyTones = new KeySender(keys -> {});
     private final DtmfReceiver receiver;
     private final SupervisoryTones supervisory;
+    private final SoundPlayer player = new SoundPlayer();
     private final short[] heardFrame = new short[SAMPLES_PER_FRAME];
     /** Speech of {@link #keyTones}, which goes nowhere. */
     private final short[] unsentFrame = new short[SAMPLES_PER_FRAME];
@@ -84,7 +85,7 @@ final class HandsetAudio {
             stopTones();
         } else if (event instanceof StationEvent.Released released) {
             connected = false;
-            sender.drop();
+            dropKeys();
             earpiece.callEnded();
             supervisory.ended(released.cause());
             beginLocally();
@@ -148,13 +149,19 @@ final class HandsetAudio {
         keyTones.up();
     }
 
-    /** Drops the keys that have not been sent. @return them */
+    /** Adds a sound to what is sent, from the next frame of a connected call on. @param whenPlayed runs at its end */
+    void play(short[] samples, Runnable whenPlayed) {
+        player.play(samples, whenPlayed);
+    }
+
+    /** Drops the keys that have not been sent, and a sound that plays. @return the keys */
     String dropKeys() {
+        player.stop();
         return sender.drop();
     }
 
     boolean keysAreSent() {
-        return sender.isIdle();
+        return sender.isIdle() && player.isIdle();
     }
 
     /** Ends the supervisory tone. */
@@ -170,6 +177,7 @@ final class HandsetAudio {
         }
         DtmfKey before = sender.sounding();
         sender.read(speech, heardFrame);
+        player.addTo(speech, heardFrame);
         earpiece.play(heardFrame);
         return earpiece.pollChanged() || before != sender.sounding();
     }

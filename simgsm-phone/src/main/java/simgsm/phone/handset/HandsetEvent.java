@@ -12,6 +12,9 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     /** The network refuses signalled keys. @param keys those that were not sent */
     record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
 
+    /** The last sample of a played sound has been sent. */
+    record SoundPlayed(int millis) implements HandsetEvent {}
+
     /** A key from the far end, at its decision, while its tone sounds. */
     record ToneHeard(DtmfKey key) implements HandsetEvent {}
 }

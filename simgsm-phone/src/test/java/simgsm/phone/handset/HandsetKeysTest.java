@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.station.context.StationEvent;
@@ -40,6 +41,25 @@ class HandsetKeysTest {
         bench.handset.press(DtmfKey.sequence("3"));
         bench.speechMillis(600);
         assertEquals(List.of("sent 12", "sent 3"), bench.events);
+    }
+
+    @Test
+    void aPlayedSoundIsHeardByTheFarEndAndDroppedAtHangUp() {
+        short[] sound = new short[8 * 400];
+        DtmfGenerator generator = new DtmfGenerator();
+        DtmfKey.sequence("58").forEach(generator::enqueue);
+        generator.read(sound);
+        Bench bench = Bench.connected();
+        assertEquals(Optional.empty(), bench.handset.play(sound));
+        bench.speechMillis(500);
+        assertEquals("58", bench.heardByFarEnd());
+        bench.handset.play(sound);
+        bench.handset.hangUp();
+        assertEquals(Optional.of(Refusal.NO_CALL), bench.handset.play(sound));
+        bench.handset.dial(new Msisdn("5550200"));
+        bench.handset.accept(new StationEvent.Connected(Optional.empty()));
+        bench.speechMillis(500);
+        assertEquals("58", bench.heardByFarEnd());
     }
 
     @Test

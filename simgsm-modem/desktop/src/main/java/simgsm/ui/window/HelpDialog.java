@@ -8,14 +8,18 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
@@ -24,8 +28,11 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.lesson.GlossaryList;
+import simgsm.ui.lesson.LessonList;
 
 /** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
 final class HelpDialog {
@@ -81,16 +88,42 @@ final class HelpDialog {
         return held.isEmpty() ? key : held + "+" + key;
     }
 
-    /** @param about what the window is for; @param version of the program */
-    static void open(JFrame frame, String about, String version, TextBundle texts) {
+    /**
+     * Opens help, lessons and glossary as tabs.
+     *
+     * @param about what the window is for
+     * @param version of the program
+     * @param lessonChosen begins a lesson; empty where the program cannot
+     */
+    static void open(
+            JFrame frame, String about, String version, Locale language, Optional<Consumer<String>> lessonChosen) {
+        TextBundle texts = DesktopTexts.in(language);
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
-        dialog.setContentPane(content(frame.getRootPane(), about, version, texts));
+        JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
+        tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
+        tabs.addTab(
+                texts.of("lessons.title"), new LessonList(language, name -> begin(dialog, name, texts, lessonChosen)));
+        tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
+        dialog.setContentPane(tabs);
         UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
         dialog.setLocationRelativeTo(frame);
         dialog.setVisible(true);
+    }
+
+    private static void begin(JDialog dialog, String name, TextBundle texts, Optional<Consumer<String>> lessonChosen) {
+        if (lessonChosen.isPresent()) {
+            dialog.dispose();
+            lessonChosen.get().accept(name);
+        } else {
+            JOptionPane.showMessageDialog(
+                    dialog,
+                    new JTextArea(texts.of("lessons.elsewhere", name)),
+                    texts.of("lessons.title"),
+                    JOptionPane.PLAIN_MESSAGE);
+        }
     }
 
     static JPanel content(Component root, String about, String version, TextBundle texts) {

@@ -33,6 +33,8 @@ import simgsm.ui.UserAction;
 
 /** A program's window: reads the options of windows, opens a frame around the program's panel, and waits for its end. */
 public final class ProgramWindow {
+    private static final System.Logger LOG = System.getLogger(ProgramWindow.class.getName());
+
     /**
      * The content of a window, made on the event thread.
      *
@@ -62,6 +64,7 @@ public final class ProgramWindow {
     private final Locale language;
     private final boolean endsWithInput;
     private final CountDownLatch ended = new CountDownLatch(1);
+    private Optional<Consumer<String>> lessonChosen = Optional.empty();
 
     private ProgramWindow(
             Appearance appearance, double zoom, Optional<WindowPlace> place, Locale language, boolean endsWithInput) {
@@ -93,7 +96,7 @@ public final class ProgramWindow {
                 zoom,
                 place.or(() -> otherwise),
                 language,
-                arguments.has("end-with-input"));
+                arguments.has("end-with-input") && !arguments.has("console"));
     }
 
     private static Appearance appearance(String text) {
@@ -138,6 +141,34 @@ public final class ProgramWindow {
         SwingUtilities.invokeLater(() -> Stream.of(Window.getWindows()).forEach(Window::dispose));
     }
 
+    /** What happens when the user begins a lesson in the help; without it the help says how to begin one. */
+    public void onLesson(Consumer<String> chosen) {
+        lessonChosen = Optional.of(chosen);
+    }
+
+    /** A console beside the window: its end closes the window. */
+    public interface ConsoleRun {
+        void run() throws Exception;
+    }
+
+    /** Runs a console on a thread of its own, for {@code --console}; to be called before {@link #show}. */
+    public void withConsole(ConsoleRun console) {
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        console.run();
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    } catch (Exception e) {
+                        LOG.log(System.Logger.Level.WARNING, "the console has ended: {0}", Program.describe(e));
+                    }
+                    close();
+                },
+                "console");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
     /** Ends {@link #show}; any thread. */
     public void close() {
         ended.countDown();
@@ -145,6 +176,8 @@ public final class ProgramWindow {
 
     private void open(Content content) {
         JFrame frame = new JFrame(content.title());
+        JFrame frame = new JFrame(content.title());
+        frame.setIconImages(content.icons());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
         TextBundle texts = DesktopTexts.in(language);
@@ -152,7 +185,7 @@ public final class ProgramWindow {
         new UserAction(
                         "window.help",
                         texts.of("window.help"),
-                        () -> HelpDialog.open(frame, content.help(), version, texts))
+                        () -> HelpDialog.open(frame, content.help(), version, language, lessonChosen))
                 .bindInWindow(frame.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {

@@ -1,0 +1,231 @@
+package simgsm.center.lesson;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.stream.Stream;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.CenterWindow;
+import simgsm.center.app.DataDirectory;
+import simgsm.center.demo.DemoLayout;
+import simgsm.center.demo.DemoPrograms;
+import simgsm.console.Arguments;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonException;
+import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.LessonProgram;
+import simgsm.lesson.LessonRun;
+import simgsm.lesson.LessonTexts;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.lesson.LessonActs;
+import simgsm.ui.lesson.LessonFrame;
+import simgsm.ui.lesson.LessonPanel;
+import simgsm.ui.lesson.LessonView;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowPlace;
+
+/** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
+public final class WindowedLesson implements LessonActs {
+    private static final double SHARE_OF_SCREEN = 0.24;
+    private static final int LEAST_WIDTH = 270;
+    private static final int MOST_WIDTH = 460;
+    private static final int MOST_RANDOM_SEED = 10_000;
+    private static final int SECOND_PHONE_STEP = 40;
+
+    private final Lesson lesson;
+    private final Locale language;
+    private final LessonRun run;
+    private final LessonSession session;
+    private final ProgramWindow window;
+    /** Performs acts in their order; the first one starts the programs. */
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(task, "lesson");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private volatile LessonView view;
+    private volatile String notice = "";
+    private volatile String next;
+    private LessonFrame frame;
+
+    private WindowedLesson(Lesson lesson, Locale language, LessonRun run, LessonSession session, ProgramWindow window) {
+        this.lesson = lesson;
+        this.language = language;
+        this.run = run;
+        this.session = session;
+        this.window = window;
+    }
+
+    /**
+     * Opens the lesson that the arguments name, and returns when the centre's window is closed.
+     *
+     * @return the lesson that the user has chosen next, if any
+     */
+    public static Optional<String> run(Arguments given) throws Exception {
+        long seed = given.has("seed")
+                ? LessonCheck.seed(given)
+                : ThreadLocalRandom.current().nextInt(MOST_RANDOM_SEED);
+        Arguments arguments = given.with("seed", Long.toString(seed));
+        Lesson lesson = LessonCheck.lesson(arguments);
+        WindowPlace screen = Display.usableArea();
+        WindowPlace place = place(screen);
+        DemoLayout layout = DemoLayout.of(
+                new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
+                ProgramWindow.zoomPercent(arguments));
+        ProgramWindow window =
+                ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(layout.zoomPercent());
+        Path folder = LessonNetwork.newFolder();
+        LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
+        try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
+            LessonSession session =
+                    new LessonSession(run, programs, folder, program -> options(program, lesson, layout));
+            WindowedLesson opened = new WindowedLesson(lesson, arguments.language(), run, session, window);
+            Optional<String> chosen = CenterWindow.run(
+                    programs.center(),
+                    arguments,
+                    CenterSettings.read(arguments),
+                    programs.children(),
+                    window,
+                    new CenterWindow.Watch(session.centerEvents(), session.trace(), () -> opened.open(place)));
+            opened.end();
+            return chosen.or(() -> Optional.ofNullable(opened.next));
+        } finally {
+            LessonNetwork.remove(folder);
+        }
+    }
+
+    private static WindowPlace place(WindowPlace screen) {
+        int width = (int) Math.max(LEAST_WIDTH, Math.min(MOST_WIDTH, SHARE_OF_SCREEN * screen.width()));
+        return new WindowPlace(screen.x() + screen.width() - width, screen.y(), width, screen.height());
+    }
+
+    /** The windows of further programs stand a little below and beside the first of their kind. */
+    private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout) {
+        int before = (int) lesson.programs().stream()
+                .takeWhile(each -> !each.equals(program))
+                .filter(each -> each.jar().equals(program.jar()))
+                .count();
+        boolean isPhone = program.jar().equals("simgsm-phone");
+        WindowPlace first = isPhone ? layout.phone() : layout.robot();
+        int step = before * SECOND_PHONE_STEP;
+        WindowPlace place = new WindowPlace(first.x() + step, first.y() + step, first.width(), first.height());
+        String zoom = String.valueOf(layout.zoomPercent());
+        List<String> options = List.of("--console", "--zoom", zoom, "--window", place.toString());
+        return isPhone
+                ? options
+                : Stream.concat(options.stream(), Stream.of("--no-sound")).toList();
+    }
+
+    /** On the event thread, when the theme is installed. */
+    private void open(WindowPlace place) {
+        LessonTexts texts;
+        try {
+            texts = LessonLibrary.texts(lesson.name(), language);
+        } catch (LessonException e) {
+            throw new IllegalStateException(e); // part of the jar, and tested
+        }
+        refresh();
+        session.events().onChange(this::refresh);
+        session.events().onLesson(this::open);
+        LessonPanel panel = new LessonPanel(lesson, texts, language, run::shown, this);
+        frame = LessonFrame.open(
+                DesktopTexts.in(language).of("lessons.title") + ": " + texts.of("title"),
+                panel,
+                place.x(),
+                place.y(),
+                place.width(),
+                place.height(),
+                () -> view);
+        perform(session::start);
+    }
+
+    private void end() {
+        worker.shutdownNow();
+        if (frame != null) {
+            frame.close();
+        }
+    }
+
+    /** What may fail with a text for the student. */
+    private interface Act {
+        void perform() throws IOException, LessonFailure, InterruptedException;
+    }
+
+    private void perform(Act act) {
+        worker.execute(() -> {
+            notice = "";
+            try {
+                act.perform();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            } catch (IOException | LessonFailure e) {
+                notice = e.getMessage();
+            }
+            refresh();
+        });
+    }
+
+    private void refresh() {
+        session.events().withRun(each -> view = LessonViews.of(each, session.running(), notice));
+    }
+
+    private void line(String line) {
+        perform(() -> session.perform(line));
+    }
+
+    @Override
+    public void predict(String text) {
+        line("predict " + text);
+    }
+
+    @Override
+    public void answer(String name, String text) {
+        line("answer " + name + " " + text);
+    }
+
+    @Override
+    public void act(String name, String input) {
+        line("act " + name + " " + input);
+    }
+
+    @Override
+    public void startProgram(String name) {
+        line("start " + name);
+    }
+
+    @Override
+    public void stopProgram(String name) {
+        line("stop " + name);
+    }
+
+    /** Into the folder {@code lessons} of the user's data. */
+    @Override
+    public void save(String student) {
+        perform(() -> {
+            Path folder = DataDirectory.defaultPath(System.getenv(), System.getProperties())
+                    .resolve("lessons");
+            Files.createDirectories(folder);
+            String who = student.replaceAll("[^\\p{L}\\p{N}]+", "-");
+            Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
+            String[] text = new String[1];
+            session.events().withRun(each -> text[0] = LessonResult.text(each, student, Instant.now()));
+            Files.writeString(file, text[0]);
+            notice = DesktopTexts.in(language).of("lesson.saved", file.toString());
+        });
+    }
+
+    @Override
+    public void open(String name) {
+        next = name;
+        window.close();
+    }
+}

@@ -1,0 +1,84 @@
+package simgsm.lesson;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** The terms of GSM, tones and the robot, each explained in a sentence or two. */
+public final class Glossary {
+    private final Map<String, String> explanations;
+    private final Map<String, String> terms = new LinkedHashMap<>();
+    private final Pattern pattern;
+
+    /** A part of a text. @param term that it names; empty for none */
+    public record Part(String text, String term) {
+        public static Part plain(String text) {
+            return new Part(text, "");
+        }
+    }
+
+    private Glossary(LessonTexts texts) {
+        Map<String, String> read = new LinkedHashMap<>();
+        for (String key : texts.keys()) {
+            String[] names = key.split("\\s*/\\s*");
+            for (String name : names) {
+                terms.put(name.toLowerCase(Locale.ROOT), names[0]);
+            }
+            read.put(names[0], texts.of(key));
+        }
+        explanations = read;
+        pattern = Pattern.compile(
+                "(?<![\\p{L}\\p{N}-])("
+                        + terms.keySet().stream()
+                                .sorted(Comparator.comparingInt(String::length).reversed())
+                                .map(Pattern::quote)
+                                .collect(Collectors.joining("|"))
+                        + ")(?![\\p{L}\\p{N}-])",
+                Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
+    }
+
+    public static Glossary in(Locale language) {
+        try {
+            return new Glossary(LessonTexts.read("glossary", LessonLibrary.glossary(language)));
+        } catch (LessonException e) {
+            throw new IllegalStateException(e); // part of the jar, and tested
+        }
+    }
+
+    public Set<String> terms() {
+        return explanations.keySet();
+    }
+
+    /** The explanation of a term, or of another name of it, in any letters. */
+    public Optional<String> find(String name) {
+        return Optional.ofNullable(terms.get(name.strip().toLowerCase(Locale.ROOT)))
+                .map(explanations::get);
+    }
+
+    /** Splits a text so that each term, where it stands first, is a part of its own. */
+    public List<Part> parts(String text) {
+        List<Part> parts = new ArrayList<>();
+        List<String> seen = new ArrayList<>();
+        int at = 0;
+        Matcher matcher = pattern.matcher(text);
+        while (matcher.find()) {
+            String term = terms.get(matcher.group().toLowerCase(Locale.ROOT));
+            if (!seen.contains(term)) {
+                seen.add(term);
+                parts.add(Part.plain(text.substring(at, matcher.start())));
+                parts.add(new Part(matcher.group(), term));
+                at = matcher.end();
+            }
+        }
+        parts.add(Part.plain(text.substring(at)));
+        return parts;
+    }
+}

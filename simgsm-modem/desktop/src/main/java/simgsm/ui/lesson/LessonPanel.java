@@ -1,0 +1,294 @@
+package simgsm.ui.lesson;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.ScrollPaneConstants;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
+import simgsm.lesson.Glossary;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonAction;
+import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.LessonProgram;
+import simgsm.lesson.LessonStep;
+import simgsm.lesson.LessonTexts;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Lamp;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/**
+ * A lesson: task, prediction, steps with lamps, actions, question. The steps appear when a prediction has been typed, the
+ * question when all steps are done. Needs no display.
+ */
+public final class LessonPanel extends JPanel {
+    private static final int GAP = Theme.GRID;
+
+    private final Lesson lesson;
+    private final LessonTexts texts;
+    private final TextBundle words;
+    private final UnaryOperator<String> numbers;
+    private final Optional<Glossary> glossary;
+    private final LessonActs acts;
+    private final GlossaryText task;
+    private final GlossaryText term;
+    private final GlossaryText question;
+    private final GlossaryText notice;
+    private final JComponent work;
+    private final JTextField student = new JTextField();
+    private final List<StepRow> rows = new ArrayList<>();
+    private final List<ProgramButton> programs = new ArrayList<>();
+    private final GlossaryText score;
+
+    /**
+     * @param numbers replaces names in braces by the student's own numbers
+     * @param acts performs what the student does
+     */
+    public LessonPanel(
+            Lesson lesson, LessonTexts texts, Locale language, UnaryOperator<String> numbers, LessonActs acts) {
+        super(new BorderLayout());
+        this.lesson = lesson;
+        this.texts = texts;
+        this.numbers = numbers;
+        this.acts = acts;
+        words = DesktopTexts.in(language);
+        glossary = Optional.of(Glossary.in(language));
+        term = text("lesson.term");
+        task = text("lesson.task");
+        question = text("lesson.question");
+        notice = text("lesson.notice");
+        score = text("lesson.score");
+        task.show(numbers.apply(texts.of("task")));
+        term.setVisible(false);
+        question.setVisible(false);
+        notice.setVisible(false);
+        work = work();
+        work.setVisible(false);
+        JPanel column = Arrange.column(GAP, heading(), task, prediction(), work, notice, Arrange.spring());
+        column.setBorder(Theme.padding(12));
+        JScrollPane scroll = new JScrollPane(new LessonColumn(column));
+        scroll.setBorder(null);
+        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        JPanel below = Arrange.column(0, term);
+        below.setBorder(Theme.padding(0, 12, 12, 12));
+        add(scroll, BorderLayout.CENTER);
+        add(below, BorderLayout.SOUTH);
+        setBackground(Theme.color(Ink.SURFACE));
+    }
+
+    private GlossaryText text(String name) {
+        return new GlossaryText(name, name.equals("lesson.term") ? Optional.empty() : glossary, this::explain);
+    }
+
+    private void explain(String name) {
+        glossary.flatMap(all -> all.find(name)).ifPresent(found -> {
+            term.show(name + ": " + found);
+            term.setVisible(true);
+            revalidate();
+        });
+    }
+
+    private JComponent heading() {
+        JComponent title = Theme.styled(new javax.swing.JLabel(texts.of("title")), label -> {
+            label.setFont(GlossaryText.font(true));
+            label.setForeground(Theme.color(Ink.TEXT));
+        });
+        List<String> names = LessonLibrary.names();
+        int at = names.indexOf(lesson.name());
+        JButton previous = other("lesson.previous", at > 0 ? names.get(at - 1) : "");
+        JButton next = other("lesson.next", at >= 0 && at + 1 < names.size() ? names.get(at + 1) : "");
+        return Arrange.column(
+                Theme.HALF,
+                Arrange.row(Theme.HALF, Arrange.growing((JComponent) title), previous, next),
+                small(words.of("lesson.about", Integer.toString(lesson.minutes()))));
+    }
+
+    private JButton other(String key, String name) {
+        UserAction action = new UserAction(key, words.of(key), () -> acts.open(name));
+        JButton button = ComponentNames.name(new JButton(action), key, words.of(key + ".why"));
+        button.setToolTipText(words.of(key + ".why"));
+        button.setEnabled(!name.isEmpty());
+        return button;
+    }
+
+    private static JComponent small(String text) {
+        return Theme.styled(new javax.swing.JLabel(text), label -> {
+            label.setFont(GlossaryText.font(false));
+            label.setForeground(Theme.color(Ink.QUIET));
+        });
+    }
+
+    private JComponent prediction() {
+        GlossaryText asked = text("lesson.predict.text");
+        asked.show(words.of("lesson.predict") + " " + numbers.apply(texts.of("predict")));
+        return Arrange.column(Theme.HALF, asked, field("lesson.predict", words.of("lesson.predict"), acts::predict));
+    }
+
+    /** A field with a button; Enter does the same. */
+    private JComponent field(String id, String name, java.util.function.Consumer<String> done) {
+        JTextField field = ComponentNames.name(new JTextField(), id, name);
+        UserAction give = new UserAction(id + ".give", words.of("lesson.give"), () -> {
+            if (!field.getText().isBlank()) {
+                done.accept(field.getText().strip());
+            }
+        });
+        field.addActionListener(give);
+        JButton button = ComponentNames.name(new JButton(give), id + ".give", words.of("lesson.give") + ": " + name);
+        return Arrange.row(Theme.HALF, Arrange.growing(field), button);
+    }
+
+    private JComponent work() {
+        List<Component> parts = new ArrayList<>();
+        for (LessonProgram program : lesson.programs()) {
+            if (program.isLater()) {
+                ProgramButton button = new ProgramButton(program.name());
+                programs.add(button);
+                parts.add(button.button);
+            }
+        }
+        lesson.actions().forEach(action -> parts.add(action(action)));
+        for (LessonStep step : lesson.steps()) {
+            StepRow row = new StepRow(step);
+            rows.add(row);
+            parts.add(row.component);
+        }
+        parts.add(score);
+        parts.add(question);
+        ComponentNames.name(student, "lesson.student", words.of("lesson.student"));
+        UserAction save = new UserAction(
+                "lesson.save",
+                words.of("lesson.save"),
+                () -> acts.save(student.getText().strip()));
+        parts.add(small(words.of("lesson.student")));
+        parts.add(Arrange.row(
+                Theme.HALF,
+                Arrange.growing(student),
+                ComponentNames.name(new JButton(save), "lesson.save", words.of("lesson.save"))));
+        return Arrange.column(GAP, parts.toArray(Component[]::new));
+    }
+
+    private JComponent action(LessonAction action) {
+        String name = numbers.apply(texts.of("action " + action.name()));
+        String id = "lesson.action." + action.name();
+        if (action.input() == LessonAction.Input.TEXT) {
+            GlossaryText label = text(id + ".text");
+            label.show(name);
+            return Arrange.column(Theme.HALF, label, field(id, name, input -> acts.act(action.name(), input)));
+        }
+        UserAction press = new UserAction(id, name, () -> {
+            if (action.input() == LessonAction.Input.NONE) {
+                acts.act(action.name(), "");
+            } else {
+                choose(action.name());
+            }
+        });
+        return ComponentNames.name(new JButton(press), id, name);
+    }
+
+    private void choose(String action) {
+        JFileChooser chooser = new JFileChooser();
+        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
+            acts.act(action, chooser.getSelectedFile().getAbsolutePath());
+        }
+    }
+
+    /** Shows the newest state; called on the event thread. */
+    public void show(LessonView view) {
+        work.setVisible(view.isPredicted());
+        rows.forEach(row -> row.show(view.byName().get(row.step.name())));
+        programs.forEach(button -> button.show(view.running().contains(button.name)));
+        score.show(words.of(
+                "lesson.score", view.score(), Integer.toString(view.steps().size()), Long.toString(view.seed())));
+        question.show(words.of("lesson.question") + " " + numbers.apply(texts.of("question")));
+        question.setVisible(view.isDone());
+        notice.show(view.notice());
+        notice.setVisible(!view.notice().isEmpty());
+        revalidate();
+        repaint();
+    }
+
+    /** Starts or stops a program that the lesson does not start itself. */
+    private final class ProgramButton {
+        private final String name;
+        private final JButton button;
+        private boolean isRunning;
+
+        ProgramButton(String name) {
+            this.name = name;
+            button = new JButton(new UserAction("lesson.program." + name, "", () -> {
+                if (isRunning) {
+                    acts.stopProgram(name);
+                } else {
+                    acts.startProgram(name);
+                }
+            }));
+            show(false);
+        }
+
+        void show(boolean running) {
+            isRunning = running;
+            String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", name);
+            button.setText(text);
+            ComponentNames.name(button, "lesson.program." + name, text);
+        }
+    }
+
+    /** A step: lamp and text, the answer's field, and the hint on demand. */
+    private final class StepRow {
+        private final LessonStep step;
+        private final Lamp lamp;
+        private final JComponent component;
+
+        StepRow(LessonStep step) {
+            this.step = step;
+            String text = numbers.apply(texts.of("step " + step.name()));
+            lamp = new Lamp(text);
+            lamp.setName("lesson.lamp." + step.name());
+            GlossaryText shown = text("lesson.step." + step.name());
+            shown.show(text);
+            GlossaryText hint = text("lesson.hint." + step.name());
+            hint.show(numbers.apply(texts.of("hint " + step.name())));
+            hint.setVisible(false);
+            UserAction reveal = new UserAction("lesson.hint", words.of("lesson.hint"), () -> {
+                hint.setVisible(!hint.isVisible());
+                LessonPanel.this.revalidate();
+            });
+            JButton button = ComponentNames.name(
+                    new JButton(reveal), "lesson.hint.of." + step.name(), words.of("lesson.hint") + ": " + text);
+            List<Component> parts = new ArrayList<>(List.of(shown));
+            step.answer()
+                    .ifPresent(answer ->
+                            parts.add(field("lesson.answer." + answer, text, typed -> acts.answer(answer, typed))));
+            parts.add(Arrange.row(Theme.HALF, lamp, Arrange.spring(), button));
+            parts.add(hint);
+            component = Arrange.column(Theme.HALF, parts.toArray(Component[]::new));
+        }
+
+        void show(LessonView.StepView view) {
+            switch (view.state()) {
+                case DONE -> lamp.show(StatusMark.DISC, Ink.GOOD, words.of("lesson.state.done"));
+                case LOST -> lamp.show(StatusMark.SLASHED_RING, Ink.DANGER, words.of("lesson.state.lost"));
+                case LATER -> lamp.show(StatusMark.RING, Ink.QUIET, words.of("lesson.state.later"));
+                default ->
+                    lamp.show(
+                            StatusMark.RING,
+                            view.tried() ? Ink.WARNING : Ink.QUIET,
+                            words.of(view.tried() ? "lesson.state.tried" : "lesson.state.open"));
+            }
+        }
+    }
+}
