@@ -24,12 +24,14 @@ import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
 import simgsm.lesson.LessonTexts;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.Symbol;
 import simgsm.ui.lesson.LessonActs;
 import simgsm.ui.lesson.LessonFrame;
 import simgsm.ui.lesson.LessonPanel;
 import simgsm.ui.lesson.LessonView;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
@@ -139,6 +141,7 @@ public final class WindowedLesson implements LessonActs {
         LessonPanel panel = new LessonPanel(lesson, texts, language, run::shown, this);
         frame = LessonFrame.open(
                 DesktopTexts.in(language).of("lessons.title") + ": " + texts.of("title"),
+                WindowIcon.images(Symbol.PHONE),
                 panel,
                 place.x(),
                 place.y(),

@@ -17,6 +17,7 @@ final class GlossaryText extends JEditorPane {
 
     private final Optional<Glossary> glossary;
     private String shown = "";
+    private boolean isBold;
 
     /** @param glossary whose terms become links; empty for none; @param chosen receives the term that is clicked */
     GlossaryText(String name, Optional<Glossary> glossary, Consumer<String> chosen) {
@@ -32,6 +33,12 @@ final class GlossaryText extends JEditorPane {
                 chosen.accept(event.getDescription());
             }
         });
+    }
+
+    /** Shows its text as a heading. */
+    GlossaryText bold() {
+        isBold = true;
+        return this;
     }
 
     /** No text of a lesson is smaller than 13 pixels. */
@@ -60,6 +67,8 @@ final class GlossaryText extends JEditorPane {
         setFont(font(false));
         setForeground(Theme.color(Ink.TEXT));
         setOpaque(false);
+        // Nimbus paints the background of a text that is not opaque, too.
+        setBackground(Theme.color(Ink.SURFACE, 0));
         if (shown != null && !shown.isEmpty()) {
             super.setText(html());
         }
@@ -67,6 +76,7 @@ final class GlossaryText extends JEditorPane {
 
     private String html() {
         StringBuilder html = new StringBuilder("<html><body style='margin:0'>");
+        html.append(isBold ? "<b>" : "");
         String color = String.format("#%06x", Theme.color(Ink.ACCENT).getRGB() & 0xffffff);
         for (Glossary.Part part :
                 glossary.map(all -> all.parts(shown)).orElse(java.util.List.of(Glossary.Part.plain(shown)))) {

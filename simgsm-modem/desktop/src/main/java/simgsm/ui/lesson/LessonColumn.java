@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
+import javax.swing.SwingUtilities;
 import simgsm.ui.Theme;
 
 /** A column of wrapping texts in a scroll pane: as wide as the view, as high as its texts. */
@@ -16,14 +17,16 @@ final class LessonColumn extends JPanel implements Scrollable {
         add(content, BorderLayout.CENTER);
     }
 
-    /** The texts' height depends on the width, which is known only after a first layout. */
+    /** The texts' height depends on their width, which each layout makes known to one level more. */
     @Override
     public void doLayout() {
+        int before = getPreferredSize().height;
         super.doLayout();
-        validateTree();
-        if (getPreferredSize().height != getHeight()) {
-            revalidate();
-        }
+        SwingUtilities.invokeLater(() -> {
+            if (getPreferredSize().height != before) {
+                revalidate();
+            }
+        });
     }
 
     @Override

@@ -1,5 +1,7 @@
 package simgsm.ui.lesson;
 
+import java.awt.Image;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -17,8 +19,16 @@ public final class LessonFrame {
 
     /** Opens the window; on the event thread. The place is in pixels of the screen. */
     public static LessonFrame open(
-            String title, LessonPanel panel, int x, int y, int width, int height, Supplier<LessonView> source) {
+            String title,
+            List<Image> icons,
+            LessonPanel panel,
+            int x,
+            int y,
+            int width,
+            int height,
+            Supplier<LessonView> source) {
         JFrame frame = new JFrame(title);
+        frame.setIconImages(icons);
         frame.setContentPane(panel);
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
         frame.setBounds(x, y, width, height);

@@ -91,7 +91,10 @@ public final class LessonPanel extends JPanel {
     }
 
     private GlossaryText text(String name) {
-        return new GlossaryText(name, name.equals("lesson.term") ? Optional.empty() : glossary, this::explain);
+        return new GlossaryText(
+                name,
+                name.equals("lesson.term") || name.equals("lesson.about") ? Optional.empty() : glossary,
+                this::explain);
     }
 
     private void explain(String name) {
@@ -103,18 +106,15 @@ public final class LessonPanel extends JPanel {
     }
 
     private JComponent heading() {
-        JComponent title = Theme.styled(new javax.swing.JLabel(texts.of("title")), label -> {
-            label.setFont(GlossaryText.font(true));
-            label.setForeground(Theme.color(Ink.TEXT));
-        });
+        GlossaryText title = text("lesson.title").bold();
+        title.show(texts.of("title"));
+        GlossaryText about = text("lesson.about");
+        about.show(words.of("lesson.about", Integer.toString(lesson.minutes())));
         List<String> names = LessonLibrary.names();
         int at = names.indexOf(lesson.name());
         JButton previous = other("lesson.previous", at > 0 ? names.get(at - 1) : "");
         JButton next = other("lesson.next", at >= 0 && at + 1 < names.size() ? names.get(at + 1) : "");
-        return Arrange.column(
-                Theme.HALF,
-                Arrange.row(Theme.HALF, Arrange.growing((JComponent) title), previous, next),
-                small(words.of("lesson.about", Integer.toString(lesson.minutes()))));
+        return Arrange.column(Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring()), about);
     }
 
     private JButton other(String key, String name) {
