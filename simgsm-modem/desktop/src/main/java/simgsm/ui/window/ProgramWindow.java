@@ -176,8 +176,6 @@ public final class ProgramWindow {
 
     private void open(Content content) {
         JFrame frame = new JFrame(content.title());
-        JFrame frame = new JFrame(content.title());
-        frame.setIconImages(content.icons());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
         TextBundle texts = DesktopTexts.in(language);
