@@ -1,9 +1,11 @@
 package simgsm.abis;
 
+import simgsm.abis.RslMessage.BroadcastInformation;
 import simgsm.abis.RslMessage.DataIndication;
 import simgsm.abis.RslMessage.DataRequest;
 import simgsm.abis.RslMessage.ErrorIndication;
 import simgsm.abis.RslMessage.EstablishIndication;
+import simgsm.abis.RslMessage.MeasurementResult;
 import simgsm.abis.RslMessage.PagingCommand;
 import simgsm.abis.RslMessage.ReleaseIndication;
 import simgsm.abis.RslMessage.Sapi;
@@ -20,6 +22,7 @@ import simgsm.octets.OctetWriter;
 /** RSL messages to the payload of an {@link IpaFrame#RSL} frame and back (TS 48.058, 8 and 9). */
 public final class RslCodec {
     private static final int RADIO_LINK_LAYER = 0x02;
+    private static final int DEDICATED_MANAGEMENT = 0x08;
     private static final int COMMON_CHANNEL = 0x0c;
     /** The lowest bit of the discriminator says whether the message is transparent to the base station. */
     private static final int DISCRIMINATOR_MASK = 0xfe;
@@ -29,15 +32,22 @@ public final class RslCodec {
     private static final int ERROR_INDICATION = 0x03;
     private static final int ESTABLISH_INDICATION = 0x06;
     private static final int RELEASE_INDICATION = 0x09;
+    private static final int BROADCAST_INFORMATION = 0x11;
     private static final int PAGING_COMMAND = 0x15;
     private static final int SMS_BROADCAST_COMMAND = 0x1d;
+    private static final int MEASUREMENT_RESULT = 0x28;
 
     private static final int CHANNEL_NUMBER = 0x01;
     private static final int LINK_IDENTIFIER = 0x02;
+    private static final int BS_POWER = 0x04;
     private static final int LAYER_3_INFORMATION = 0x0b;
     private static final int MOBILE_IDENTITY = 0x0c;
     private static final int PAGING_GROUP = 0x0e;
     private static final int LINK_CAUSE = 0x16;
+    private static final int UPLINK_MEASUREMENTS = 0x19;
+    private static final int RESULT_NUMBER = 0x1b;
+    private static final int SYSTEM_INFORMATION_TYPE = 0x1e;
+    private static final int FULL_BCCH_INFORMATION = 0x27;
     private static final int CHANNEL_NEEDED = 0x28;
     private static final int BROADCAST_COMMAND_TYPE = 0x29;
     private static final int BROADCAST_MESSAGE = 0x2a;
@@ -45,7 +55,10 @@ public final class RslCodec {
     /** SDCCH/8 subchannel 0 in timeslot 1: the only dedicated channel of a terminal's cell. */
     private static final int DEDICATED_CHANNEL = 0x41;
 
+    private static final int BROADCAST_CHANNEL = 0x80;
     private static final int PAGING_CHANNEL = 0x90;
+    /** Uplink levels and qualities that are not known: all zero (TS 48.058, 9.3.25). */
+    private static final int UPLINK_LENGTH = 3;
 
     private RslCodec() {}
 
@@ -70,6 +83,12 @@ public final class RslCodec {
         if (message instanceof PagingCommand paging) {
             return paging(paging.identity());
         }
+        if (message instanceof BroadcastInformation information) {
+            return information(information);
+        }
+        if (message instanceof MeasurementResult result) {
+            return measurement(result);
+        }
         return broadcast(((SmsBroadcastCommand) message).page());
     }
 
@@ -86,7 +105,45 @@ public final class RslCodec {
         if (discriminator == COMMON_CHANNEL) {
             return commonChannel(type, in);
         }
+        if (discriminator == DEDICATED_MANAGEMENT && type == MEASUREMENT_RESULT) {
+            return measurement(in);
+        }
         throw unknown(discriminator, type);
+    }
+
+    private static byte[] information(BroadcastInformation information) {
+        return header(COMMON_CHANNEL, BROADCAST_INFORMATION, BROADCAST_CHANNEL)
+                .octet(SYSTEM_INFORMATION_TYPE)
+                .octet(information.type())
+                .octet(FULL_BCCH_INFORMATION)
+                .octet(information.block().length())
+                .string(information.block())
+                .toArray();
+    }
+
+    private static byte[] measurement(MeasurementResult result) {
+        return header(DEDICATED_MANAGEMENT, MEASUREMENT_RESULT, DEDICATED_CHANNEL)
+                .octet(RESULT_NUMBER)
+                .octet(result.number())
+                .octet(UPLINK_MEASUREMENTS)
+                .octet(UPLINK_LENGTH)
+                .bytes(new byte[UPLINK_LENGTH])
+                .octet(BS_POWER)
+                .octet(0)
+                .octet(LAYER_3_INFORMATION)
+                .twoOctets(result.report().length())
+                .string(result.report())
+                .toArray();
+    }
+
+    private static MeasurementResult measurement(MessageReader in) throws ProtocolViolation {
+        expect(in, RESULT_NUMBER, "measurement result number");
+        int number = in.octet("measurement result number");
+        expect(in, UPLINK_MEASUREMENTS, "uplink measurements");
+        in.lengthAndValue("uplink measurements");
+        expect(in, BS_POWER, "BS power");
+        in.octet("BS power");
+        return new MeasurementResult(number, layer3(in));
     }
 
     private static byte[] layer3(int type, Sapi sapi, OctetString layer3) {
@@ -149,6 +206,13 @@ public final class RslCodec {
             in.octet("paging group");
             expect(in, MOBILE_IDENTITY, "mobile identity");
             return new PagingCommand(IdentityElements.readIdentity(in));
+        }
+        if (type == BROADCAST_INFORMATION) {
+            expect(in, SYSTEM_INFORMATION_TYPE, "system information type");
+            int kind = in.octet("system information type");
+            expect(in, FULL_BCCH_INFORMATION, "full BCCH information");
+            MessageReader block = in.lengthAndValue("full BCCH information");
+            return new BroadcastInformation(kind, block.string(BroadcastInformation.BLOCK_LENGTH, "BCCH block"));
         }
         if (type == SMS_BROADCAST_COMMAND) {
             expect(in, BROADCAST_COMMAND_TYPE, "broadcast command type");

@@ -51,6 +51,35 @@ public sealed interface RslMessage {
     /** Down: pages this mobile. */
     record PagingCommand(MobileIdentity identity) implements RslMessage {}
 
+    /**
+     * Down, from a cells program: SYSTEM INFORMATION of the cell on which the mobile is (TS 48.058, 8.5.1).
+     *
+     * @param block the whole BCCH block of 23 octets
+     */
+    record BroadcastInformation(int type, OctetString block) implements RslMessage {
+        /** SYSTEM INFORMATION TYPE 3 (9.3.30). */
+        public static final int TYPE_3 = 3;
+
+        public static final int BLOCK_LENGTH = 23;
+
+        public BroadcastInformation {
+            Bounds.checkOctet("system information type", type);
+            block.requireLength("BCCH block", BLOCK_LENGTH);
+        }
+    }
+
+    /**
+     * Down, from a cells program, which measures in the terminal's place: a MEASUREMENT REPORT (TS 48.058, 8.4.8). Between
+     * base station and controller this message goes up.
+     *
+     * @param number counts the reports, 0 to 255
+     */
+    record MeasurementResult(int number, OctetString report) implements RslMessage {
+        public MeasurementResult {
+            Bounds.checkOctet("measurement result number", number);
+        }
+    }
+
     /** Down: one whole cell broadcast page of 88 octets (TS 23.041). */
     record SmsBroadcastCommand(OctetString page) implements RslMessage {
         public static final int PAGE_LENGTH = 88;

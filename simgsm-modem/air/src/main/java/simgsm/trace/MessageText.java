@@ -67,6 +67,9 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         if (message instanceof RslMessage.DataRequest data) {
             return ofLayer3(data.layer3(), Direction.DOWNLINK);
         }
+        if (message instanceof RslMessage.MeasurementResult result) {
+            return ofLayer3(result.report(), Direction.UPLINK);
+        }
         List<Field> fields = new ArrayList<>();
         FieldTexts.add(fields, message);
         return new MessageText(nameOf(message), fields, OctetString.of(RslCodec.encode(message)));

@@ -11,10 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.abis.RslMessage.BroadcastInformation;
 import simgsm.abis.RslMessage.DataIndication;
 import simgsm.abis.RslMessage.DataRequest;
 import simgsm.abis.RslMessage.ErrorIndication;
 import simgsm.abis.RslMessage.EstablishIndication;
+import simgsm.abis.RslMessage.MeasurementResult;
 import simgsm.abis.RslMessage.PagingCommand;
 import simgsm.abis.RslMessage.ReleaseIndication;
 import simgsm.abis.RslMessage.Sapi;
@@ -32,6 +34,10 @@ public class RslCodecTest {
 
     private static final String PAGE = "401100320f11" + "d7".repeat(82);
 
+    private static final String TYPE_3 = "49061b1b3a00f1100001c9033c3d6500af00002b2b2b2b";
+
+    private static final String REPORT = "0615" + "1919" + "00".repeat(14);
+
     public static List<Example> examples() {
         return List.of(
                 new Example(
@@ -48,6 +54,12 @@ public class RslCodecTest {
                 new Example(new DataRequest(Sapi.SIGNALLING, OctetString.ofHex("060d00")), "0201014102000b0003060d00"),
                 new Example(new ReleaseIndication(Sapi.SHORT_MESSAGES), "020901410203"),
                 new Example(new ErrorIndication(Sapi.SIGNALLING, 1), "020301410200160101"),
+                new Example(
+                        new BroadcastInformation(BroadcastInformation.TYPE_3, OctetString.ofHex(TYPE_3)),
+                        "0c1101801e032717" + TYPE_3),
+                new Example(
+                        new MeasurementResult(17, OctetString.ofHex(REPORT)),
+                        "082801411b111903000000" + "0400" + "0b0012" + REPORT),
                 new Example(new PagingCommand(Examples.IMSI), "0c1501900e000c0829262400000000712800"),
                 new Example(new PagingCommand(new Tmsi(0x1234abcd)), "0c1501900e000c05f41234abcd2800"),
                 new Example(new SmsBroadcastCommand(OctetString.ofHex(PAGE)), "0c1d019029002a58" + PAGE));

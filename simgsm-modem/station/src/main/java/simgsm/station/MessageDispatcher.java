@@ -40,6 +40,7 @@ final class MessageDispatcher {
     private final MobileCallMessages calls;
     private final ShortMessages messages;
     private final MobileUssd ussd;
+    private final CellReception reception;
 
     MessageDispatcher(
             StationContext context,
@@ -49,7 +50,8 @@ final class MessageDispatcher {
             MobileCall call,
             KeySignalling keys,
             ShortMessages messages,
-            MobileUssd ussd) {
+            MobileUssd ussd,
+            CellReception reception) {
         this.context = context;
         this.registration = registration;
         this.services = services;
@@ -58,6 +60,7 @@ final class MessageDispatcher {
         this.calls = new MobileCallMessages(context, call, keys);
         this.messages = messages;
         this.ussd = ussd;
+        this.reception = reception;
     }
 
     void arrived(byte[] payload) {
@@ -68,11 +71,15 @@ final class MessageDispatcher {
         }
     }
 
-    private void arrived(RslMessage message) {
+    private void arrived(RslMessage message) throws ProtocolViolation {
         if (message instanceof RslMessage.DataRequest request) {
             layer3Arrived(request.layer3());
         } else if (message instanceof RslMessage.PagingCommand paging) {
             paged(paging.identity());
+        } else if (message instanceof RslMessage.BroadcastInformation information) {
+            reception.arrived(information);
+        } else if (message instanceof RslMessage.MeasurementResult result) {
+            reception.arrived(result);
         } else if (message instanceof RslMessage.SmsBroadcastCommand broadcast) {
             if (registration.isPowered()) {
                 messages.broadcastArrived(broadcast.page());

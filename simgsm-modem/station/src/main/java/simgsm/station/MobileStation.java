@@ -52,6 +52,7 @@ public final class MobileStation implements StationCommands {
     private final MobileUssd ussd;
     private final MediaControl media;
     private final MessageDispatcher dispatcher;
+    private final CellReception reception;
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
 
@@ -87,7 +88,9 @@ public final class MobileStation implements StationCommands {
         ussd = new MobileUssd(context, services);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
         services.setUser(ServiceType.SUPPLEMENTARY_SERVICE, ussd);
-        dispatcher = new MessageDispatcher(context, registration, services, mobility, call, keys, messages, ussd);
+        reception = new CellReception(context);
+        dispatcher =
+                new MessageDispatcher(context, registration, services, mobility, call, keys, messages, ussd, reception);
         snapshot = current();
     }
 
@@ -108,6 +111,7 @@ public final class MobileStation implements StationCommands {
     public void linkDown(long nowNanos) {
         timePassed(nowNanos);
         linkUp = false;
+        reception.lost();
         context.radio().setUplink(Uplink.DISCONNECTED);
         control.linkDown();
         mobility.forgetNetwork();
@@ -326,6 +330,7 @@ public final class MobileStation implements StationCommands {
                 call.state(),
                 call.peer(),
                 Optional.of(speech.codec()),
-                speech.heardCodec());
+                speech.heardCodec(),
+                reception.cell());
     }
 }

@@ -16,6 +16,7 @@ import simgsm.station.call.MobileCallState;
  * @param peer the other party of the current call, if its number is known
  * @param codec of the speech sent; empty where a real modem does not name it
  * @param heardCodec of the newest speech frame received in the current call
+ * @param cell on which the station is, where a cells program lies between it and the centre; empty in its own small cell
  */
 public record StationSnapshot(
         boolean powered,
@@ -27,4 +28,36 @@ public record StationSnapshot(
         MobileCallState callState,
         Optional<Msisdn> peer,
         Optional<SpeechCodec.Kind> codec,
-        Optional<SpeechCodec.Kind> heardCodec) {}
+        Optional<SpeechCodec.Kind> heardCodec,
+        Optional<ServingCell> cell) {
+    /** A station in its own small cell. */
+    public StationSnapshot(
+            boolean powered,
+            boolean linkUp,
+            boolean registered,
+            Optional<RejectCause> rejectCause,
+            boolean cardRefused,
+            String networkName,
+            MobileCallState callState,
+            Optional<Msisdn> peer,
+            Optional<SpeechCodec.Kind> codec,
+            Optional<SpeechCodec.Kind> heardCodec) {
+        this(
+                powered,
+                linkUp,
+                registered,
+                rejectCause,
+                cardRefused,
+                networkName,
+                callState,
+                peer,
+                codec,
+                heardCodec,
+                Optional.empty());
+    }
+
+    /** The bars that a display shows: all of them in the station's own small cell. */
+    public int signalBars(int most) {
+        return registered ? cell.map(serving -> serving.bars(most)).orElse(most) : 0;
+    }
+}

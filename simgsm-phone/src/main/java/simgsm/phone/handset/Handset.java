@@ -2,6 +2,7 @@ package simgsm.phone.handset;
 
 import java.time.InstantSource;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
@@ -113,10 +114,17 @@ public final class Handset {
 
     private List<Words> about() {
         StationSnapshot now = station.snapshot();
-        return List.of(
-                Words.of("about.own", own.digits()),
-                Words.of("about.network", now.networkName()),
-                Words.of("about.names", contacts.all().size(), SimPhoneBook.CAPACITY));
+        List<Words> lines = new ArrayList<>();
+        lines.add(Words.of("about.own", own.digits()));
+        lines.add(Words.of("about.network", now.networkName()));
+        now.cell()
+                .ifPresent(cell -> lines.add(Words.of(
+                        "lcd.cell",
+                        String.valueOf(cell.identity()),
+                        String.valueOf(cell.areaCode()),
+                        String.valueOf(cell.dbm()))));
+        lines.add(Words.of("about.names", contacts.all().size(), SimPhoneBook.CAPACITY));
+        return lines;
     }
 
     /** Sets the station, once, before anything else. */

@@ -88,7 +88,7 @@ public final class HandsetPanel extends JPanel {
         scope.show(snapshot.trace());
         if (shown == null || !snapshot.station().equals(shown.station())) {
             link.show(linkState(snapshot.station()), language);
-            signal.show(snapshot.station().registered() ? SignalBars.BARS : 0);
+            signal.show(snapshot.station().signalBars(SignalBars.BARS));
         }
         if (shown == null || !snapshot.sounding().equals(shown.sounding())) {
             keys.forEach((key, button) ->

@@ -14,6 +14,7 @@ import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.MessageFolder;
+import simgsm.station.ServingCell;
 import simgsm.station.StationSnapshot;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Symbol;
@@ -23,6 +24,9 @@ import simgsm.ui.scope.CodecText;
 final class LcdHome {
     private static final double HINT_BASELINE = 151;
     private static final int KEYED_SHOWN = 25;
+    /** So many lines of news leave no room for the cell's. */
+    private static final int CROWDED = 3;
+
     private static final int EARLIER_SHOWN = 5;
 
     private static final double MEANING_SIZE = 12.5;
@@ -60,18 +64,29 @@ final class LcdHome {
         }
         pen.ink(Ink.LCD_QUIET);
         pen.centred(texts.of("lcd.own") + " " + phone.own().digits(), pen.mono(14, true), number);
-        pen.ink(Ink.LCD_INK);
         List<String> news = news(phone);
+        if (station.registered() && news.size() < CROWDED) {
+            station.cell().ifPresent(cell -> pen.centred(cell(texts, cell), pen.mono(11, false), 111));
+        }
+        pen.ink(Ink.LCD_INK);
         if (!station.registered()) {
             reason(pen, phone);
         } else if (news.isEmpty()) {
             pen.hint(texts.of("lcd.hint.rest"), 146);
         }
-        double baseline = news.size() > 2 ? 117 : 123;
+        double baseline = news.size() >= CROWDED ? 117 : 123;
         for (String line : news) {
             pen.centred(line, pen.sans(13, true), baseline);
             baseline += 16;
         }
+    }
+
+    static String cell(TextBundle texts, ServingCell cell) {
+        return texts.of(
+                "lcd.cell",
+                String.valueOf(cell.identity()),
+                String.valueOf(cell.areaCode()),
+                String.valueOf(cell.dbm()));
     }
 
     private List<String> news(HandsetSnapshot phone) {

@@ -20,7 +20,6 @@ import simgsm.ui.Theme;
 /** Paints the phone's display from a snapshot: the status line, then the screen. */
 final class LcdPainter {
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
-    private static final int FULL_SIGNAL = 5;
     private static final double SOFT_BASELINE = 171;
 
     private final TextBundle texts;
@@ -69,7 +68,7 @@ final class LcdPainter {
     }
 
     private void statusLine(LcdPen pen, HandsetSnapshot phone, LocalTime now) {
-        int level = phone.station().registered() ? FULL_SIGNAL : 0;
+        int level = phone.station().signalBars(SignalBars.BARS);
         SignalBars.paint(
                 pen.graphics(),
                 LcdPen.MARGIN * pen.unit(),
@@ -96,7 +95,8 @@ final class LcdPainter {
     private String serviceName(HandsetSnapshot phone) {
         var station = phone.station();
         if (station.registered()) {
-            return operatorOf(station);
+            return operatorOf(station)
+                    + station.cell().map(cell -> " " + cell.identity()).orElse("");
         }
         return texts.of(station.rejectCause().isPresent() ? "lcd.service.refused" : "lcd.service.searching");
     }

@@ -108,7 +108,7 @@ public final class ModemPanel extends JPanel {
         StationSnapshot modem = line.modem();
         number.show(line.number());
         network.show(network(modem));
-        signal.show(modem.registered() ? SignalBars.BARS : 0);
+        signal.show(modem.signalBars(SignalBars.BARS));
         showCall(modem.callState());
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         codec.show(CodecText.of(modem.codec(), modem.heardCodec(), language));
@@ -124,7 +124,13 @@ public final class ModemPanel extends JPanel {
         if (modem.rejectCause().isPresent()) {
             return refusal(modem);
         }
-        return modem.registered() && !modem.networkName().isEmpty() ? modem.networkName() : texts.of("modem.noNetwork");
+        if (!modem.registered() || modem.networkName().isEmpty()) {
+            return texts.of("modem.noNetwork");
+        }
+        return modem.cell()
+                .map(cell -> texts.of(
+                        "modem.cell", modem.networkName(), String.valueOf(cell.identity()), String.valueOf(cell.dbm())))
+                .orElse(modem.networkName());
     }
 
     private String refusal(StationSnapshot modem) {

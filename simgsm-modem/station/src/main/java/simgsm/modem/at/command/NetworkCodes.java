@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
+import simgsm.station.ServingCell;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallState;
 
@@ -14,7 +15,7 @@ final class NetworkCodes {
             + "(\"call\",(0,1)),(\"roam\",(0,1)),(\"smsfull\",(0,1)),(\"callsetup\",(0-3))";
 
     /** Of the test network's one cell. */
-    private static final String CELL = "0001";
+    private static final int OWN_CELL = 1;
 
     private static final String DEFAULT_NAME = "SimGSM";
     private static final int FULL = 5;
@@ -22,9 +23,12 @@ final class NetworkCodes {
     private static final int SIGNAL_WITH_LINK = 25;
 
     private static final int SIGNAL_UNKNOWN = 99;
+    private static final int SIGNAL_MOST = 31;
+    private static final int SIGNAL_ZERO_DBM = -113;
 
     private final AtModem modem;
     private int lastRegistration = -1;
+    private String lastPlace = "";
     private List<Integer> lastIndicators = List.of();
 
     NetworkCodes(AtModem modem) {
@@ -49,13 +53,22 @@ final class NetworkCodes {
     /** State, and for mode 2 the place where the terminal is registered. */
     String registration(int mode) {
         int state = registration();
-        String area = String.format("%04X", LocationArea.TEST.areaCode());
-        return mode == 2 && state == 1 ? state + ",\"" + area + "\",\"" + CELL + "\"" : Integer.toString(state);
+        int area = station().cell().map(ServingCell::areaCode).orElse(LocationArea.TEST.areaCode());
+        int cell = station().cell().map(ServingCell::identity).orElse(OWN_CELL);
+        return mode == 2 && state == 1
+                ? String.format("%d,\"%04X\",\"%04X\"", state, area, cell)
+                : Integer.toString(state);
     }
 
     /** 0 to 31, -113 dBm and 2 dB a step, or 99. */
     int signal() {
-        return station().powered() && station().linkUp() ? SIGNAL_WITH_LINK : SIGNAL_UNKNOWN;
+        if (!station().powered() || !station().linkUp()) {
+            return SIGNAL_UNKNOWN;
+        }
+        return station()
+                .cell()
+                .map(cell -> Math.max(0, Math.min(SIGNAL_MOST, (cell.dbm() - SIGNAL_ZERO_DBM) / 2)))
+                .orElse(SIGNAL_WITH_LINK);
     }
 
     String operatorName() {
@@ -70,7 +83,10 @@ final class NetworkCodes {
         boolean isRegistered = station().registered();
         List<Integer> values = new ArrayList<>();
         values.add(FULL);
-        values.add(signal() == SIGNAL_UNKNOWN ? 0 : FULL);
+        values.add(
+                signal() == SIGNAL_UNKNOWN
+                        ? 0
+                        : station().cell().map(cell -> cell.bars(FULL)).orElse(FULL));
         values.add(isRegistered ? 1 : 0);
         values.add(modem.messages().hasUnread() ? 1 : 0);
         values.add(station().callState() == MobileCallState.ACTIVE ? 1 : 0);
@@ -82,10 +98,13 @@ final class NetworkCodes {
 
     /** Reports what has changed. */
     void check() {
-        if (registration() != lastRegistration) {
+        // mode 2 also reports another cell (TS 27.007, 7.2)
+        if (!registration(2).equals(lastPlace)) {
+            boolean isOtherState = registration() != lastRegistration;
             lastRegistration = registration();
+            lastPlace = registration(2);
             for (AtClient client : modem.clients()) {
-                if (client.settings().registrationMode > 0) {
+                if (client.settings().registrationMode > (isOtherState ? 0 : 1)) {
                     client.report("+CREG: " + registration(client.settings().registrationMode));
                 }
             }
