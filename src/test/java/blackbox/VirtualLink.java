@@ -7,8 +7,8 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import simgsm.abis.IpaFrame;
 import simgsm.center.msc.Exchange;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.station.MobileStation;
 import simgsm.station.context.Uplink;
 
@@ -21,7 +21,7 @@ final class VirtualLink {
     private final LongSupplier clockNanos;
     private boolean losesSpeech;
     private boolean losesAll;
-    private Link atExchange;
+    private Peer atExchange;
 
     VirtualLink(
             MobileStation station,

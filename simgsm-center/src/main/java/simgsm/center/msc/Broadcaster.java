@@ -1,12 +1,13 @@
 package simgsm.center.msc;
 
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.random.RandomGenerator;
-import simgsm.abis.RslMessage;
-import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.BroadcastChannel;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
@@ -109,10 +110,10 @@ final class Broadcaster {
     }
 
     private void send(Running broadcast) {
-        for (Link link : mobility.attachedLinks()) {
-            for (CellBroadcastPage page : broadcast.pages) {
-                link.sendCommon(new RslMessage.SmsBroadcastCommand(page.encode()));
-            }
+        Set<BroadcastChannel> channels = new LinkedHashSet<>();
+        mobility.attachedLinks().forEach(link -> channels.add(link.access().broadcastChannel()));
+        for (BroadcastChannel channel : channels) {
+            broadcast.pages.forEach(page -> channel.broadcast(page.encode()));
         }
         broadcast.sent++;
         if (broadcast.left().orElse(1) > 0) {

@@ -6,23 +6,28 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.random.RandomGenerator;
-import simgsm.abis.CcmCodec;
+import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.bsc.BaseStationController;
+import simgsm.center.bsc.CellSettings;
 import simgsm.center.msc.call.CallProgress;
 import simgsm.center.msc.call.CallSwitch;
 import simgsm.center.msc.call.CallView;
 import simgsm.center.msc.call.NetworkCall;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
+import simgsm.center.msc.link.PeerUser;
+import simgsm.center.msc.link.TerminalAccess;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.msc.sms.MobileMessages;
 import simgsm.center.msc.ss.UssdDialogues;
@@ -56,6 +61,8 @@ public final class Exchange {
     private final SignallingDispatcher signalling;
     private final SnapshotMaker snapshots;
     private final Link.Context links;
+    private final BaseStationController controller;
+    private final boolean speaksUdp;
 
     /** An exchange without applications. */
     public Exchange(ExchangeSettings settings, MessageStore store, Consumer<ExchangeEvent> listener) {
@@ -93,8 +100,9 @@ public final class Exchange {
                 ladder,
                 new LinkedHashSet<>(),
                 new LinkedHashSet<>(),
-                List.of(mobility, calls, mobiles, services),
-                settings.speaksUdp());
+                List.of(mobility, calls, mobiles, services));
+        speaksUdp = settings.speaksUdp();
+        controller = new BaseStationController(links, signalling, CellSettings.STANDARD, mobility::linkOf);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 
@@ -132,39 +140,44 @@ public final class Exchange {
         listener.accept(new ExchangeEvent.MessageChanged(message.id(), message.from(), message.to(), state));
     }
 
-    /** A terminal on this machine has connected. The link identifies it in all further calls. */
-    public Link linkOpened(long nowNanos, LinkPort port, String address) {
+    /** A terminal or tower on this machine has connected. The peer identifies it in all further calls. */
+    public Peer linkOpened(long nowNanos, LinkPort port, String address) {
         return linkOpened(nowNanos, port, address, true);
     }
 
-    /** A terminal has connected. @param isLocal whether it runs on this machine, without rate limits */
-    public Link linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
+    /** A terminal or tower has connected. @param isLocal whether it runs on this machine, without rate limits */
+    public Peer linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
         advanceTimers(nowNanos);
-        Link link = new Link(port, address, isLocal, links);
-        link.open();
+        Peer peer = new Peer(port, address, isLocal, timers, this::terminal, this::tower);
+        peer.open();
         settle();
-        return link;
+        return peer;
     }
 
-    public void frameReceived(long nowNanos, Link link, IpaFrame frame) {
+    private PeerUser terminal(Peer peer) {
+        return new TerminalAccess(peer, links, signalling, speaksUdp);
+    }
+
+    private PeerUser tower(Peer peer, CcmMessage.IdentityResponse identity) {
+        return controller.towerConnected(peer, identity);
+    }
+
+    public void frameReceived(long nowNanos, Peer peer, IpaFrame frame) {
         advanceTimers(nowNanos);
-        if (!link.isClosed()) {
+        if (!peer.isClosed()) {
             try {
-                receive(link, frame);
+                peer.received(frame);
             } catch (ProtocolViolation violation) {
-                link.violated(violation.getMessage());
+                peer.violated(violation.getMessage());
             }
         }
         settle();
     }
 
     /** The connection was closed by the peer, or is broken. */
-    public void linkClosed(long nowNanos, Link link, String reason) {
+    public void linkClosed(long nowNanos, Peer peer, String reason) {
         advanceTimers(nowNanos);
-        if (!link.isClosed()) {
-            LOG.log(link.hasSubscriber() ? Level.INFO : Level.DEBUG, "{0}: gone, {1}", link, reason);
-            link.forget();
-        }
+        peer.lost(reason);
         settle();
     }
 
@@ -195,24 +208,6 @@ public final class Exchange {
     /** When {@link #advance} must be called at the latest. */
     public OptionalLong nextDeadlineNanos() {
         return timers.nextDeadlineNanos();
-    }
-
-    private void receive(Link link, IpaFrame frame) throws ProtocolViolation {
-        switch (frame.stream()) {
-            case IpaFrame.SPEECH -> receiveSpeech(link, frame);
-            case IpaFrame.RSL -> signalling.receive(link, RslCodec.decode(frame.payload()));
-            case IpaFrame.MGCP -> link.media().receive(frame.payload());
-            case IpaFrame.CCM -> link.receive(CcmCodec.decode(frame.payload()));
-            default -> link.violated("sent a frame of unknown stream " + frame.stream());
-        }
-    }
-
-    private void receiveSpeech(Link link, IpaFrame frame) {
-        if (CallSwitch.isRtp(frame.payload())) {
-            calls.switchSpeech(link, frame);
-        } else {
-            link.violated("sent speech that is no RTP packet of version 2");
-        }
     }
 
     /** Connects held calls and releases unused channels, on the links on which something has happened. */
@@ -301,6 +296,11 @@ public final class Exchange {
     /** Attached subscribers. */
     public int attachedCount() {
         return register.attachedCount();
+    }
+
+    /** The towers that are connected, with the number of their free channels. */
+    public Map<String, Long> towers() {
+        return controller.freeChannels();
     }
 
     CallSwitch callSwitch() {

@@ -7,7 +7,7 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
 import simgsm.air.Direction;
-import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.Lifeline;
 import simgsm.center.msc.link.Trace;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
@@ -27,11 +27,11 @@ final class Ladder implements Trace {
     }
 
     @Override
-    public void passed(Link link, Direction direction, String name, OctetString octets) {
+    public void passed(Lifeline party, Direction direction, String name, OctetString octets) {
         if (rungs.size() == MAX_ENTRIES) {
             rungs.removeFirst();
         }
-        rungs.addLast(new Rung(link, direction, startedAt.plusNanos(timers.nowNanos()), name, octets));
+        rungs.addLast(new Rung(party, direction, startedAt.plusNanos(timers.nowNanos()), name, octets));
         passed++;
     }
 
@@ -48,7 +48,7 @@ final class Ladder implements Trace {
 
     /** A message, whose terminal may get its number later: the first message of a registration has none yet. */
     private static final class Rung {
-        private final Link link;
+        private final Lifeline party;
         private final Direction direction;
         private final Instant time;
         private final String name;
@@ -56,8 +56,8 @@ final class Ladder implements Trace {
         private LadderEntry entry;
         private boolean isFinal;
 
-        Rung(Link link, Direction direction, Instant time, String name, OctetString octets) {
-            this.link = link;
+        Rung(Lifeline party, Direction direction, Instant time, String name, OctetString octets) {
+            this.party = party;
             this.direction = direction;
             this.time = time;
             this.name = name;
@@ -66,8 +66,8 @@ final class Ladder implements Trace {
 
         LadderEntry entry() {
             if (entry == null || !isFinal) {
-                entry = made(link.lifeline());
-                isFinal = link.hasNumber();
+                entry = made(party.lifeline());
+                isFinal = party.hasNumber();
             }
             return entry;
         }

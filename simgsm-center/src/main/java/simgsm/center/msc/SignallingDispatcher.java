@@ -1,8 +1,10 @@
 package simgsm.center.msc;
 
 import java.util.Optional;
+import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
+import simgsm.air.Cause;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
@@ -16,6 +18,7 @@ import simgsm.air.ShortMessageControl;
 import simgsm.air.SupplementaryService;
 import simgsm.center.msc.call.CallSwitch;
 import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.MobileUplink;
 import simgsm.center.msc.link.Trace;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.msc.sms.MobileMessages;
@@ -24,7 +27,7 @@ import simgsm.octets.OctetString;
 import simgsm.trace.MessageText;
 
 /** Decodes uplink signalling and passes each message to its protocol. */
-final class SignallingDispatcher {
+final class SignallingDispatcher implements MobileUplink {
     private final MobilityProcedures mobility;
     private final CallSwitch calls;
     private final MobileMessages shortMessages;
@@ -44,37 +47,36 @@ final class SignallingDispatcher {
         this.trace = trace;
     }
 
-    void receive(Link link, RslMessage message) {
-        link.touch();
-        if (message instanceof RslMessage.EstablishIndication establish) {
-            establish(link, establish);
-        } else if (message instanceof RslMessage.DataIndication data) {
-            receiveLayer3(link, data.layer3());
-        } else if (message instanceof RslMessage.ReleaseIndication release) {
-            released(link, release);
-        } else if (message instanceof RslMessage.ErrorIndication error) {
-            link.violated("reports link layer error " + error.cause());
-        } else {
-            link.violated("sent " + message.getClass().getSimpleName() + ", which only the network sends");
-        }
-    }
-
     /** SAPI 3 is opened on an existing connection; any other message begins a new one, and the old one is lost. */
-    private void establish(Link link, RslMessage.EstablishIndication establish) {
-        boolean isSecondLink = establish.sapi() == RslMessage.Sapi.SHORT_MESSAGES
-                && link.radio().isEstablished();
+    @Override
+    public void established(Link link, RslMessage.Sapi sapi, OctetString layer3) {
+        boolean isSecondLink =
+                sapi == RslMessage.Sapi.SHORT_MESSAGES && link.radio().isEstablished();
         if (!isSecondLink) {
             abandon(link);
             link.radio().established();
         }
-        receiveLayer3(link, establish.layer3());
+        received(link, layer3);
     }
 
-    private void released(Link link, RslMessage.ReleaseIndication release) {
-        if (release.sapi() == RslMessage.Sapi.SIGNALLING) {
-            abandon(link);
-            link.radio().left();
+    @Override
+    public void left(Link link) {
+        abandon(link);
+        link.radio().left();
+    }
+
+    @Override
+    public void spoke(Link link, IpaFrame frame) {
+        if (CallSwitch.isRtp(frame.payload())) {
+            calls.switchSpeech(link, frame);
+        } else {
+            link.violated("sent speech that is no RTP packet of version 2");
         }
+    }
+
+    @Override
+    public void speechRefused(Link link, Cause cause) {
+        calls.speechRefused(link, cause);
     }
 
     private static void abandon(Link link) {
@@ -83,7 +85,9 @@ final class SignallingDispatcher {
         }
     }
 
-    private void receiveLayer3(Link link, OctetString layer3) {
+    @Override
+    public void received(Link link, OctetString layer3) {
+        link.touch();
         if (!link.radio().isEstablished()) {
             return;
         }

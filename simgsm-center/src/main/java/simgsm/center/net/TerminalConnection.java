@@ -1,13 +1,15 @@
 package simgsm.center.net;
 
+import java.util.function.Consumer;
 import simgsm.abis.IpaConnection;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.MediaPort;
 import simgsm.center.capture.WireTap;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.timer.RateLimit;
 
-/** One terminal's connection to the exchange. */
+/** The connection of one terminal or tower to the exchange. */
 final class TerminalConnection extends IpaConnection implements LinkPort {
     /** From another machine: twenty times a call with all its keys. */
     static final int REMOTE_FRAMES_PER_SECOND = 1_000;
@@ -22,7 +24,7 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
 
     private final CenterLoop center;
     private final WireTap tap;
-    private Link link;
+    private Peer peer;
 
     TerminalConnection(Endpoint endpoint, CenterLoop center, WireTap tap) {
         super(endpoint, rate(endpoint.address().getAddress().isLoopbackAddress()), MOST_SIGNALLING_FRAMES, tap::sent);
@@ -38,7 +40,7 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
 
     @Override
     protected void opened() {
-        link = center.changing().linkOpened(center.nowNanos(), this, CenterLoop.text(address()), isLocal());
+        peer = center.changing().linkOpened(center.nowNanos(), this, CenterLoop.text(address()), isLocal());
     }
 
     @Override
@@ -49,7 +51,12 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
 
     @Override
     protected void speechArrived(IpaFrame frame) {
-        center.changing().frameReceived(center.nowNanos(), link, frame);
+        center.changing().frameReceived(center.nowNanos(), peer, frame);
+    }
+
+    @Override
+    public MediaPort newMedia(Consumer<byte[]> received) {
+        return furtherMedia(rtp -> center.changing().perform(center.nowNanos(), () -> received.accept(rtp)));
     }
 
     @Override
@@ -65,7 +72,7 @@ final class TerminalConnection extends IpaConnection implements LinkPort {
 
     @Override
     protected void lost(String reason) {
-        center.changing().linkClosed(center.nowNanos(), link, reason);
+        center.changing().linkClosed(center.nowNanos(), peer, reason);
     }
 
     @Override

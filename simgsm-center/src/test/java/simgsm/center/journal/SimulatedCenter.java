@@ -27,7 +27,7 @@ import simgsm.air.ShortMessageControl.CpData;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
-import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.Peer;
 import simgsm.center.smpp.SmppServer;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
@@ -240,7 +240,7 @@ final class SimulatedCenter {
     }
 
     /** A frame arrives. A receiver that registers by it is tried at once: none of its messages waits for its schedule. */
-    void receive(Link link, IpaFrame frame) {
+    void receive(Peer link, IpaFrame frame) {
         attachedNow.clear();
         exchange.frameReceived(ownNanos(), link, frame);
         if (attachedNow.isEmpty()) {

@@ -11,8 +11,8 @@ import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.sim.SimCard;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
@@ -41,7 +41,7 @@ final class SimulatedPhone {
         /** What sees the frames that go down. */
         private final Consumer<IpaFrame> watch;
 
-        Link link;
+        Peer link;
         boolean isDropped;
 
         Wire(Consumer<IpaFrame> watch) {

@@ -20,6 +20,7 @@ import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.call.CallLeg;
 import simgsm.center.msc.call.NetworkCallState;
+import simgsm.center.msc.link.TerminalAccess;
 
 /**
  * Every message that a mobile can send, in every state of the network's side of its call (TS 24.008, 5 and 8): what is
@@ -58,7 +59,7 @@ class CallStateWalkTest {
     /** A mobile in the middle of a call, and the call's transaction as it writes it. */
     private record Party(TestMobile mobile, TransactionIdentifier transaction) {
         Optional<CallLeg> leg() {
-            return mobile.network.exchange.callSwitch().leg(mobile.link, transaction);
+            return mobile.network.exchange.callSwitch().leg(TerminalAccess.linkOf(mobile.link), transaction);
         }
 
         String state() {

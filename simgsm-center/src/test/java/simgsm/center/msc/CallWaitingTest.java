@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Test;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
@@ -40,7 +40,7 @@ class CallWaitingTest {
         final List<String> told = new ArrayList<>();
         final Deque<IpaFrame> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
-        final Link link;
+        final Peer link;
 
         Phone(String number, boolean takesWaiting) {
             station = new MobileStation(

@@ -19,8 +19,8 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.tools.fuzz.FuzzStation;
 
 /**
@@ -32,20 +32,20 @@ class ExchangeFuzzTest {
     private static final int PEERS = 6;
     private static final long FRAMES = Long.getLong("fuzz.frames", 6_000);
 
-    private static final class Peer {
+    private static final class FuzzPeer {
         final FuzzStation fuzz;
         final Deque<byte[]> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
         IpaFramer framer;
-        Link link;
+        Peer link;
         boolean isClosed;
 
-        Peer(FuzzStation fuzz) {
+        FuzzPeer(FuzzStation fuzz) {
             this.fuzz = fuzz;
         }
     }
 
-    private final List<Peer> peers = new ArrayList<>();
+    private final List<FuzzPeer> peers = new ArrayList<>();
     private final Deque<Long> uncommitted = new ArrayDeque<>();
     private final Exchange exchange = new Exchange(
             new ExchangeSettings("SimGSM", 1, Instant.parse("2026-11-21T12:00:00Z")),
@@ -67,7 +67,7 @@ class ExchangeFuzzTest {
         for (int i = 0; i < PEERS; i++) {
             numbers.add(new Msisdn(String.valueOf(7_900_000 + i)));
         }
-        numbers.forEach(number -> peers.add(new Peer(new FuzzStation(number, numbers, random.split()))));
+        numbers.forEach(number -> peers.add(new FuzzPeer(new FuzzStation(number, numbers, random.split()))));
         long calls = 0;
         while (frames() < FRAMES) {
             step(peers.get(random.nextInt(PEERS)));
@@ -82,7 +82,7 @@ class ExchangeFuzzTest {
         return peers.stream().mapToLong(peer -> peer.fuzz.frames()).sum();
     }
 
-    private void step(Peer peer) {
+    private void step(FuzzPeer peer) {
         nowNanos += random.nextInt(50) == 0
                 ? random.nextLong(Duration.ofSeconds(40).toNanos())
                 : random.nextLong(Duration.ofMillis(40).toNanos());
@@ -101,7 +101,7 @@ class ExchangeFuzzTest {
         }
     }
 
-    private void connect(Peer peer) {
+    private void connect(FuzzPeer peer) {
         peer.framer = new IpaFramer();
         peer.isClosed = false;
         peer.link = exchange.linkOpened(
@@ -121,7 +121,7 @@ class ExchangeFuzzTest {
         peer.fuzz.connected(peer.up::add, nowNanos);
     }
 
-    private void upwards(Peer peer) {
+    private void upwards(FuzzPeer peer) {
         try {
             for (byte[] octets = peer.up.poll(); octets != null; octets = peer.up.poll()) {
                 peer.framer.accept(ByteBuffer.wrap(octets));
@@ -142,7 +142,7 @@ class ExchangeFuzzTest {
         }
     }
 
-    private void disconnect(Peer peer) {
+    private void disconnect(FuzzPeer peer) {
         exchange.linkClosed(nowNanos, peer.link, "gone");
         peer.link = null;
         peer.up.clear();

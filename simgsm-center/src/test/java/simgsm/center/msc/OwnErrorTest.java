@@ -11,8 +11,9 @@ import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RadioResource;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
+import simgsm.center.msc.link.TerminalAccess;
 
 /** An error of the centre's own ends the link that it belongs to, and no other. */
 class OwnErrorTest {
@@ -38,7 +39,7 @@ class OwnErrorTest {
                 closedFor = Optional.of(reason);
             }
         };
-        Link link = network.exchange.linkOpened(network.nowNanos, port, "one with an error");
+        Peer link = network.exchange.linkOpened(network.nowNanos, port, "one with an error");
         byte[] identity = CcmCodec.encode(new CcmMessage.IdentityResponse("phone", "490154203237518"));
         network.exchange.frameReceived(network.nowNanos, link, new IpaFrame(IpaFrame.CCM, identity));
     }
@@ -52,7 +53,9 @@ class OwnErrorTest {
         other.register();
         assertEquals(Optional.of("internal error"), closedFor);
         assertEquals(Optional.empty(), other.closedFor);
-        assertEquals("5550100", other.link.subscriber().number().digits());
+        assertEquals(
+                "5550100",
+                TerminalAccess.linkOf(other.link).subscriber().number().digits());
         assertEquals(1, network.exchange.linkCount());
     }
 

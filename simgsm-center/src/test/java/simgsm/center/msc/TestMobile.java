@@ -27,8 +27,8 @@ import simgsm.air.RadioResource;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.octets.OctetString;
 import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
@@ -40,7 +40,7 @@ final class TestMobile implements LinkPort {
     final TestNetwork network;
     final Imsi imsi;
     final Imei imei;
-    final Link link;
+    final Peer link;
 
     /** What has come down: layer-3 and RSL messages, CCM messages and speech payloads, oldest first. */
     final ArrayDeque<Object> received = new ArrayDeque<>();

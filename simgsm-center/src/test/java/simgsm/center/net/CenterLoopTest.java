@@ -30,8 +30,8 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSettings;
-import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.Peer;
 import simgsm.center.smsc.MessageStore;
 
 /** What real sockets do to frames: split them, join them, break off in the middle, and send nonsense. */
@@ -219,7 +219,7 @@ class CenterLoopTest {
         CountDownLatch isUndone = new CountDownLatch(1);
         CountDownLatch isAtTheDoor = new CountDownLatch(1);
         loop.post(exchange -> {
-            Link link = exchange.linkOpened(loop.nowNanos(), new FaultyLine(), "faulty");
+            Peer link = exchange.linkOpened(loop.nowNanos(), new FaultyLine(), "faulty");
             assertThrows(
                     IllegalStateException.class,
                     () -> exchange.frameReceived(loop.nowNanos(), link, TestClient.serviceRequest()));

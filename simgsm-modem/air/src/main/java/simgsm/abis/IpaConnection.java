@@ -2,10 +2,10 @@ package simgsm.abis;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -27,20 +27,12 @@ public abstract class IpaConnection extends Connection implements MediaPort {
     /** After a portion that was too fast; at 1 000 frames/s ten frames are due again then. */
     private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
-    /** Datagrams of speech: twice a call's rate. */
-    private static final int MEDIA_PER_SECOND = 100;
-    /** What a peer sends at once after a stall of 4 s. */
-    private static final int MEDIA_BURST = 200;
-
     private static final System.Logger LOG = System.getLogger(IpaConnection.class.getName());
 
     private final RateLimitedFrameReader reader;
     private final OutputQueue output;
-    private final RateLimit mediaRate = new RateLimit(MEDIA_PER_SECOND, MEDIA_BURST);
-    /** Null while there is none. */
-    private Datagrams media;
-
-    private int mediaPeerPort;
+    private final MediaSocket media = new MediaSocket(this, this::mediaArrived);
+    private final List<MediaSocket> further = new ArrayList<>();
 
     /**
      * @param rate at which frames are read
@@ -69,56 +61,39 @@ public abstract class IpaConnection extends Connection implements MediaPort {
 
     @Override
     public final Optional<MediaAddress> openMedia() {
-        closeMedia();
-        try {
-            media = openDatagrams(this::mediaArrived);
-            return Optional.of(new MediaAddress(
-                    media.localAddress().getAddress().getHostAddress(),
-                    media.localAddress().getPort()));
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "{0}: no RTP over UDP, {1}", address(), e.getMessage());
-            return Optional.empty();
-        }
+        return media.openMedia();
     }
 
     @Override
     public final boolean connectMedia(MediaAddress peer) {
-        InetAddress host = address().getAddress();
-        if (media == null || peer.port() == 0 || !peer.host().equals(host.getHostAddress())) {
-            return false;
-        }
-        try {
-            media.connect(new InetSocketAddress(host, peer.port()));
-            mediaPeerPort = peer.port();
-            return true;
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "{0}: no RTP over UDP, {1}", address(), e.getMessage());
-            return false;
-        }
+        return media.connectMedia(peer);
     }
 
     @Override
     public final boolean sendMedia(byte[] rtp) {
-        boolean isSent = media != null && media.send(rtp);
-        if (isSent) {
-            mediaPassed(false, mediaPeerPort, media.localAddress().getPort(), rtp);
-        }
-        return isSent;
+        return media.sendMedia(rtp);
     }
 
     @Override
     public final void closeMedia() {
-        if (media != null) {
-            media.close();
-            media = null;
-        }
+        media.closeMedia();
+    }
+
+    /** A further socket for speech; it ends with this connection. @param received is given each packet */
+    protected final MediaPort furtherMedia(Consumer<byte[]> received) {
+        further.removeIf(MediaSocket::isClosed);
+        MediaSocket socket = new MediaSocket(this, received);
+        further.add(socket);
+        return socket;
+    }
+
+    /** A socket for datagrams, on the thread of this connection. */
+    final Datagrams datagrams(Consumer<byte[]> received) throws IOException {
+        return openDatagrams(received);
     }
 
     private void mediaArrived(byte[] rtp) {
-        if (isOpen() && media != null && rtp.length <= IpaFrame.MAX_PAYLOAD && mediaRate.take(System.nanoTime())) {
-            mediaPassed(true, mediaPeerPort, media.localAddress().getPort(), rtp);
-            speechArrived(new IpaFrame(IpaFrame.SPEECH, rtp));
-        }
+        speechArrived(new IpaFrame(IpaFrame.SPEECH, rtp));
     }
 
     /** A datagram of speech has arrived, as a frame. */
@@ -171,6 +146,7 @@ public abstract class IpaConnection extends Connection implements MediaPort {
     @Override
     protected void closing(boolean isByPeer) {
         closeMedia();
+        further.forEach(MediaSocket::closeMedia);
         if (output.dropped() > 0) {
             LOG.log(Level.INFO, "{0}: {1} speech frames dropped, the peer was too slow", address(), output.dropped());
         }

@@ -101,6 +101,12 @@ public final class CallLeg implements PagedTransaction {
         fire(NetworkCallEvent.CLEAR, why, Optional.of(why));
     }
 
+    /** Clears both legs, because this one's mobile gets no traffic channel. */
+    void refuseSpeech(Cause why) {
+        clear(why);
+        call.cleared(this, why);
+    }
+
     // From the link.
 
     @Override

@@ -202,12 +202,18 @@ public final class CallSwitch implements LinkUser {
             speechFramesSwitched++;
             IpaFrame audible = leg.audible(frame);
             if (audible != null) {
-                listening.link().sendSpeech(audible);
+                listening.link().access().sendSpeech(audible);
             }
             keyTap.passed(leg, frame.payload());
         }
     }
 
+    /** The speech path of a mobile cannot be had: calls that need it end. */
+    public void speechRefused(Link link, Cause cause) {
+        on(link).live().stream().filter(leg -> leg.state().needsSpeechPath()).forEach(leg -> leg.refuseSpeech(cause));
+    }
+
+    /** Whether these octets are an RTP packet of version 2. */
     public static boolean isRtp(byte[] payload) {
         return payload.length > RTP_HEADER_LENGTH && (payload[0] & RTP_VERSION_MASK) == RTP_VERSION_2;
     }

@@ -10,6 +10,7 @@ import simgsm.air.Cause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
+import simgsm.center.msc.link.RadioAccess.SpeechNeed;
 import simgsm.timer.Timer;
 
 /**
@@ -39,8 +40,15 @@ final class LinkCalls {
         } else if (!legs.contains(leg)) {
             legs.add(leg);
         }
-        link.media().setInUse(legs.stream().anyMatch(each -> each.state().mayHear()));
+        link.access().setSpeechNeed(speechNeed());
         link.touch();
+    }
+
+    private SpeechNeed speechNeed() {
+        if (legs.stream().anyMatch(each -> each.state().mayHear())) {
+            return SpeechNeed.HEARD;
+        }
+        return legs.stream().anyMatch(each -> each.state().needsSpeechPath()) ? SpeechNeed.PREPARED : SpeechNeed.NONE;
     }
 
     /** @param received the transaction as the mobile writes it */

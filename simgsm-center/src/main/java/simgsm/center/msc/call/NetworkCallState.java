@@ -64,6 +64,14 @@ public enum NetworkCallState {
         return this == ACTIVE || this == CONNECT_INDICATION;
     }
 
+    /**
+     * Whether a tower gives the mobile a traffic channel: from CALL PROCEEDING or CALL CONFIRMED on, so that it is there when the
+     * called party answers.
+     */
+    boolean needsSpeechPath() {
+        return this == CALL_PROCEEDING || this == CALL_CONFIRMED || mayHear();
+    }
+
     /** Whether the mobile may hear something: from alerting to the end of clearing. */
     boolean mayHear() {
         return this == CALL_DELIVERED || this == CALL_RECEIVED || this == DISCONNECT_INDICATION || speaks();

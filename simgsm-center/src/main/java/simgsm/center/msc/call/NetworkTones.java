@@ -75,6 +75,6 @@ final class NetworkTones {
         RtpPacket packet = new RtpPacket(
                 RtpPacket.A_LAW, sequence++ & 0xffff, Integer.toUnsignedLong(timestamp), SOURCE, codec.encode(samples));
         timestamp += SpeechCodec.SAMPLES_PER_FRAME;
-        link.sendSpeech(new IpaFrame(IpaFrame.SPEECH, packet.encode()));
+        link.access().sendSpeech(new IpaFrame(IpaFrame.SPEECH, packet.encode()));
     }
 }

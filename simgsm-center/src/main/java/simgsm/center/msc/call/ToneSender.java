@@ -147,7 +147,7 @@ public final class ToneSender {
         if (listener != null) {
             isAhead = true;
             waitFor(FRAME_NANOS);
-            listener.link().sendSpeech(nextFrame());
+            listener.link().access().sendSpeech(nextFrame());
         }
     }
 

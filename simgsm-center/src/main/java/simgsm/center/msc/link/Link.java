@@ -3,11 +3,6 @@ package simgsm.center.msc.link;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Set;
-import simgsm.abis.CcmCodec;
-import simgsm.abis.CcmMessage;
-import simgsm.abis.IpaFrame;
-import simgsm.abis.KeepAlive;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -15,30 +10,26 @@ import simgsm.air.Layer3Message;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.octets.OctetString;
-import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 import simgsm.trace.MessageText;
 
-/** The connection of one terminal, which is mobile and cell in one. An opaque handle to the exchange's driver. */
-public final class Link {
+/** One mobile as the exchange knows it: its subscriber, its radio connection, and the way to reach it. */
+public final class Link implements Lifeline {
     /** Protocol errors that are answered as the standard says before the link is closed. */
     public static final int MAX_VIOLATIONS = 100;
 
     private static final int MAX_LOGGED_VIOLATIONS = 3;
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
 
-    private final LinkPort port;
+    private final RadioAccess access;
     private final Context context;
     private final Timers timers;
     private final NetworkRadioConnection radio;
     private final Paging paging;
-    private final LinkMedia media;
-    private final KeepAlive keepAlive;
     private final TerminalRateLimits rateLimits;
     private final String address;
     private Subscriber subscriber;
     private boolean isClosed;
-    private Timer identification;
     private String lifeline;
     private int violations;
 
@@ -48,40 +39,25 @@ public final class Link {
      * @param open all open links
      * @param touched links that the exchange looks at before it returns to its driver
      * @param users protocols on top of the links, in the order in which they end when a radio connection is lost
-     * @param speaksUdp whether terminals are asked for speech as RTP over UDP
      */
-    public record Context(
-            Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users, boolean speaksUdp) {}
+    public record Context(Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users) {}
 
-    /** @param isLocal whether the terminal runs on this machine, without rate limits */
-    public Link(LinkPort port, String address, boolean isLocal, Context context) {
-        this.port = port;
+    /**
+     * A mobile that has not registered.
+     *
+     * @param address stands for its number until then
+     * @param isLocal whether it has no rate limits, because it runs on this machine
+     */
+    public Link(RadioAccess access, String address, boolean isLocal, Context context) {
+        this.access = access;
         this.address = address;
         this.lifeline = address;
         this.context = context;
         this.timers = context.timers().ownedBy(this::failed);
         this.radio = new NetworkRadioConnection(this);
         this.paging = new Paging(this);
-        this.media = new LinkMedia(this, port, context.speaksUdp());
-        this.keepAlive = new KeepAlive(timers, this::sendCcm, this::drop);
         this.rateLimits = new TerminalRateLimits(isLocal, timers);
-    }
-
-    /** Asks the peer for its identity and begins to supervise the connection. */
-    public void open() {
         context.open().add(this);
-        sendCcm(new CcmMessage.IdentityRequest());
-        keepAlive.start();
-        identification = timers.start(NetworkTimer.IDENTIFICATION.nanos(), () -> drop("has not identified itself"));
-    }
-
-    public void receive(CcmMessage message) {
-        if (message instanceof CcmMessage.IdentityResponse) {
-            timers.cancel(identification);
-            sendCcm(new CcmMessage.IdentityAcknowledge());
-        } else {
-            keepAlive.receive(message);
-        }
     }
 
     /** Timers of this link; an error in one closes the link. */
@@ -97,8 +73,8 @@ public final class Link {
         return paging;
     }
 
-    public LinkMedia media() {
-        return media;
+    public RadioAccess access() {
+        return access;
     }
 
     public TerminalRateLimits rateLimits() {
@@ -121,7 +97,6 @@ public final class Link {
     /** Takes a registered subscriber. */
     public void register(Subscriber registered) {
         subscriber = registered;
-        timers.cancel(identification);
         lifeline = registered.number().digits();
     }
 
@@ -131,11 +106,13 @@ public final class Link {
     }
 
     /** The number that was registered here last, else the peer's address. */
+    @Override
     public String lifeline() {
         return lifeline;
     }
 
     /** Whether a subscriber was ever registered here. */
+    @Override
     public boolean hasNumber() {
         return !lifeline.equals(address);
     }
@@ -146,25 +123,15 @@ public final class Link {
             return;
         }
         OctetString layer3 = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
-        context.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message, Direction.DOWNLINK), layer3);
+        trace(Direction.DOWNLINK, MessageText.nameOf(message, Direction.DOWNLINK), layer3);
         RslMessage.Sapi sapi =
                 message instanceof ShortMessageControl ? RslMessage.Sapi.SHORT_MESSAGES : RslMessage.Sapi.SIGNALLING;
-        port.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(new RslMessage.DataRequest(sapi, layer3))));
+        access.send(sapi, layer3);
     }
 
-    /** Sends a message on a common channel: paging, cell broadcast. */
-    public void sendCommon(RslMessage message) {
-        byte[] octets = RslCodec.encode(message);
-        context.trace().passed(this, Direction.DOWNLINK, MessageText.nameOf(message), OctetString.of(octets));
-        port.send(new IpaFrame(IpaFrame.RSL, octets));
-    }
-
-    public void sendSpeech(IpaFrame frame) {
-        media.sendSpeech(frame);
-    }
-
-    private void sendCcm(CcmMessage message) {
-        port.send(new IpaFrame(IpaFrame.CCM, CcmCodec.encode(message)));
+    /** Tells the operator of a message; see {@link Trace}. */
+    public void trace(Direction direction, String name, OctetString octets) {
+        context.trace().passed(this, direction, name, octets);
     }
 
     List<LinkUser> users() {
@@ -181,7 +148,7 @@ public final class Link {
         if (!isClosed) {
             LOG.log(hasNumber() ? Level.INFO : Level.DEBUG, "{0}: closed, {1}", this, reason);
             forget();
-            port.close(reason);
+            access.close(reason);
         }
     }
 
@@ -191,13 +158,13 @@ public final class Link {
         drop("internal error");
     }
 
-    /** The connection is closed: all transactions end, and the subscriber is detached. */
+    /** The mobile is gone: all transactions end, and the subscriber is detached. */
     public void forget() {
+        if (isClosed) {
+            return;
+        }
         isClosed = true;
-        keepAlive.stop();
-        timers.cancel(identification);
         radio.close();
-        media.close();
         loseTransactions();
         users().forEach(user -> user.linkClosed(this));
         context.open().remove(this);

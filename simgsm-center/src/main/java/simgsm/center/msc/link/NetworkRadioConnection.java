@@ -1,6 +1,5 @@
 package simgsm.center.msc.link;
 
-import simgsm.air.RadioResource;
 import simgsm.timer.Timer;
 
 /**
@@ -14,8 +13,6 @@ public final class NetworkRadioConnection {
         /** CHANNEL RELEASE is sent; uplink messages are ignored until the mobile has left. */
         RELEASING
     }
-
-    private static final int NORMAL_RELEASE = 0;
 
     private final Link link;
     private State state = State.IDLE;
@@ -84,7 +81,7 @@ public final class NetworkRadioConnection {
     }
 
     public void release() {
-        link.send(new RadioResource.ChannelRelease(NORMAL_RELEASE));
+        link.access().release();
         takeService();
         state = State.RELEASING;
         leaving = link.timers().start(NetworkTimer.T3109.nanos(), this::left);

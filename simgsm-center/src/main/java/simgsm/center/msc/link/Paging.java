@@ -4,7 +4,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
-import simgsm.abis.RslMessage;
 import simgsm.air.MobileIdentity;
 import simgsm.timer.Timer;
 
@@ -16,6 +15,7 @@ public final class Paging {
     private final Set<PagedTransaction> waiting = new LinkedHashSet<>();
     private Timer repetition;
     private int attempts;
+    private boolean isUnanswered;
 
     Paging(Link link) {
         this.link = link;
@@ -48,7 +48,13 @@ public final class Paging {
 
     /** The mobile is on a connection, whatever its first message was. */
     public void answered() {
+        isUnanswered = false;
         end(PagedTransaction::radioConnected);
+    }
+
+    /** Whether the mobile has not answered the last paging, so that it may be gone. */
+    public boolean isUnanswered() {
+        return isUnanswered;
     }
 
     public void fail() {
@@ -68,12 +74,13 @@ public final class Paging {
             return;
         }
         if (attempts == MAX_ATTEMPTS || !link.hasSubscriber()) {
+            isUnanswered = true;
             fail();
             return;
         }
         attempts++;
         repetition = link.timers().start(NetworkTimer.T3113.nanos(), this::page);
-        link.sendCommon(new RslMessage.PagingCommand(identity()));
+        link.access().page(identity());
     }
 
     /** The TMSI; in the last attempt the IMSI, because the mobile may have missed its latest TMSI. */

@@ -6,5 +6,5 @@ import simgsm.octets.OctetString;
 /** Receives every signalling message that passes a link. */
 public interface Trace {
     /** @param octets the layer 3 message, or the RSL message where there is no layer 3 */
-    void passed(Link link, Direction direction, String name, OctetString octets);
+    void passed(Lifeline party, Direction direction, String name, OctetString octets);
 }

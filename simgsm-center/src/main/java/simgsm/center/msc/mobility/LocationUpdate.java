@@ -4,7 +4,6 @@ import java.lang.System.Logger.Level;
 import java.util.Optional;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
-import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RejectCause;
@@ -172,7 +171,7 @@ final class LocationUpdate {
                         link, mobility.register().home().cardOf(imsi).orElseThrow(), this::authenticated);
             case SEND_ACCEPT -> {
                 link.send(new MobilityManagement.LocationUpdatingAccept(
-                        LocationArea.TEST, Optional.of(mobility.register().allocateTmsi(admitted))));
+                        link.access().area(), Optional.of(mobility.register().allocateTmsi(admitted))));
                 mobility.attached(admitted, equipment, link);
             }
             case CONFIRM_TMSI -> mobility.register().confirmTmsi(admitted);

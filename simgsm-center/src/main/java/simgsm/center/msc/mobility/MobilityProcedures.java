@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
+import simgsm.air.Imsi;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RadioResource;
@@ -58,6 +59,17 @@ public final class MobilityProcedures implements LinkUser {
     /** The link of an attached subscriber. */
     public Optional<Link> locationOf(Subscriber subscriber) {
         return Optional.ofNullable(locations.get(subscriber));
+    }
+
+    /** The link of an attached subscriber, by IMSI or TMSI. */
+    public Optional<Link> linkOf(MobileIdentity identity) {
+        Optional<Subscriber> subscriber = Optional.empty();
+        if (identity instanceof Tmsi tmsi) {
+            subscriber = register.ofTmsi(tmsi);
+        } else if (identity instanceof Imsi imsi) {
+            subscriber = register.home().numberOf(imsi).flatMap(register::ofNumber);
+        }
+        return subscriber.flatMap(this::locationOf);
     }
 
     /** The links of all attached subscribers. */
@@ -223,11 +235,23 @@ public final class MobilityProcedures implements LinkUser {
         if (old == null || old == link) {
             return true;
         }
-        if (!subscriber.imei().equals(Optional.of(imei))) {
+        boolean isSameEquipment = subscriber.imei().equals(Optional.of(imei));
+        if (!isSameEquipment && !old.paging().isUnanswered()) {
             return false;
+        }
+        if (isSameEquipment && old.access().isShared()) {
+            move(subscriber, old);
+            return true;
         }
         old.drop("the same equipment has registered " + subscriber + " on a new link");
         return true;
+    }
+
+    /** A mobile of towers updates its location on a new radio connection: it stays attached. */
+    private void move(Subscriber subscriber, Link old) {
+        old.deregister();
+        locations.remove(subscriber);
+        old.drop(subscriber + " has updated its location");
     }
 
     void attached(Subscriber subscriber, Imei imei, Link link) {

@@ -1,0 +1,203 @@
+package simgsm.center.bsc;
+
+import java.lang.System.Logger.Level;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.rsl.RslType;
+import simgsm.air.ChannelNumber;
+import simgsm.air.Direction;
+import simgsm.air.IdentityElements;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Message;
+import simgsm.air.LocationArea;
+import simgsm.air.MobileIdentity;
+import simgsm.air.MobilityManagement;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.center.bsc.handover.NeighbourCell;
+import simgsm.center.msc.link.BroadcastChannel;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.MobileUplink;
+import simgsm.center.msc.link.Peer;
+import simgsm.center.msc.link.PeerUser;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+import simgsm.rr.FrequencyList;
+import simgsm.timer.Timers;
+
+/**
+ * The base station controller: the towers, and the mobiles that are reached by them. Towards the towers it speaks RSL as osmo-bsc does;
+ * towards the exchange each mobile is a {@link Link} like that of a terminal with its own cell.
+ */
+public final class BaseStationController implements BroadcastChannel {
+    private static final System.Logger LOG = System.getLogger(BaseStationController.class.getName());
+
+    private static final ChannelNumber PCH = ChannelNumber.of(ChannelNumber.Kind.PCH_AGCH, 0);
+    /** Combined common channels: 3 blocks less one for access grant, in each of 5 multiframes (TS 45.002, 6.5). */
+    private static final int PAGING_GROUPS = 10;
+
+    private static final int IMSI_MODULUS = 1_000;
+    private static final int HANDOVER_REFERENCES = 256;
+
+    private final Link.Context links;
+    private final MobileUplink uplink;
+    private final CellSettings settings;
+    private final Function<MobileIdentity, Optional<Link>> known;
+    private final Map<String, Tower> towers = new LinkedHashMap<>();
+    private int handoverReference;
+
+    /**
+     * @param links what all links share
+     * @param uplink takes what mobiles send
+     * @param known finds the link of a registered subscriber
+     */
+    public BaseStationController(
+            Link.Context links,
+            MobileUplink uplink,
+            CellSettings settings,
+            Function<MobileIdentity, Optional<Link>> known) {
+        this.links = links;
+        this.uplink = uplink;
+        this.settings = settings;
+        this.known = known;
+    }
+
+    /** A peer has said that it is a tower; an older link of the same unit id is replaced. */
+    public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
+        Tower old = towers.get(identity.unitId());
+        if (old != null) {
+            old.replace();
+        }
+        Tower tower = new Tower(this, peer, identity.unitId(), TowerPlan.of(identity, towers.size()));
+        towers.put(identity.unitId(), tower);
+        LOG.log(
+                Level.INFO,
+                "tower {0} ({1}): {2}, location area {3,number,#}",
+                tower,
+                identity.unitId(),
+                tower.plan().cell(),
+                tower.plan().area().areaCode());
+        listNeighbours(tower);
+        tower.start();
+        return tower;
+    }
+
+    void towerLost(Tower tower) {
+        if (towers.remove(tower.unitId(), tower)) {
+            listNeighbours(null);
+        }
+    }
+
+    /** Each cell lists all others. @param newcomer is not told yet */
+    private void listNeighbours(Tower newcomer) {
+        for (Tower tower : List.copyOf(towers.values())) {
+            List<Integer> others = towers.values().stream()
+                    .filter(other -> other != tower)
+                    .map(other -> other.plan().cell().frequency())
+                    .distinct()
+                    .sorted(FrequencyList.ORDER)
+                    .toList();
+            tower.setNeighbours(others, tower != newcomer);
+        }
+    }
+
+    Link.Context links() {
+        return links;
+    }
+
+    Timers timers() {
+        return links.timers();
+    }
+
+    MobileUplink uplink() {
+        return uplink;
+    }
+
+    CellSettings settings() {
+        return settings;
+    }
+
+    /** The tower with this cell. */
+    Optional<Tower> tower(NeighbourCell cell) {
+        return towers.values().stream()
+                .filter(tower -> tower.plan().cell().frequency() == cell.frequency()
+                        && tower.plan().cell().identityCode() == cell.identityCode())
+                .findFirst();
+    }
+
+    int nextHandoverReference() {
+        handoverReference = (handoverReference + 1) % HANDOVER_REFERENCES;
+        return handoverReference;
+    }
+
+    /** The mobile that sends this first message; a location update, and a mobile that is not known, get a new one. */
+    TowerMobile mobileOf(OctetString firstMessage, Tower tower) {
+        return identityIn(firstMessage)
+                .flatMap(known)
+                .map(Link::access)
+                .filter(TowerMobile.class::isInstance)
+                .map(TowerMobile.class::cast)
+                .orElseGet(() -> new TowerMobile(this, tower));
+    }
+
+    private static Optional<MobileIdentity> identityIn(OctetString firstMessage) {
+        try {
+            Layer3Message message = Layer3Codec.decode(firstMessage.toArray(), Direction.UPLINK);
+            if (message instanceof MobilityManagement.CmServiceRequest request) {
+                return Optional.of(request.identity());
+            }
+            if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
+                return Optional.of(indication.identity());
+            }
+            return message instanceof RadioResource.PagingResponse response
+                    ? Optional.of(response.identity())
+                    : Optional.empty();
+        } catch (ProtocolViolation violation) {
+            return Optional.empty();
+        }
+    }
+
+    /** Pages a mobile once in all cells of its location area. */
+    void page(Link mobile, LocationArea area, MobileIdentity identity) {
+        OctetWriter octets = new OctetWriter();
+        IdentityElements.writeIdentity(octets, identity);
+        OctetString lengthAndIdentity = octets.toOctetString();
+        OctetString value = new OctetWriter()
+                .bytes(simgsm.octets.Octets.range(lengthAndIdentity.toArray(), 1, lengthAndIdentity.length()))
+                .toOctetString();
+        long imsi = Long.parseLong(mobile.subscriber().imsi().digits());
+        RslPdu message = RslPdu.of(RslType.PAGING_COMMAND, PCH)
+                .with(RslElement.PAGING_GROUP, (int) (imsi % IMSI_MODULUS % PAGING_GROUPS))
+                .with(RslElement.MOBILE_IDENTITY, value)
+                .with(RslElement.CHANNEL_NEEDED, 0);
+        in(area).forEach(tower -> tower.send(message));
+    }
+
+    private Collection<Tower> in(LocationArea area) {
+        return towers.values().stream()
+                .filter(tower -> tower.plan().area().equals(area))
+                .toList();
+    }
+
+    @Override
+    public void broadcast(OctetString page) {
+        RslPdu message = RslPdu.of(RslType.SMS_BROADCAST_COMMAND, PCH)
+                .with(RslElement.BROADCAST_COMMAND_TYPE, 0)
+                .with(RslElement.BROADCAST_MESSAGE, page);
+        towers.values().forEach(tower -> tower.send(message));
+    }
+
+    /** Towers that are connected, with the number of their free channels. */
+    public Map<String, Long> freeChannels() {
+        Map<String, Long> free = new LinkedHashMap<>();
+        towers.values().forEach(tower -> free.put(tower.toString(), tower.freeChannels()));
+        return free;
+    }
+}

@@ -1,0 +1,95 @@
+package simgsm.center.bsc;
+
+import java.util.Optional;
+import simgsm.abis.MediaPort;
+import simgsm.abis.MgcpMessage.MediaAddress;
+import simgsm.abis.RtpPacket;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.rsl.RslType;
+import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
+
+/**
+ * The speech of one traffic channel as RTP over UDP between exchange and tower: ip.access CRCX asks the tower for its port, MDCX tells it
+ * ours. Packets of either payload type pass unchanged in both directions.
+ */
+final class ChannelSpeech {
+    /** Bits 8-5: direction, 1 for receive only; bits 4-1: codec, 0 for GSM full rate. */
+    private static final int RECEIVE_ONLY = 0x10;
+
+    private static final int SEND_AND_RECEIVE = 0x00;
+
+    private final DedicatedChannel channel;
+    private MediaPort port;
+    private boolean isOpen;
+
+    ChannelSpeech(DedicatedChannel channel) {
+        this.channel = channel;
+    }
+
+    /** Asks the tower for a connection. */
+    void create() {
+        port = channel.tower().openMedia(channel::heard);
+        channel.send(RslPdu.of(RslType.CREATE_CONNECTION, channel.number())
+                .with(RslElement.SPEECH_MODE, RECEIVE_ONLY)
+                .with(RslElement.RTP_PAYLOAD, RtpPacket.GSM_FULL_RATE));
+    }
+
+    /** The tower's answer to CRCX. */
+    void created(RslPdu answer) throws ProtocolViolation {
+        if (port == null || isOpen) {
+            return;
+        }
+        OctetString identifier = answer.value(RslElement.CONNECTION_IDENTIFIER);
+        MediaAddress tower =
+                new MediaAddress(text(answer.value(RslElement.LOCAL_IP)), answer.twoOctets(RslElement.LOCAL_PORT));
+        Optional<MediaAddress> own = port.openMedia();
+        isOpen = own.isPresent() && port.connectMedia(tower);
+        if (isOpen) {
+            channel.send(RslPdu.of(RslType.MODIFY_CONNECTION, channel.number())
+                    .with(RslElement.CONNECTION_IDENTIFIER, identifier)
+                    .with(RslElement.REMOTE_IP, octets(own.get().host()))
+                    .with(
+                            RslElement.REMOTE_PORT,
+                            own.get().port() >> 8,
+                            own.get().port())
+                    .with(RslElement.SPEECH_MODE, SEND_AND_RECEIVE)
+                    .with(RslElement.RTP_PAYLOAD, RtpPacket.GSM_FULL_RATE));
+        } else {
+            channel.tower().violated("offers speech at " + tower + ", which is not on its own host");
+        }
+    }
+
+    private static String text(OctetString ip) {
+        return ip.octet(0) + "." + ip.octet(1) + "." + ip.octet(2) + "." + ip.octet(3);
+    }
+
+    private static int[] octets(String host) {
+        String[] parts = host.split("\\.");
+        int[] octets = new int[4];
+        for (int i = 0; i < octets.length && parts.length == octets.length; i++) {
+            octets[i] = Integer.parseInt(parts[i]);
+        }
+        return octets;
+    }
+
+    /** The tower has no resources for speech. */
+    void refused() {
+        channel.tower().violated("refuses speech on " + channel.number());
+    }
+
+    /** Sends a packet. @return false if there is no path yet */
+    boolean send(byte[] rtp) {
+        return isOpen && port.sendMedia(rtp);
+    }
+
+    /** The channel ends, and with it the tower's connection. */
+    void close() {
+        isOpen = false;
+        if (port != null) {
+            port.closeMedia();
+            port = null;
+        }
+    }
+}

@@ -1,0 +1,136 @@
+package simgsm.center.bsc;
+
+import static simgsm.center.bsc.ConnectionTable.ConnectionAction.*;
+import static simgsm.center.bsc.ConnectionTable.ConnectionEvent.*;
+import static simgsm.center.bsc.ConnectionTable.ConnectionState.*;
+
+import java.util.EnumSet;
+import java.util.Set;
+import simgsm.state.StateTable;
+
+/**
+ * A mobile's radio connection at the controller: access, assignment of a traffic channel, handover, release (TS 44.018, 3.3 and
+ * 3.4). An event without a row is ignored.
+ */
+public final class ConnectionTable {
+    /** States of a radio connection. */
+    public enum ConnectionState {
+        /** The first channel is being activated. */
+        ACCESS,
+        /** IMMEDIATE ASSIGNMENT is sent. */
+        GRANTED,
+        /** The mobile is on its channel. */
+        DEDICATED,
+        /** So it is, and waits for a traffic channel. */
+        QUEUED,
+        /** The traffic channel is being activated. */
+        PREPARING_ASSIGNMENT,
+        /** ASSIGNMENT COMMAND is sent; layer 3 waits. */
+        ASSIGNING,
+        /** The channel in the other cell is being activated. */
+        PREPARING_HANDOVER,
+        /** HANDOVER COMMAND is sent; layer 3 waits. */
+        HANDING_OVER,
+        ENDED
+    }
+
+    /** Events of a radio connection. */
+    public enum ConnectionEvent {
+        CHANNEL_ACTIVE,
+        CHANNEL_FAILED,
+        /** The first message has come, on the first channel. */
+        MOBILE_ARRIVED,
+        T3101_EXPIRED,
+        ASSIGN,
+        QUEUE,
+        T11_EXPIRED,
+        /** No call needs a traffic channel any more. */
+        SPEECH_UNUSED,
+        HANDOVER,
+        COMPLETED,
+        /** The mobile is back on the old channel. */
+        RETURNED,
+        T10_EXPIRED,
+        T3103_EXPIRED,
+        /** The mobile or its tower is lost. */
+        LOST,
+        RELEASE
+    }
+
+    /** Actions of a radio connection. */
+    public enum ConnectionAction {
+        GRANT_ACCESS,
+        REJECT_ACCESS,
+        TELL_ARRIVED,
+        ACTIVATE_TARGET,
+        COMMAND_ASSIGNMENT,
+        COMMAND_HANDOVER,
+        /** The target becomes the connection's channel. */
+        SWITCH,
+        SEND_WAITING,
+        ABANDON_CHANNEL,
+        ABANDON_TARGET,
+        REFUSE_SPEECH,
+        /** Looks again for a traffic channel, if a call still needs one. */
+        SEEK_SPEECH,
+        RELEASE_CHANNEL,
+        TELL_LOST
+    }
+
+    /** The mobile is on its channel and layer 3 flows. */
+    private static final Set<ConnectionState> FLOWING =
+            EnumSet.of(DEDICATED, QUEUED, PREPARING_ASSIGNMENT, PREPARING_HANDOVER);
+
+    public static final StateTable<ConnectionState, ConnectionEvent, ConnectionAction> ROWS =
+            new StateTable<>("radio connection", ACCESS);
+
+    static {
+        access();
+        assignment();
+        handover();
+        end();
+    }
+
+    private ConnectionTable() {}
+
+    private static void access() {
+        ROWS.on(ACCESS, CHANNEL_ACTIVE, GRANTED, GRANT_ACCESS)
+                .on(ACCESS, CHANNEL_FAILED, ENDED, REJECT_ACCESS)
+                .on(GRANTED, MOBILE_ARRIVED, DEDICATED, TELL_ARRIVED)
+                .on(GRANTED, T3101_EXPIRED, ENDED, ABANDON_CHANNEL);
+    }
+
+    private static void assignment() {
+        ROWS.on(EnumSet.of(DEDICATED, QUEUED), ASSIGN, PREPARING_ASSIGNMENT, ACTIVATE_TARGET)
+                .on(DEDICATED, QUEUE, QUEUED)
+                .on(QUEUED, T11_EXPIRED, DEDICATED, REFUSE_SPEECH)
+                .on(QUEUED, SPEECH_UNUSED, DEDICATED)
+                .on(PREPARING_ASSIGNMENT, CHANNEL_ACTIVE, ASSIGNING, COMMAND_ASSIGNMENT)
+                .on(PREPARING_ASSIGNMENT, CHANNEL_FAILED, DEDICATED, SEEK_SPEECH)
+                .on(ASSIGNING, COMPLETED, DEDICATED, SWITCH, SEND_WAITING)
+                .on(ASSIGNING, RETURNED, DEDICATED, ABANDON_TARGET, SEND_WAITING, REFUSE_SPEECH)
+                .on(ASSIGNING, T10_EXPIRED, ENDED, ABANDON_TARGET, ABANDON_CHANNEL, TELL_LOST);
+    }
+
+    private static void handover() {
+        ROWS.on(EnumSet.of(DEDICATED, QUEUED), HANDOVER, PREPARING_HANDOVER, ACTIVATE_TARGET)
+                .on(PREPARING_HANDOVER, CHANNEL_ACTIVE, HANDING_OVER, COMMAND_HANDOVER)
+                .on(PREPARING_HANDOVER, CHANNEL_FAILED, DEDICATED, SEEK_SPEECH)
+                .on(HANDING_OVER, COMPLETED, DEDICATED, SWITCH, SEND_WAITING)
+                .on(HANDING_OVER, RETURNED, DEDICATED, ABANDON_TARGET, SEND_WAITING, SEEK_SPEECH)
+                .on(HANDING_OVER, T3103_EXPIRED, ENDED, ABANDON_TARGET, ABANDON_CHANNEL, TELL_LOST);
+    }
+
+    private static void end() {
+        ROWS.on(EnumSet.of(DEDICATED, QUEUED), RELEASE, ENDED, RELEASE_CHANNEL)
+                .on(
+                        EnumSet.of(PREPARING_ASSIGNMENT, PREPARING_HANDOVER),
+                        RELEASE,
+                        ENDED,
+                        ABANDON_TARGET,
+                        RELEASE_CHANNEL)
+                .on(EnumSet.of(ACCESS, GRANTED), LOST, ENDED, ABANDON_CHANNEL)
+                .on(EnumSet.of(ASSIGNING, HANDING_OVER), LOST, ENDED, ABANDON_TARGET, ABANDON_CHANNEL, TELL_LOST)
+                .on(FLOWING, LOST, ENDED, ABANDON_TARGET, ABANDON_CHANNEL, TELL_LOST);
+    }
+}

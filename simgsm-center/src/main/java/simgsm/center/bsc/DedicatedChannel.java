@@ -1,0 +1,307 @@
+package simgsm.center.bsc;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.rsl.RslType;
+import simgsm.air.ChannelDescription;
+import simgsm.air.ChannelNumber;
+import simgsm.air.ProtocolViolation;
+import simgsm.center.bsc.ChannelTable.ChannelAction;
+import simgsm.center.bsc.ChannelTable.ChannelEvent;
+import simgsm.center.bsc.ChannelTable.ChannelState;
+import simgsm.center.bsc.handover.HandoverDecision;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+import simgsm.state.StateMachine;
+import simgsm.timer.Timer;
+import simgsm.timer.Timers;
+
+/** One dedicated channel of a tower: {@link ChannelTable} driven by the tower's messages and the connection that uses it. */
+final class DedicatedChannel {
+    /** Short messages (TS 44.005). */
+    private static final int SAPI_3 = 3;
+
+    private static final int NO_DTX = 0;
+    private static final int SPEECH = 1;
+    private static final int SIGNALLING = 3;
+    private static final int RATE_SDCCH = 1;
+    private static final int RATE_TCH_F = 8;
+    private static final int CODING_NONE = 0;
+    /** GSM 06.10. */
+    private static final int CODING_FULL_RATE = 1;
+    /** Tag of a channel description inside the channel identification. */
+    private static final int CHANNEL_DESCRIPTION_TAG = 0x64;
+    /** Mobile allocation of length 0. */
+    private static final int MOBILE_ALLOCATION_TAG = 0x72;
+    /** Normal burst of the activation: the mobile's power level at first. */
+    private static final int FIRST_POWER_LEVEL = 14;
+    /** Release mode: local end (TS 48.058, 9.3.20). */
+    private static final int LOCAL_END = 1;
+
+    /** Why a channel is activated (TS 48.058, 9.3.3). */
+    enum Purpose {
+        IMMEDIATE_ASSIGNMENT(0),
+        ASSIGNMENT(1),
+        /** The cells are not synchronised. */
+        HANDOVER(2);
+
+        private final int code;
+
+        Purpose(int code) {
+            this.code = code;
+        }
+    }
+
+    private final Tower tower;
+    private final ChannelNumber number;
+    private final StateMachine<ChannelState, ChannelEvent, ChannelAction> machine =
+            new StateMachine<>(ChannelTable.ROWS, this, this::perform).onEntry(before -> entered());
+    private final ChannelSpeech speech;
+    private final Deque<OctetString> waitingForSapi3 = new ArrayDeque<>();
+    private boolean isSapi3Open;
+    private boolean isSapi3Opening;
+    private MobileConnection user;
+    private Purpose purpose;
+    private int accessDelay;
+    private int handoverReference;
+    private HandoverDecision decision;
+    private Timer guard;
+
+    DedicatedChannel(Tower tower, ChannelNumber number) {
+        this.tower = tower;
+        this.number = number;
+        this.speech = new ChannelSpeech(this);
+    }
+
+    Tower tower() {
+        return tower;
+    }
+
+    ChannelNumber number() {
+        return number;
+    }
+
+    boolean isFree() {
+        return machine.state() == ChannelState.FREE;
+    }
+
+    ChannelState state() {
+        return machine.state();
+    }
+
+    ChannelSpeech speech() {
+        return speech;
+    }
+
+    /** The decision on this channel's measurements; null on a signalling channel. */
+    HandoverDecision decision() {
+        return decision;
+    }
+
+    int handoverReference() {
+        return handoverReference;
+    }
+
+    ChannelDescription description() {
+        return new ChannelDescription(
+                number, tower.plan().trainingSequence(), tower.plan().cell().frequency());
+    }
+
+    /** Gives the channel to a connection. @param reference of a handover, else unused */
+    void activate(MobileConnection connection, Purpose why, int delay, int reference) {
+        user = connection;
+        purpose = why;
+        accessDelay = delay;
+        handoverReference = reference;
+        decision = number.kind().isSpeech() ? tower.settings().decision().get() : null;
+        machine.fire(ChannelEvent.ACTIVATE);
+    }
+
+    /** The radio connection ends; CHANNEL RELEASE has been sent. */
+    void release() {
+        machine.fire(ChannelEvent.RELEASE);
+    }
+
+    /** The mobile does not come, or is lost. */
+    void abandon() {
+        machine.fire(ChannelEvent.ABANDON);
+    }
+
+    /** Whether the channel was activated for speech. */
+    boolean carriesSpeech() {
+        return number.kind().isSpeech() && purpose != Purpose.IMMEDIATE_ASSIGNMENT;
+    }
+
+    /** Sends a layer 3 message; one of SAPI 3 opens that link first. */
+    void send(int sapi, OctetString layer3) {
+        if (sapi != SAPI_3 || isSapi3Open) {
+            tower.send(RslPdu.of(RslType.DATA_REQUEST, number, sapi).with(RslElement.L3_INFORMATION, layer3));
+        } else {
+            waitingForSapi3.add(layer3);
+            if (!isSapi3Opening) {
+                isSapi3Opening = true;
+                tower.send(RslPdu.of(RslType.ESTABLISH_REQUEST, number, SAPI_3));
+            }
+        }
+    }
+
+    void send(RslPdu message) {
+        tower.send(message);
+    }
+
+    /** Takes a message of the tower about this channel. */
+    void receive(RslPdu message) throws ProtocolViolation {
+        switch (message.type()) {
+            case CHANNEL_ACTIVATION_ACKNOWLEDGE -> machine.fire(ChannelEvent.ACTIVATED);
+            case CHANNEL_ACTIVATION_NEGATIVE_ACKNOWLEDGE -> machine.fire(ChannelEvent.REFUSED);
+            case RF_CHANNEL_RELEASE_ACKNOWLEDGE -> machine.fire(ChannelEvent.FREED);
+            case CREATE_CONNECTION_ACKNOWLEDGE -> speech.created(message);
+            case CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE, MODIFY_CONNECTION_NEGATIVE_ACKNOWLEDGE -> speech.refused();
+            case ESTABLISH_CONFIRM -> established(message.sapi());
+            case RELEASE_CONFIRM -> released(message.sapi());
+            case ESTABLISH_INDICATION -> {
+                established(message.sapi());
+                tell(message);
+            }
+            case RELEASE_INDICATION -> {
+                released(message.sapi());
+                tell(message);
+            }
+            case DATA_INDICATION, ERROR_INDICATION, CONNECTION_FAILURE, HANDOVER_DETECTION, MEASUREMENT_RESULT ->
+                tell(message);
+            default -> {
+                // The other answers need no action.
+            }
+        }
+    }
+
+    private void tell(RslPdu message) throws ProtocolViolation {
+        if (machine.state() == ChannelState.ACTIVE || message.type() == RslType.RELEASE_INDICATION) {
+            user.receive(this, message);
+        }
+    }
+
+    private void established(int sapi) {
+        if (sapi == SAPI_3) {
+            isSapi3Open = true;
+            isSapi3Opening = false;
+            while (!waitingForSapi3.isEmpty()) {
+                send(SAPI_3, waitingForSapi3.remove());
+            }
+        }
+    }
+
+    private void released(int sapi) {
+        if (sapi == SAPI_3) {
+            isSapi3Open = false;
+            isSapi3Opening = false;
+            machine.fire(ChannelEvent.LINKS_CLOSED);
+        }
+    }
+
+    private void entered() {
+        timers().cancel(guard);
+        switch (machine.state()) {
+            case ACTIVATING -> guard(BscTimer.ACTIVATION, ChannelEvent.UNANSWERED);
+            case CLOSING -> guard(BscTimer.T3109, ChannelEvent.T3109_EXPIRED);
+            case LEAVING -> guard(BscTimer.T3111, ChannelEvent.T3111_EXPIRED);
+            case FREEING -> {
+                speech.close();
+                guard(BscTimer.RF_RELEASE, ChannelEvent.UNANSWERED);
+                user.channelEnded(this);
+            }
+            default -> {
+                // No timer runs in the other states; the connection supervises the mobile.
+            }
+        }
+    }
+
+    private Timers timers() {
+        return tower.timers();
+    }
+
+    private void guard(BscTimer timer, ChannelEvent expiry) {
+        guard = timers().start(timer.nanos(), () -> machine.fire(expiry));
+    }
+
+    private void perform(ChannelAction action) {
+        switch (action) {
+            case SEND_ACTIVATION -> tower.send(activation());
+            case SEND_DEACTIVATE_SACCH -> tower.send(RslPdu.of(RslType.DEACTIVATE_SACCH, number));
+            case SEND_RELEASE_REQUEST -> closeLinks();
+            case START_T3111 -> speech.close();
+            case SEND_RF_RELEASE -> tower.send(RslPdu.of(RslType.RF_CHANNEL_RELEASE, number));
+            case TELL_ACTIVE -> user.channelActive(this);
+            case TELL_FAILED -> user.channelFailed(this);
+            case TELL_FREE -> {
+                isSapi3Open = false;
+                isSapi3Opening = false;
+                waitingForSapi3.clear();
+                tower.freed();
+            }
+        }
+    }
+
+    private void closeLinks() {
+        if (isSapi3Open) {
+            tower.send(RslPdu.of(RslType.RELEASE_REQUEST, number, SAPI_3).with(RslElement.RELEASE_MODE, LOCAL_END));
+        } else {
+            machine.fire(ChannelEvent.LINKS_CLOSED);
+        }
+    }
+
+    private RslPdu activation() {
+        boolean isSpeech = purpose != Purpose.IMMEDIATE_ASSIGNMENT;
+        OctetString identification = new OctetWriter()
+                .octet(CHANNEL_DESCRIPTION_TAG)
+                .string(description().encode())
+                .octet(MOBILE_ALLOCATION_TAG)
+                .octet(0)
+                .toOctetString();
+        RslPdu message = RslPdu.of(RslType.CHANNEL_ACTIVATION, number)
+                .with(RslElement.ACTIVATION_TYPE, purpose.code)
+                .with(
+                        RslElement.CHANNEL_MODE,
+                        NO_DTX,
+                        isSpeech ? SPEECH : SIGNALLING,
+                        number.kind().isSpeech() ? RATE_TCH_F : RATE_SDCCH,
+                        isSpeech ? CODING_FULL_RATE : CODING_NONE)
+                .with(RslElement.CHANNEL_IDENTIFICATION, identification);
+        if (purpose == Purpose.HANDOVER) {
+            message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
+        }
+        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, FIRST_POWER_LEVEL);
+        if (purpose != Purpose.HANDOVER) {
+            message = message.with(RslElement.TIMING_ADVANCE, accessDelay);
+        }
+        return message.with(RslElement.MS_POWER_PARAMETERS);
+    }
+
+    /** The speech of this channel's mobile has arrived. */
+    void heard(byte[] rtp) {
+        if (machine.state() == ChannelState.ACTIVE) {
+            user.heard(rtp);
+        }
+    }
+
+    /** The tower is gone. */
+    void lost() {
+        timers().cancel(guard);
+        speech.close();
+        if (!isFree() && user != null) {
+            user.channelLost(this);
+        }
+    }
+
+    Optional<MobileConnection> user() {
+        return isFree() ? Optional.empty() : Optional.of(user);
+    }
+
+    @Override
+    public String toString() {
+        return tower + " " + number;
+    }
+}

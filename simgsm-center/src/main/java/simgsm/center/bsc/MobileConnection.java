@@ -1,0 +1,416 @@
+package simgsm.center.bsc;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslMessage;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.air.Cause;
+import simgsm.air.Coded;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Message;
+import simgsm.air.Layer3Type;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.center.bsc.ConnectionTable.ConnectionAction;
+import simgsm.center.bsc.ConnectionTable.ConnectionEvent;
+import simgsm.center.bsc.ConnectionTable.ConnectionState;
+import simgsm.center.bsc.DedicatedChannel.Purpose;
+import simgsm.center.bsc.handover.HandoverDecision;
+import simgsm.center.bsc.handover.Measurement;
+import simgsm.center.bsc.handover.NeighbourCell;
+import simgsm.octets.OctetString;
+import simgsm.state.StateMachine;
+import simgsm.timer.Timer;
+
+/** One mobile's radio connection: {@link ConnectionTable} driven by its channels, its messages and the exchange. */
+final class MobileConnection {
+    private static final int SAPI_0 = 0;
+    /** MS power control level in commands. */
+    private static final int POWER_LEVEL = 14;
+
+    /** RXLEV that a neighbour needs for a directed retry: -90 dBm. */
+    private static final int DIRECTED_RETRY_LEVEL = 20;
+
+    private final BaseStationController controller;
+    private final ChannelRequest request;
+    private final StateMachine<ConnectionState, ConnectionEvent, ConnectionAction> machine =
+            new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(before -> entered());
+    /** Downlink messages that wait for the end of an assignment or handover, with their SAPI. */
+    private final Deque<Waiting> waiting = new ArrayDeque<>();
+
+    private DedicatedChannel channel;
+    /** The channel of a running assignment or handover; null otherwise. */
+    private DedicatedChannel target;
+    /** Null before the first message has told who the mobile is. */
+    private TowerMobile mobile;
+
+    private OctetString firstMessage;
+    private boolean isReleaseWaiting;
+    private boolean isSpeechNeeded;
+    /** Whether the mobile has reached the target cell, so that its speech goes there. */
+    private boolean isDetected;
+
+    private Timer guard;
+
+    private record Waiting(int sapi, OctetString layer3) {}
+
+    private MobileConnection(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
+        this.controller = controller;
+        this.request = request;
+        this.channel = first;
+    }
+
+    /** Begins with a mobile's request, for which this channel is activated. */
+    static void begin(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
+        MobileConnection connection = new MobileConnection(controller, request, first);
+        first.activate(connection, Purpose.IMMEDIATE_ASSIGNMENT, request.accessDelay(), 0);
+    }
+
+    DedicatedChannel channel() {
+        return channel;
+    }
+
+    ConnectionState state() {
+        return machine.state();
+    }
+
+    private boolean isSuspended() {
+        return machine.state() == ConnectionState.ASSIGNING || machine.state() == ConnectionState.HANDING_OVER;
+    }
+
+    // From the exchange.
+
+    void send(int sapi, OctetString layer3) {
+        if (isSuspended()) {
+            waiting.add(new Waiting(sapi, layer3));
+        } else if (machine.state() != ConnectionState.ENDED) {
+            channel.send(sapi, layer3);
+        }
+    }
+
+    void release() {
+        if (isSuspended()) {
+            isReleaseWaiting = true;
+        } else {
+            machine.fire(ConnectionEvent.RELEASE);
+        }
+    }
+
+    /** Whether a call needs a traffic channel. */
+    void setSpeechNeeded(boolean isNeeded) {
+        boolean isChanged = isNeeded != isSpeechNeeded;
+        isSpeechNeeded = isNeeded;
+        if (isChanged && isNeeded) {
+            seekSpeech();
+        } else if (isChanged) {
+            machine.fire(ConnectionEvent.SPEECH_UNUSED);
+        }
+    }
+
+    /** Looks for a traffic channel, and waits for one if none is free. */
+    private void seekSpeech() {
+        if (!isSpeechNeeded || channel.carriesSpeech()) {
+            return;
+        }
+        Optional<DedicatedChannel> free = channel.tower().freeTrafficChannel();
+        if (free.isPresent() && machine.accepts(ConnectionEvent.ASSIGN)) {
+            target = free.get();
+            machine.fire(ConnectionEvent.ASSIGN);
+        } else if (machine.fire(ConnectionEvent.QUEUE)) {
+            channel.tower().queue(this);
+        }
+    }
+
+    /** A traffic channel of the tower may be free. @return whether the connection still waits for one */
+    boolean retry() {
+        boolean isWaiting = machine.state() == ConnectionState.QUEUED;
+        if (isWaiting) {
+            seekSpeech();
+        }
+        return isWaiting;
+    }
+
+    void sendSpeech(byte[] rtp) {
+        DedicatedChannel current = isDetected && target != null ? target : channel;
+        current.speech().send(rtp);
+    }
+
+    void heard(byte[] rtp) {
+        if (mobile != null) {
+            controller.uplink().spoke(mobile.link(), new IpaFrame(IpaFrame.SPEECH, rtp));
+        }
+    }
+
+    /** Another connection of the same mobile has begun, or its link is over. */
+    void lost() {
+        machine.fire(ConnectionEvent.LOST);
+    }
+
+    // From the channels.
+
+    void channelActive(DedicatedChannel active) {
+        machine.fire(ConnectionEvent.CHANNEL_ACTIVE);
+    }
+
+    void channelFailed(DedicatedChannel failed) {
+        machine.fire(ConnectionEvent.CHANNEL_FAILED);
+    }
+
+    /** The mobile must have left the channel by now. */
+    void channelEnded(DedicatedChannel ended) {
+        if (ended == channel && machine.state() == ConnectionState.ENDED) {
+            disconnected();
+        }
+    }
+
+    /** The tower of one of the channels is gone. */
+    void channelLost(DedicatedChannel gone) {
+        if (gone == target) {
+            boolean isPreparing = machine.state() == ConnectionState.PREPARING_HANDOVER;
+            machine.fire(isPreparing ? ConnectionEvent.CHANNEL_FAILED : ConnectionEvent.LOST);
+        } else if (gone == channel && machine.state() != ConnectionState.HANDING_OVER) {
+            machine.fire(ConnectionEvent.LOST);
+            disconnected();
+        }
+    }
+
+    void receive(DedicatedChannel from, RslPdu message) throws ProtocolViolation {
+        switch (message.type()) {
+            case ESTABLISH_INDICATION, DATA_INDICATION -> {
+                if (message.has(RslElement.L3_INFORMATION)) {
+                    receiveLayer3(from, message.sapi(), message.value(RslElement.L3_INFORMATION));
+                }
+            }
+            case RELEASE_INDICATION -> {
+                if (message.sapi() == SAPI_0) {
+                    left(from);
+                }
+            }
+            case CONNECTION_FAILURE -> {
+                if (from == channel && !isSuspended()) {
+                    machine.fire(ConnectionEvent.LOST);
+                }
+            }
+            case HANDOVER_DETECTION -> isDetected |= from == target;
+            case MEASUREMENT_RESULT -> measured(from, message);
+            default -> from.tower().violated("reports " + message.type().title() + " on " + from.number());
+        }
+    }
+
+    private void left(DedicatedChannel from) {
+        if (machine.state() == ConnectionState.ENDED) {
+            disconnected();
+        } else if (from == channel && !isSuspended()) {
+            machine.fire(ConnectionEvent.LOST);
+        }
+    }
+
+    private void receiveLayer3(DedicatedChannel from, int sapi, OctetString layer3) {
+        if (machine.state() == ConnectionState.GRANTED) {
+            firstMessage = layer3;
+            machine.fire(ConnectionEvent.MOBILE_ARRIVED);
+        } else if (mobile != null && !receiveRadioResource(from, layer3)) {
+            RslMessage.Sapi link = Coded.find(RslMessage.Sapi.values(), sapi).orElse(RslMessage.Sapi.SIGNALLING);
+            if (link == RslMessage.Sapi.SHORT_MESSAGES) {
+                controller.uplink().established(mobile.link(), link, layer3);
+            } else {
+                controller.uplink().received(mobile.link(), layer3);
+            }
+        }
+    }
+
+    /** Takes the messages that end an assignment or handover. @return false for any other */
+    private boolean receiveRadioResource(DedicatedChannel from, OctetString layer3) {
+        Optional<ConnectionEvent> event = outcome(layer3);
+        if (event.isPresent()) {
+            String name = Layer3Type.of(Layer3Header.RADIO_RESOURCE, layer3.octet(1), Direction.UPLINK)
+                    .map(Layer3Type::title)
+                    .orElse("?");
+            mobile.link().trace(Direction.UPLINK, name, layer3);
+            boolean isExpectedThere = (event.get() == ConnectionEvent.COMPLETED) == (from == target);
+            if (isExpectedThere) {
+                machine.fire(event.get());
+            }
+        }
+        return event.isPresent();
+    }
+
+    private static Optional<ConnectionEvent> outcome(OctetString layer3) {
+        if (layer3.length() < 2 || layer3.octet(0) != Layer3Header.RADIO_RESOURCE) {
+            return Optional.empty();
+        }
+        return Layer3Type.of(Layer3Header.RADIO_RESOURCE, layer3.octet(1), Direction.UPLINK)
+                .map(type -> switch (type) {
+                    case ASSIGNMENT_COMPLETE, HANDOVER_COMPLETE -> ConnectionEvent.COMPLETED;
+                    case ASSIGNMENT_FAILURE, HANDOVER_FAILURE -> ConnectionEvent.RETURNED;
+                    default -> null;
+                });
+    }
+
+    // Handover.
+
+    private void measured(DedicatedChannel from, RslPdu message) throws ProtocolViolation {
+        Measurement measurement = from.tower().measurement(message);
+        HandoverDecision decision = from.decision();
+        if (decision != null) {
+            decision.add(measurement);
+        }
+        if (from != channel || !machine.accepts(ConnectionEvent.HANDOVER)) {
+            return;
+        }
+        if (machine.state() == ConnectionState.QUEUED) {
+            retryElsewhere(measurement);
+        } else if (decision != null && channel.carriesSpeech()) {
+            decision.target().ifPresent(wanted -> handOver(wanted.cell()));
+        }
+    }
+
+    /** Directed retry: the call gets its traffic channel in another cell. */
+    private void retryElsewhere(Measurement measurement) {
+        List<Measurement.Neighbour> strongestFirst = measurement.neighbours().stream()
+                .filter(each -> each.level() >= DIRECTED_RETRY_LEVEL)
+                .sorted((one, other) -> Integer.compare(other.level(), one.level()))
+                .toList();
+        for (Measurement.Neighbour each : strongestFirst) {
+            if (handOver(each.cell())) {
+                return;
+            }
+        }
+    }
+
+    private boolean handOver(NeighbourCell cell) {
+        Optional<DedicatedChannel> free =
+                controller.tower(cell).filter(tower -> tower != channel.tower()).flatMap(Tower::freeTrafficChannel);
+        free.ifPresent(found -> {
+            target = found;
+            machine.fire(ConnectionEvent.HANDOVER);
+        });
+        return free.isPresent();
+    }
+
+    // The table.
+
+    private void entered() {
+        controller.timers().cancel(guard);
+        switch (machine.state()) {
+            case GRANTED -> guard(BscTimer.T3101, ConnectionEvent.T3101_EXPIRED);
+            case QUEUED -> guard(BscTimer.T11, ConnectionEvent.T11_EXPIRED);
+            case ASSIGNING -> guard(BscTimer.T10, ConnectionEvent.T10_EXPIRED);
+            case HANDING_OVER -> guard(BscTimer.T3103, ConnectionEvent.T3103_EXPIRED);
+            default -> {
+                // The channels and the exchange have timers of their own.
+            }
+        }
+    }
+
+    private void guard(BscTimer timer, ConnectionEvent expiry) {
+        guard = controller.timers().start(timer.nanos(), () -> machine.fire(expiry));
+    }
+
+    private void perform(ConnectionAction action) {
+        switch (action) {
+            case GRANT_ACCESS -> channel.tower().grant(request, channel);
+            case REJECT_ACCESS -> channel.tower().reject(request);
+            case TELL_ARRIVED -> arrived();
+            case ACTIVATE_TARGET -> activateTarget();
+            case COMMAND_ASSIGNMENT -> {
+                command(new RadioResource.AssignmentCommand(
+                        target.description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE));
+                target.speech().create();
+            }
+            case COMMAND_HANDOVER -> {
+                command(new RadioResource.HandoverCommand(
+                        target.tower().plan().cell(),
+                        target.description(),
+                        target.handoverReference(),
+                        POWER_LEVEL,
+                        Optional.of(RadioResource.SPEECH_FULL_RATE)));
+                target.speech().create();
+            }
+            case SWITCH -> switchChannels();
+            case SEND_WAITING -> sendWaiting();
+            case ABANDON_CHANNEL -> channel.abandon();
+            case ABANDON_TARGET -> abandonTarget();
+            case REFUSE_SPEECH -> refuseSpeech();
+            case SEEK_SPEECH -> {
+                target = null;
+                seekSpeech();
+            }
+            case RELEASE_CHANNEL -> {
+                command(new RadioResource.ChannelRelease(RadioResource.NORMAL_EVENT));
+                channel.release();
+            }
+            case TELL_LOST -> disconnected();
+        }
+    }
+
+    private void arrived() {
+        mobile = controller.mobileOf(firstMessage, channel.tower());
+        mobile.connected(this);
+        controller.uplink().established(mobile.link(), RslMessage.Sapi.SIGNALLING, firstMessage);
+    }
+
+    private void activateTarget() {
+        isDetected = false;
+        boolean isHandover = machine.state() == ConnectionState.PREPARING_HANDOVER;
+        target.activate(
+                this,
+                isHandover ? Purpose.HANDOVER : Purpose.ASSIGNMENT,
+                request.accessDelay(),
+                isHandover ? controller.nextHandoverReference() : 0);
+    }
+
+    private void command(RadioResource message) {
+        OctetString layer3 = OctetString.of(Layer3Codec.encode((Layer3Message) message, Direction.DOWNLINK, 0));
+        mobile.link().trace(Direction.DOWNLINK, Layer3Type.of(message).title(), layer3);
+        channel.send(SAPI_0, layer3);
+    }
+
+    private void switchChannels() {
+        DedicatedChannel old = channel;
+        channel = target;
+        target = null;
+        old.release();
+    }
+
+    private void sendWaiting() {
+        while (!waiting.isEmpty()) {
+            Waiting next = waiting.remove();
+            channel.send(next.sapi, next.layer3);
+        }
+        if (isReleaseWaiting) {
+            machine.fire(ConnectionEvent.RELEASE);
+        }
+    }
+
+    private void abandonTarget() {
+        if (target != null) {
+            DedicatedChannel abandoned = target;
+            target = null;
+            abandoned.abandon();
+        }
+    }
+
+    private void refuseSpeech() {
+        if (isSpeechNeeded) {
+            controller.uplink().speechRefused(mobile.link(), Cause.NO_CIRCUIT_AVAILABLE);
+        }
+    }
+
+    private void disconnected() {
+        if (mobile != null) {
+            mobile.disconnected(this);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return (mobile == null ? "access" : mobile.link()) + " on " + channel;
+    }
+}

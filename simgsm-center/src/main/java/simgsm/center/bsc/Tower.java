@@ -1,0 +1,363 @@
+package simgsm.center.bsc;
+
+import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.MediaPort;
+import simgsm.abis.rsl.RslElement;
+import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.rsl.RslType;
+import simgsm.air.ChannelNumber;
+import simgsm.air.ChannelNumber.Kind;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
+import simgsm.air.MeasurementResults;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.center.bsc.handover.Measurement;
+import simgsm.center.bsc.handover.NeighbourCell;
+import simgsm.center.msc.link.Lifeline;
+import simgsm.center.msc.link.Peer;
+import simgsm.center.msc.link.PeerUser;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+import simgsm.timer.Timers;
+
+/** One tower: its link, its system information, its channels. */
+final class Tower implements PeerUser, Lifeline {
+    private static final System.Logger LOG = System.getLogger(Tower.class.getName());
+
+    /** Protocol errors after which the link is closed. */
+    private static final int MAX_VIOLATIONS = 100;
+
+    private static final int MAX_LOGGED_VIOLATIONS = 3;
+
+    private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
+    private static final ChannelNumber AGCH = ChannelNumber.of(Kind.PCH_AGCH, 0);
+    private static final int AGCH_BLOCK = 23;
+    private static final int FILL = 0x2b;
+    private static final int RADIO_RESOURCE = 0x06;
+    private static final int IMMEDIATE_ASSIGNMENT = 0x3f;
+    private static final int IMMEDIATE_ASSIGNMENT_REJECT = 0x3a;
+    /** Page mode: as before. */
+    private static final int SAME_PAGE_MODE = 3;
+    /** A reject block answers this many requests. */
+    private static final int REJECTS = 4;
+
+    /** System information types of BCCH INFORMATION and SACCH FILLING (TS 48.058, 9.3.30). */
+    private static final int TYPE_5 = 0x05;
+
+    private static final int TYPE_6 = 0x06;
+    /** Messages whose layer 3 the ladder shows in their place, and measurements, of which there are too many. */
+    private static final Set<RslType> UNTRACED = EnumSet.of(
+            RslType.DATA_REQUEST,
+            RslType.DATA_INDICATION,
+            RslType.ESTABLISH_INDICATION,
+            RslType.MEASUREMENT_RESULT,
+            RslType.RF_RESOURCE_INDICATION);
+
+    private final BaseStationController controller;
+    private final Peer peer;
+    private final String unitId;
+    private final TowerPlan plan;
+    private final Timers timers;
+    private final Map<ChannelNumber, DedicatedChannel> channels = new HashMap<>();
+    private final List<DedicatedChannel> inOrder = new ArrayList<>();
+    private final Deque<MobileConnection> queue = new ArrayDeque<>();
+    private List<Integer> neighbours = List.of();
+    private int violations;
+    private boolean isClosed;
+
+    Tower(BaseStationController controller, Peer peer, String unitId, TowerPlan plan) {
+        this.controller = controller;
+        this.peer = peer;
+        this.unitId = unitId;
+        this.plan = plan;
+        this.timers = controller.timers().ownedBy(this::failed);
+        for (ChannelNumber number : plan.channels()) {
+            DedicatedChannel channel = new DedicatedChannel(this, number);
+            channels.put(number, channel);
+            inOrder.add(channel);
+        }
+    }
+
+    String unitId() {
+        return unitId;
+    }
+
+    TowerPlan plan() {
+        return plan;
+    }
+
+    CellSettings settings() {
+        return controller.settings();
+    }
+
+    Timers timers() {
+        return timers;
+    }
+
+    String address() {
+        return peer.address();
+    }
+
+    boolean isLocal() {
+        return peer.isLocal();
+    }
+
+    MediaPort openMedia(Consumer<byte[]> received) {
+        return peer.port().newMedia(received);
+    }
+
+    // System information.
+
+    /** Sends the whole system information. */
+    void start() {
+        SystemInformationBlocks blocks = blocks();
+        sendBcch(1, blocks.type1());
+        sendBcch(2, blocks.type2());
+        sendBcch(3, blocks.type3());
+        sendBcch(4, blocks.type4());
+        sendSacch(TYPE_5, blocks.type5());
+        sendSacch(TYPE_6, blocks.type6());
+    }
+
+    /** The other cells have changed. @param frequencies in the order in which reports count them */
+    void setNeighbours(List<Integer> frequencies, boolean isTold) {
+        boolean isChanged = !frequencies.equals(neighbours);
+        neighbours = frequencies;
+        if (isChanged && isTold) {
+            sendBcch(2, blocks().type2());
+            sendSacch(TYPE_5, blocks().type5());
+        }
+    }
+
+    private SystemInformationBlocks blocks() {
+        return new SystemInformationBlocks(plan, neighbours, settings());
+    }
+
+    private void sendBcch(int type, OctetString block) {
+        send(RslPdu.of(RslType.BCCH_INFORMATION, BCCH)
+                .with(RslElement.SYSTEM_INFORMATION_TYPE, type)
+                .with(RslElement.FULL_BCCH_INFORMATION, block));
+    }
+
+    private void sendSacch(int type, OctetString block) {
+        send(RslPdu.of(RslType.SACCH_FILLING)
+                .with(RslElement.SYSTEM_INFORMATION_TYPE, type)
+                .with(RslElement.L3_INFORMATION, block));
+    }
+
+    // Channels.
+
+    private Optional<DedicatedChannel> free(boolean isSpeech) {
+        return inOrder.stream()
+                .filter(channel -> channel.number().kind().isSpeech() == isSpeech && channel.isFree())
+                .findFirst();
+    }
+
+    Optional<DedicatedChannel> freeTrafficChannel() {
+        return isClosed ? Optional.empty() : free(true);
+    }
+
+    /** Channels that are free. */
+    long freeChannels() {
+        return inOrder.stream().filter(DedicatedChannel::isFree).count();
+    }
+
+    /** The connection waits for a traffic channel. */
+    void queue(MobileConnection connection) {
+        queue.remove(connection);
+        queue.add(connection);
+    }
+
+    /** A channel has become free: connections that wait may go on. */
+    void freed() {
+        while (!queue.isEmpty() && freeTrafficChannel().isPresent()) {
+            queue.remove().retry();
+        }
+    }
+
+    /** Requests for a channel get an SDCCH, else a traffic channel for signalling, else a reject. */
+    private void request(RslPdu message) throws ProtocolViolation {
+        ChannelRequest request = ChannelRequest.of(message);
+        Optional<DedicatedChannel> channel = free(false).or(() -> free(true));
+        if (channel.isPresent()) {
+            MobileConnection.begin(controller, request, channel.get());
+        } else {
+            reject(request);
+        }
+    }
+
+    void grant(ChannelRequest request, DedicatedChannel channel) {
+        sendAccessGrant(new OctetWriter()
+                .octet(11 << 2 | 1)
+                .octet(RADIO_RESOURCE)
+                .octet(IMMEDIATE_ASSIGNMENT)
+                .octet(SAME_PAGE_MODE)
+                .string(channel.description().encode())
+                .string(request.reference())
+                .octet(request.accessDelay())
+                .octet(0));
+    }
+
+    void reject(ChannelRequest request) {
+        OctetWriter out = new OctetWriter()
+                .octet(19 << 2 | 1)
+                .octet(RADIO_RESOURCE)
+                .octet(IMMEDIATE_ASSIGNMENT_REJECT)
+                .octet(SAME_PAGE_MODE);
+        for (int i = 0; i < REJECTS; i++) {
+            out.string(request.reference()).octet(BscTimer.T3122.seconds());
+        }
+        sendAccessGrant(out);
+    }
+
+    private void sendAccessGrant(OctetWriter block) {
+        while (block.length() < AGCH_BLOCK) {
+            block.octet(FILL);
+        }
+        send(RslPdu.of(RslType.IMMEDIATE_ASSIGN_COMMAND, AGCH)
+                .with(RslElement.FULL_IMMEDIATE_ASSIGN, block.toOctetString()));
+    }
+
+    // Messages.
+
+    void send(RslPdu message) {
+        if (!isClosed) {
+            byte[] octets = message.encode();
+            trace(Direction.DOWNLINK, message.type(), octets);
+            peer.port().send(new IpaFrame(IpaFrame.RSL, octets));
+        }
+    }
+
+    private void trace(Direction direction, RslType type, byte[] octets) {
+        if (!UNTRACED.contains(type)) {
+            controller.links().trace().passed(this, direction, type.title(), OctetString.of(octets));
+        }
+    }
+
+    @Override
+    public void received(IpaFrame frame) throws ProtocolViolation {
+        if (frame.stream() == IpaFrame.RSL) {
+            RslPdu message = RslPdu.decode(frame.payload());
+            trace(Direction.UPLINK, message.type(), frame.payload());
+            receive(message);
+        } else {
+            violated("sent a frame of unknown stream " + frame.stream());
+        }
+    }
+
+    private void receive(RslPdu message) throws ProtocolViolation {
+        switch (message.type()) {
+            case CHANNEL_REQUIRED -> request(message);
+            case CCCH_LOAD_INDICATION, CBCH_LOAD_INDICATION, RF_RESOURCE_INDICATION, DELETE_INDICATION, OVERLOAD ->
+                LOG.log(Level.TRACE, "{0}: {1}", this, message.type().title());
+            case ERROR_REPORT -> violated("reports an error: " + message);
+            default -> {
+                DedicatedChannel channel = channels.get(message.channel());
+                if (channel == null) {
+                    violated("has no " + message.channel());
+                } else {
+                    channel.receive(message);
+                }
+            }
+        }
+    }
+
+    /** The values of a MEASUREMENT RESULT; neighbours on frequencies that the cell does not list are left out. */
+    Measurement measurement(RslPdu message) throws ProtocolViolation {
+        int number = message.octet(RslElement.MEASUREMENT_RESULT_NUMBER);
+        boolean usesDtx = (message.octet(RslElement.UPLINK_MEASUREMENTS) & 0x40) != 0;
+        int reduction = 2
+                * (message.find(RslElement.BS_POWER)
+                                .map(power -> power.octet(0))
+                                .orElse(0)
+                        & 0x0f);
+        int timingAdvance =
+                message.find(RslElement.L1_INFORMATION).map(l1 -> l1.octet(1)).orElse(0);
+        Optional<OctetString> report = message.find(RslElement.L3_INFORMATION);
+        if (report.isEmpty()) {
+            return new Measurement(number, false, 0, 0, 0, timingAdvance, List.of());
+        }
+        if (!(Layer3Codec.decode(report.get().toArray(), Direction.UPLINK)
+                instanceof RadioResource.MeasurementReport layer3)) {
+            throw ProtocolViolation.invalid("a measurement result without a measurement report");
+        }
+        MeasurementResults results = layer3.results();
+        return new Measurement(
+                number,
+                results.isValid(),
+                results.fullLevel(),
+                (usesDtx ? results.subLevel() : results.fullLevel()) + reduction,
+                usesDtx ? results.subQuality() : results.fullQuality(),
+                timingAdvance,
+                results.neighbours().stream()
+                        .filter(each -> each.frequencyIndex() < neighbours.size())
+                        .map(each -> new Measurement.Neighbour(
+                                new NeighbourCell(neighbours.get(each.frequencyIndex()), each.identityCode()),
+                                each.level()))
+                        .toList());
+    }
+
+    // The link.
+
+    @Override
+    public void violated(String what) {
+        violations++;
+        LOG.log(violations <= MAX_LOGGED_VIOLATIONS ? Level.WARNING : Level.DEBUG, "{0}: {1}", this, what);
+        if (violations == MAX_VIOLATIONS) {
+            peer.drop(MAX_VIOLATIONS + " protocol errors");
+        }
+    }
+
+    @Override
+    public void failed(RuntimeException e) {
+        LOG.log(Level.ERROR, this + ": closed after an error of our own", e);
+        peer.drop("internal error");
+    }
+
+    /** Another link says that it is this tower. */
+    void replace() {
+        peer.drop("the tower has connected again");
+    }
+
+    @Override
+    public boolean isKnown() {
+        return true;
+    }
+
+    @Override
+    public void closed() {
+        isClosed = true;
+        Collection<DedicatedChannel> all = List.copyOf(inOrder);
+        all.forEach(DedicatedChannel::lost);
+        controller.towerLost(this);
+    }
+
+    @Override
+    public String lifeline() {
+        return plan.name();
+    }
+
+    @Override
+    public boolean hasNumber() {
+        return true;
+    }
+
+    /** The name. */
+    @Override
+    public String toString() {
+        return plan.name();
+    }
+}

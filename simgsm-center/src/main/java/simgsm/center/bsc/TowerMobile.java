@@ -1,0 +1,97 @@
+package simgsm.center.bsc;
+
+import java.util.Optional;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslMessage;
+import simgsm.air.LocationArea;
+import simgsm.air.MobileIdentity;
+import simgsm.center.msc.link.BroadcastChannel;
+import simgsm.center.msc.link.Link;
+import simgsm.center.msc.link.RadioAccess;
+import simgsm.octets.OctetString;
+
+/** A mobile that is reached by towers: on its radio connection if it has one, else by paging in its location area. */
+final class TowerMobile implements RadioAccess {
+    private final BaseStationController controller;
+    private final Link link;
+    private Optional<MobileConnection> connection = Optional.empty();
+    private LocationArea area;
+
+    TowerMobile(BaseStationController controller, Tower tower) {
+        this.controller = controller;
+        this.area = tower.plan().area();
+        this.link = new Link(this, tower.address(), tower.isLocal(), controller.links());
+    }
+
+    Link link() {
+        return link;
+    }
+
+    /** The mobile begins a radio connection; an older one is lost. */
+    void connected(MobileConnection begun) {
+        connection.ifPresent(MobileConnection::lost);
+        connection = Optional.of(begun);
+        area = begun.channel().tower().plan().area();
+    }
+
+    /** The radio connection is over. */
+    void disconnected(MobileConnection ended) {
+        if (connection.filter(own -> own == ended).isPresent()) {
+            connection = Optional.empty();
+            controller.uplink().left(link);
+            forgetIfUnknown();
+        }
+    }
+
+    /** Without a subscriber the mobile is made anew with its next message. */
+    private void forgetIfUnknown() {
+        if (!link.hasSubscriber()) {
+            link.forget();
+        }
+    }
+
+    @Override
+    public void send(RslMessage.Sapi sapi, OctetString layer3) {
+        connection.ifPresent(own -> own.send(sapi.code(), layer3));
+    }
+
+    @Override
+    public void release() {
+        connection.ifPresent(MobileConnection::release);
+    }
+
+    @Override
+    public void page(MobileIdentity identity) {
+        controller.page(link, area, identity);
+    }
+
+    @Override
+    public LocationArea area() {
+        return area;
+    }
+
+    @Override
+    public BroadcastChannel broadcastChannel() {
+        return controller;
+    }
+
+    @Override
+    public void setSpeechNeed(SpeechNeed need) {
+        connection.ifPresent(own -> own.setSpeechNeeded(need != SpeechNeed.NONE));
+    }
+
+    @Override
+    public void sendSpeech(IpaFrame frame) {
+        connection.ifPresent(own -> own.sendSpeech(frame.payload()));
+    }
+
+    @Override
+    public boolean isShared() {
+        return true;
+    }
+
+    @Override
+    public void close(String reason) {
+        connection.ifPresent(MobileConnection::lost);
+    }
+}

@@ -1,0 +1,49 @@
+package simgsm.center.bsc;
+
+import java.util.ArrayList;
+import java.util.List;
+import simgsm.abis.CcmMessage;
+import simgsm.abis.TowerIdentity;
+import simgsm.air.CellDescription;
+import simgsm.air.ChannelNumber;
+import simgsm.air.LocationArea;
+
+/**
+ * A tower's place in the network. A tower that tells nothing but its unit id gets ARFCN 100, 110 ... and BSIC 10, 11 ... in the order
+ * of connection, location area 1.
+ *
+ * @param cell ARFCN of its one carrier, and BSIC
+ * @param cellIdentity 0 to 65535
+ * @param trafficChannels timeslots for speech, from 1 on
+ */
+record TowerPlan(String name, CellDescription cell, LocationArea area, int cellIdentity, int trafficChannels) {
+    private static final int SIGNALLING_TIMESLOT = 0;
+
+    /** The plan of a tower. @param position of the tower among those connected, from 0 */
+    static TowerPlan of(CcmMessage.IdentityResponse identity, int position) {
+        TowerIdentity tower = TowerIdentity.of(identity, position);
+        return new TowerPlan(
+                tower.name(),
+                new CellDescription(tower.identityCode(), tower.frequency()),
+                new LocationArea(LocationArea.TEST.countryCode(), LocationArea.TEST.networkCode(), tower.area()),
+                tower.cellIdentity(),
+                tower.trafficChannels());
+    }
+
+    /** The dedicated channels in the order in which they are given out: SDCCH/4 beside the common channels, then TCH/F. */
+    List<ChannelNumber> channels() {
+        List<ChannelNumber> channels = new ArrayList<>();
+        for (int i = 0; i < ChannelNumber.Kind.SDCCH_4.subchannels(); i++) {
+            channels.add(new ChannelNumber(ChannelNumber.Kind.SDCCH_4, i, SIGNALLING_TIMESLOT));
+        }
+        for (int timeslot = 1; timeslot <= trafficChannels; timeslot++) {
+            channels.add(ChannelNumber.of(ChannelNumber.Kind.TCH_F, timeslot));
+        }
+        return channels;
+    }
+
+    /** The base station's colour code is the training sequence of all its channels. */
+    int trainingSequence() {
+        return cell.identityCode() & 0x07;
+    }
+}

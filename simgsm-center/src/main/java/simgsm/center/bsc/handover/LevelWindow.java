@@ -1,0 +1,26 @@
+package simgsm.center.bsc.handover;
+
+/** The latest levels of one cell, at most {@link PowerBudgetDecision#MOST_RESULTS}. */
+final class LevelWindow {
+    private final int[] levels = new int[PowerBudgetDecision.MOST_RESULTS];
+    private int count;
+
+    void add(int level) {
+        levels[count % levels.length] = level;
+        count++;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** The mean of the latest levels, cut to a whole number; of fewer if there are fewer. */
+    int average(int window) {
+        int size = Math.min(window, Math.min(count, levels.length));
+        int sum = 0;
+        for (int i = 1; i <= size; i++) {
+            sum += levels[(count - i) % levels.length];
+        }
+        return size == 0 ? 0 : sum / size;
+    }
+}

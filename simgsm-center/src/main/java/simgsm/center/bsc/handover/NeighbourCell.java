@@ -1,0 +1,4 @@
+package simgsm.center.bsc.handover;
+
+/** A neighbour cell as a mobile tells it. @param frequency ARFCN @param identityCode BSIC */
+public record NeighbourCell(int frequency, int identityCode) {}
