@@ -50,7 +50,7 @@ public final class BaseStationController implements BroadcastChannel {
     private final MobileUplink uplink;
     private final CellSettings settings;
     private final Function<MobileIdentity, Optional<Link>> known;
-    private final Map<String, Tower> towers = new LinkedHashMap<>();
+    private final Map<String, TowerControl> towers = new LinkedHashMap<>();
     private int handoverReference;
 
     /**
@@ -71,11 +71,11 @@ public final class BaseStationController implements BroadcastChannel {
 
     /** A peer has said that it is a tower; an older link of the same unit id is replaced. */
     public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
-        Tower old = towers.get(identity.unitId());
+        TowerControl old = towers.get(identity.unitId());
         if (old != null) {
             old.replace();
         }
-        Tower tower = new Tower(this, peer, identity.unitId(), TowerPlan.of(identity, towers.size()));
+        TowerControl tower = new TowerControl(this, peer, identity.unitId(), TowerPlan.of(identity, towers.size()));
         towers.put(identity.unitId(), tower);
         LOG.log(
                 Level.INFO,
@@ -89,15 +89,15 @@ public final class BaseStationController implements BroadcastChannel {
         return tower;
     }
 
-    void towerLost(Tower tower) {
+    void towerLost(TowerControl tower) {
         if (towers.remove(tower.unitId(), tower)) {
             listNeighbours(null);
         }
     }
 
     /** Each cell lists all others. @param newcomer is not told yet */
-    private void listNeighbours(Tower newcomer) {
-        for (Tower tower : List.copyOf(towers.values())) {
+    private void listNeighbours(TowerControl newcomer) {
+        for (TowerControl tower : List.copyOf(towers.values())) {
             List<Integer> others = towers.values().stream()
                     .filter(other -> other != tower)
                     .map(other -> other.plan().cell().frequency())
@@ -125,7 +125,7 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /** The tower with this cell. */
-    Optional<Tower> tower(NeighbourCell cell) {
+    Optional<TowerControl> tower(NeighbourCell cell) {
         return towers.values().stream()
                 .filter(tower -> tower.plan().cell().frequency() == cell.frequency()
                         && tower.plan().cell().identityCode() == cell.identityCode())
@@ -138,7 +138,7 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /** The mobile that sends this first message; a location update, and a mobile that is not known, get a new one. */
-    TowerMobile mobileOf(OctetString firstMessage, Tower tower) {
+    TowerMobile mobileOf(OctetString firstMessage, TowerControl tower) {
         return identityIn(firstMessage)
                 .flatMap(known)
                 .map(Link::access)
@@ -180,7 +180,7 @@ public final class BaseStationController implements BroadcastChannel {
         in(area).forEach(tower -> tower.send(message));
     }
 
-    private Collection<Tower> in(LocationArea area) {
+    private Collection<TowerControl> in(LocationArea area) {
         return towers.values().stream()
                 .filter(tower -> tower.plan().area().equals(area))
                 .toList();

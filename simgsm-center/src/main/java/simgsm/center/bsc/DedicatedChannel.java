@@ -55,7 +55,7 @@ final class DedicatedChannel {
         }
     }
 
-    private final Tower tower;
+    private final TowerControl tower;
     private final ChannelNumber number;
     private final StateMachine<ChannelState, ChannelEvent, ChannelAction> machine =
             new StateMachine<>(ChannelTable.ROWS, this, this::perform).onEntry(before -> entered());
@@ -63,20 +63,20 @@ final class DedicatedChannel {
     private final Deque<OctetString> waitingForSapi3 = new ArrayDeque<>();
     private boolean isSapi3Open;
     private boolean isSapi3Opening;
-    private MobileConnection user;
+    private RadioConnection user;
     private Purpose purpose;
     private int accessDelay;
     private int handoverReference;
     private HandoverDecision decision;
     private Timer guard;
 
-    DedicatedChannel(Tower tower, ChannelNumber number) {
+    DedicatedChannel(TowerControl tower, ChannelNumber number) {
         this.tower = tower;
         this.number = number;
         this.speech = new ChannelSpeech(this);
     }
 
-    Tower tower() {
+    TowerControl tower() {
         return tower;
     }
 
@@ -111,7 +111,7 @@ final class DedicatedChannel {
     }
 
     /** Gives the channel to a connection. @param reference of a handover, else unused */
-    void activate(MobileConnection connection, Purpose why, int delay, int reference) {
+    void activate(RadioConnection connection, Purpose why, int delay, int reference) {
         user = connection;
         purpose = why;
         accessDelay = delay;
@@ -296,7 +296,7 @@ final class DedicatedChannel {
         }
     }
 
-    Optional<MobileConnection> user() {
+    Optional<RadioConnection> user() {
         return isFree() ? Optional.empty() : Optional.of(user);
     }
 

@@ -14,10 +14,10 @@ import simgsm.octets.OctetString;
 final class TowerMobile implements RadioAccess {
     private final BaseStationController controller;
     private final Link link;
-    private Optional<MobileConnection> connection = Optional.empty();
+    private Optional<RadioConnection> connection = Optional.empty();
     private LocationArea area;
 
-    TowerMobile(BaseStationController controller, Tower tower) {
+    TowerMobile(BaseStationController controller, TowerControl tower) {
         this.controller = controller;
         this.area = tower.plan().area();
         this.link = new Link(this, tower.address(), tower.isLocal(), controller.links());
@@ -28,14 +28,14 @@ final class TowerMobile implements RadioAccess {
     }
 
     /** The mobile begins a radio connection; an older one is lost. */
-    void connected(MobileConnection begun) {
-        connection.ifPresent(MobileConnection::lost);
+    void connected(RadioConnection begun) {
+        connection.ifPresent(RadioConnection::lost);
         connection = Optional.of(begun);
         area = begun.channel().tower().plan().area();
     }
 
     /** The radio connection is over. */
-    void disconnected(MobileConnection ended) {
+    void disconnected(RadioConnection ended) {
         if (connection.filter(own -> own == ended).isPresent()) {
             connection = Optional.empty();
             controller.uplink().left(link);
@@ -57,7 +57,7 @@ final class TowerMobile implements RadioAccess {
 
     @Override
     public void release() {
-        connection.ifPresent(MobileConnection::release);
+        connection.ifPresent(RadioConnection::release);
     }
 
     @Override
@@ -92,6 +92,6 @@ final class TowerMobile implements RadioAccess {
 
     @Override
     public void close(String reason) {
-        connection.ifPresent(MobileConnection::lost);
+        connection.ifPresent(RadioConnection::lost);
     }
 }

@@ -3,7 +3,7 @@
  * on a tower is a {@link simgsm.center.msc.link.Link} of the exchange.
  *
  * <pre>
- *   BaseStationController -> Tower -> DedicatedChannel -> MobileConnection -> TowerMobile = Link of the exchange
+ *   BaseStationController -> TowerControl -> DedicatedChannel -> RadioConnection -> TowerMobile = Link of the exchange
  * </pre>
  *
  * <p>Read first: {@link simgsm.center.bsc.BaseStationController}, then {@link simgsm.center.bsc.ConnectionTable}.

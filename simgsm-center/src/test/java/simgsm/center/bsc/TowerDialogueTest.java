@@ -77,15 +77,14 @@ class TowerDialogueTest {
         west.up("0206 01" + channel + "0203");
         west.tellSms(channel, "3901 17 00 01 00 0291f1 10 1101 0781 550502f0 0000 a7 04 f4f29c0e");
         west.down("0301 01" + channel + "0203 0b0002 b904");
+        // Stored: the sender gets its acknowledgement, the receiver is paged.
         assertTrue(west.nextLayer3().startsWith("b901"));
+        west.down("0c15 0190 0e00 0c05 f4" + receiver + "2800");
         west.tellSms(channel, "3904");
         assertEquals("060d00", west.nextLayer3());
         west.down("0825 01" + channel, "0207 01" + channel + "0203 1401");
         west.up("0208 01" + channel + "0203");
 
-        // The receiver is paged meanwhile.
-        stage.passMillis(0);
-        west.down("0c15 0190 0e00 0c05 f4" + receiver + "2800");
         west.up("0c13 0188 13 91 4444 1100");
         assertEquals("0c16", answerActivation(west, "28"));
         west.up("0206 0128 0200 0b000d 0627 07 03331981 05f4" + receiver);

@@ -16,6 +16,9 @@ import simgsm.octets.OctetWriter;
 public record ImmediateAssignment(ChannelDescription channel, RequestReference reference, int timingAdvance) {
     static final int OCTETS = 23;
     static final int FILL = 0x2b;
+    /** Page mode: the mobiles listen to paging as before. */
+    static final int SAME_PAGE_MODE = 3;
+
     private static final int TYPE = 0x3f;
     /** What the L2 pseudo length counts, without a mobile allocation. */
     private static final int COUNTED_OCTETS = 11;
@@ -30,7 +33,7 @@ public record ImmediateAssignment(ChannelDescription channel, RequestReference r
                 .octet(COUNTED_OCTETS << 2 | 1)
                 .octet(Layer3Header.RADIO_RESOURCE)
                 .octet(TYPE)
-                .octet(0)
+                .octet(SAME_PAGE_MODE)
                 .string(channel.encode())
                 .string(reference.octets())
                 .octet(timingAdvance)

@@ -31,7 +31,7 @@ public record ImmediateAssignmentReject(List<RequestReference> references, int w
                 .octet(COUNTED_OCTETS << 2 | 1)
                 .octet(Layer3Header.RADIO_RESOURCE)
                 .octet(TYPE)
-                .octet(0);
+                .octet(ImmediateAssignment.SAME_PAGE_MODE);
         for (int i = 0; i < MOST; i++) {
             references.get(Math.min(i, references.size() - 1)).write(out);
             out.octet(waitSeconds);

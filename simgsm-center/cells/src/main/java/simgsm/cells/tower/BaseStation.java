@@ -12,6 +12,7 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.KeepAlive;
+import simgsm.abis.TowerIdentity;
 import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslPdu;
 import simgsm.abis.rsl.RslType;
@@ -34,7 +35,6 @@ import simgsm.timer.Timers;
  */
 public final class BaseStation {
     private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
-    private static final String UNIT_NAME = "SimGSM cells";
     private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
     /** Mobiles that may wait for an answer on the access grant channel; more are not heard. */
     private static final int MOST_ACCESSES = 1_000;
@@ -169,11 +169,22 @@ public final class BaseStation {
 
     private void arrived(CcmMessage message) {
         if (message instanceof CcmMessage.IdentityRequest) {
-            sendCcm(new CcmMessage.IdentityResponse(UNIT_NAME, tower.name(), tower.unitId()));
+            sendCcm(identity().response());
             sendCcm(new CcmMessage.IdentityAcknowledge());
         } else {
             keepAlive.receive(message);
         }
+    }
+
+    private TowerIdentity identity() {
+        return new TowerIdentity(
+                tower.unitId(),
+                tower.name(),
+                tower.arfcn(),
+                tower.bsic(),
+                tower.area(),
+                tower.cellIdentity(),
+                tower.trafficChannels());
     }
 
     private void sendCcm(CcmMessage message) {

@@ -29,7 +29,7 @@ import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
 
 /** One mobile's radio connection: {@link ConnectionTable} driven by its channels, its messages and the exchange. */
-final class MobileConnection {
+final class RadioConnection {
     private static final int SAPI_0 = 0;
     /** MS power control level in commands. */
     private static final int POWER_LEVEL = 14;
@@ -60,7 +60,7 @@ final class MobileConnection {
 
     private record Waiting(int sapi, OctetString layer3) {}
 
-    private MobileConnection(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
+    private RadioConnection(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
         this.controller = controller;
         this.request = request;
         this.channel = first;
@@ -68,7 +68,7 @@ final class MobileConnection {
 
     /** Begins with a mobile's request, for which this channel is activated. */
     static void begin(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
-        MobileConnection connection = new MobileConnection(controller, request, first);
+        RadioConnection connection = new RadioConnection(controller, request, first);
         first.activate(connection, Purpose.IMMEDIATE_ASSIGNMENT, request.accessDelay(), 0);
     }
 
@@ -285,8 +285,10 @@ final class MobileConnection {
     }
 
     private boolean handOver(NeighbourCell cell) {
-        Optional<DedicatedChannel> free =
-                controller.tower(cell).filter(tower -> tower != channel.tower()).flatMap(Tower::freeTrafficChannel);
+        Optional<DedicatedChannel> free = controller
+                .tower(cell)
+                .filter(tower -> tower != channel.tower())
+                .flatMap(TowerControl::freeTrafficChannel);
         free.ifPresent(found -> {
             target = found;
             machine.fire(ConnectionEvent.HANDOVER);

@@ -30,12 +30,13 @@ import simgsm.center.msc.link.Lifeline;
 import simgsm.center.msc.link.Peer;
 import simgsm.center.msc.link.PeerUser;
 import simgsm.octets.OctetString;
-import simgsm.octets.OctetWriter;
+import simgsm.rr.ImmediateAssignment;
+import simgsm.rr.ImmediateAssignmentReject;
 import simgsm.timer.Timers;
 
 /** One tower: its link, its system information, its channels. */
-final class Tower implements PeerUser, Lifeline {
-    private static final System.Logger LOG = System.getLogger(Tower.class.getName());
+final class TowerControl implements PeerUser, Lifeline {
+    private static final System.Logger LOG = System.getLogger(TowerControl.class.getName());
 
     /** Protocol errors after which the link is closed. */
     private static final int MAX_VIOLATIONS = 100;
@@ -44,15 +45,6 @@ final class Tower implements PeerUser, Lifeline {
 
     private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
     private static final ChannelNumber AGCH = ChannelNumber.of(Kind.PCH_AGCH, 0);
-    private static final int AGCH_BLOCK = 23;
-    private static final int FILL = 0x2b;
-    private static final int RADIO_RESOURCE = 0x06;
-    private static final int IMMEDIATE_ASSIGNMENT = 0x3f;
-    private static final int IMMEDIATE_ASSIGNMENT_REJECT = 0x3a;
-    /** Page mode: as before. */
-    private static final int SAME_PAGE_MODE = 3;
-    /** A reject block answers this many requests. */
-    private static final int REJECTS = 4;
 
     /** System information types of BCCH INFORMATION and SACCH FILLING (TS 48.058, 9.3.30). */
     private static final int TYPE_5 = 0x05;
@@ -73,12 +65,12 @@ final class Tower implements PeerUser, Lifeline {
     private final Timers timers;
     private final Map<ChannelNumber, DedicatedChannel> channels = new HashMap<>();
     private final List<DedicatedChannel> inOrder = new ArrayList<>();
-    private final Deque<MobileConnection> queue = new ArrayDeque<>();
+    private final Deque<RadioConnection> queue = new ArrayDeque<>();
     private List<Integer> neighbours = List.of();
     private int violations;
     private boolean isClosed;
 
-    Tower(BaseStationController controller, Peer peer, String unitId, TowerPlan plan) {
+    TowerControl(BaseStationController controller, Peer peer, String unitId, TowerPlan plan) {
         this.controller = controller;
         this.peer = peer;
         this.unitId = unitId;
@@ -176,7 +168,7 @@ final class Tower implements PeerUser, Lifeline {
     }
 
     /** The connection waits for a traffic channel. */
-    void queue(MobileConnection connection) {
+    void queue(RadioConnection connection) {
         queue.remove(connection);
         queue.add(connection);
     }
@@ -193,42 +185,23 @@ final class Tower implements PeerUser, Lifeline {
         ChannelRequest request = ChannelRequest.of(message);
         Optional<DedicatedChannel> channel = free(false).or(() -> free(true));
         if (channel.isPresent()) {
-            MobileConnection.begin(controller, request, channel.get());
+            RadioConnection.begin(controller, request, channel.get());
         } else {
             reject(request);
         }
     }
 
     void grant(ChannelRequest request, DedicatedChannel channel) {
-        sendAccessGrant(new OctetWriter()
-                .octet(11 << 2 | 1)
-                .octet(RADIO_RESOURCE)
-                .octet(IMMEDIATE_ASSIGNMENT)
-                .octet(SAME_PAGE_MODE)
-                .string(channel.description().encode())
-                .string(request.reference())
-                .octet(request.accessDelay())
-                .octet(0));
+        sendAccessGrant(
+                new ImmediateAssignment(channel.description(), request.reference(), request.accessDelay()).encode());
     }
 
     void reject(ChannelRequest request) {
-        OctetWriter out = new OctetWriter()
-                .octet(19 << 2 | 1)
-                .octet(RADIO_RESOURCE)
-                .octet(IMMEDIATE_ASSIGNMENT_REJECT)
-                .octet(SAME_PAGE_MODE);
-        for (int i = 0; i < REJECTS; i++) {
-            out.string(request.reference()).octet(BscTimer.T3122.seconds());
-        }
-        sendAccessGrant(out);
+        sendAccessGrant(new ImmediateAssignmentReject(List.of(request.reference()), BscTimer.T3122.seconds()).encode());
     }
 
-    private void sendAccessGrant(OctetWriter block) {
-        while (block.length() < AGCH_BLOCK) {
-            block.octet(FILL);
-        }
-        send(RslPdu.of(RslType.IMMEDIATE_ASSIGN_COMMAND, AGCH)
-                .with(RslElement.FULL_IMMEDIATE_ASSIGN, block.toOctetString()));
+    private void sendAccessGrant(OctetString block) {
+        send(RslPdu.of(RslType.IMMEDIATE_ASSIGN_COMMAND, AGCH).with(RslElement.FULL_IMMEDIATE_ASSIGN, block));
     }
 
     // Messages.
