@@ -101,9 +101,9 @@ class LayeringTest {
             simgsm.cells.tower       : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.cells.town
             simgsm.cells.mobile      : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
-            simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
-            simgsm.cells.app         : simgsm.console simgsm.air simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
-            simgsm.cells             : simgsm.console simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
+            simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
+            simgsm.cells.app         : simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
+            simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simrobot.behaviour       :
             simrobot.world           :
             simrobot.bitmap          : simgsm.octets simrobot.world

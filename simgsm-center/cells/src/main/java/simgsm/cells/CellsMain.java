@@ -1,8 +1,10 @@
 package simgsm.cells;
 
+import java.util.Optional;
 import simgsm.cells.app.CellsCommands;
 import simgsm.cells.app.CellsEvents;
 import simgsm.cells.app.CellsSettings;
+import simgsm.cells.app.CellsWindow;
 import simgsm.cells.net.CellsLoop;
 import simgsm.cells.network.CellNetwork;
 import simgsm.console.Arguments;
@@ -11,7 +13,7 @@ import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.Options;
 import simgsm.console.Program;
-import simgsm.console.UnavailableException;
+import simgsm.ui.window.ProgramWindow;
 
 /** Starts the cells program from the command line. */
 public final class CellsMain {
@@ -37,6 +39,11 @@ public final class CellsMain {
                         "N",
                         "TCP port for phones and modems, 0 for any free one; default " + CellsSettings.DEFAULT_PORT)
                 .value("bind", "ADDRESS", "address to listen on; default loopback only")
+                .collecting(
+                        "follow",
+                        "NUMBER=URL[,SCALE]",
+                        "the place of this phone or robot is the pose at URL, http://HOST:PORT/robots/NAME of a SimRobot with"
+                                + "\n--http, times SCALE (1)")
                 .flag("print-osmo-bsc", "print the configuration of osmo-bsc for the town's towers, and end");
     }
 
@@ -45,15 +52,21 @@ public final class CellsMain {
         if (arguments.has("print-osmo-bsc")) {
             return settings.printOsmoBsc(Program.standardOutput());
         }
-        if (!arguments.has("headless")) {
-            throw new UnavailableException("the window is not there yet; use --headless");
-        }
+        Optional<ProgramWindow> window = arguments.has("headless")
+                ? Optional.empty()
+                : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
+        FatalError.endOnMachineErrors(CellsSettings.PROGRAM);
         try (Console console = Console.onStandardOutput()) {
             CellsEvents events = new CellsEvents(console);
-            CellNetwork network = new CellNetwork(settings.town(), settings.seed(), events);
+            CellNetwork network =
+                    new CellNetwork(settings.town(), settings.seed(), window.isPresent() ? event -> {} : events);
             try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
-                FatalError.endOnMachineErrors(CellsSettings.PROGRAM);
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
+                settings.followed()
+                        .forEach(robot -> robot.start(place -> loop.post(cells -> cells.place(robot.number(), place))));
+                if (window.isPresent()) {
+                    return CellsWindow.run(loop, settings, window.get());
+                }
                 console.ready(Event.of("ready")
                         .with("port", loop.port())
                         .with("cells", settings.town().towers().size()));

@@ -52,9 +52,6 @@ final class CellsEventPrinter {
 
     static Event of(BaseStation tower) {
         Place place = tower.tower().place();
-        long used = tower.channels().stream()
-                .filter(channel -> channel.number().kind().isSpeech())
-                .count();
         return Event.of("cell")
                 .with("name", tower.tower().name())
                 .with("arfcn", tower.tower().arfcn())
@@ -63,7 +60,7 @@ final class CellsEventPrinter {
                 .with("x", metres(place.xMetres()))
                 .with("y", metres(place.yMetres()))
                 .with("state", !tower.isOn() ? "off" : tower.isInService() ? "on" : "searching")
-                .with("free", Math.max(0, tower.tower().trafficChannels() - used));
+                .with("free", tower.freeTrafficChannels());
     }
 
     static Event of(Mobile mobile, CellNetwork network) {

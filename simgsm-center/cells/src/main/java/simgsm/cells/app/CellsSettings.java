@@ -5,6 +5,10 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import simgsm.cells.net.FollowedRobot;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
 import simgsm.console.Arguments;
@@ -18,9 +22,17 @@ import simgsm.console.UsageException;
  * @param port for terminals; 0 for any free one
  * @param controller the centre or osmo-bsc
  * @param isOsmocom whether the controller is osmo-bsc
+ * @param followed robots whose pose is the place of a terminal
  */
 public record CellsSettings(
-        Town town, InetAddress address, int port, HostPort controller, boolean isOsmocom, long seed) {
+        Town town,
+        InetAddress address,
+        int port,
+        HostPort controller,
+        boolean isOsmocom,
+        long seed,
+        List<FollowedRobot> followed,
+        Locale language) {
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
     private static final int MAX_PORT = 0xffff;
@@ -34,7 +46,12 @@ public record CellsSettings(
         long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         Town town = TownFile.read(
                 arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed")));
-        return new CellsSettings(town, address, port, controller, isOsmocom, seed);
+        List<FollowedRobot> followed = new ArrayList<>();
+        for (String text : arguments.all("follow")) {
+            followed.add(Arguments.checked(() -> FollowedRobot.parse(text)));
+        }
+        return new CellsSettings(
+                town, address, port, controller, isOsmocom, seed, List.copyOf(followed), arguments.language());
     }
 
     public InetSocketAddress controllerAddress() {

@@ -51,6 +51,7 @@ public final class Mobile {
     private final SubscriberIdentity identity = new SubscriberIdentity();
     private final ChannelRequests requests;
     private final MobileSpeech speech;
+    private final RecentLevels recent;
     private final ChannelChange change;
     private final StateMachine<MobileRadioState, MobileRadioEvent, MobileRadioAction> machine;
     private final Queue<RslMessage.DataIndication> heldUp = new ArrayDeque<>();
@@ -125,6 +126,7 @@ public final class Mobile {
         this.timers = timers;
         walker = new Walker(place);
         reception = new Reception(network);
+        recent = new RecentLevels(network.towers().size());
         selection = new IdleSelection(network.towers().size());
         requests = new ChannelRequests(network, timers, receiver);
         speech = new MobileSpeech(port, timers, millis -> network.happened(new MobileEvent.SpeechGap(this, millis)));
@@ -169,6 +171,11 @@ public final class Mobile {
 
     public IdleSelection selection() {
         return selection;
+    }
+
+    /** The levels of the last measurements in the connection. */
+    public RecentLevels recent() {
+        return recent;
     }
 
     /** The levels of all towers at the last measurement, in dBm. */
@@ -328,6 +335,7 @@ public final class Mobile {
     void take(TowerChannel newChannel) {
         channel = newChannel;
         reports = 0;
+        recent.clear();
         if (newChannel.isTraffic()) {
             speech.restart();
         }
@@ -423,7 +431,9 @@ public final class Mobile {
     /** Moves, measures, and chooses a cell or reports. */
     public void measure() {
         long now = timers.nowNanos();
-        walker.advance(now - measuredNanos);
+        if (!network.isPaused()) {
+            walker.advance(now - measuredNanos);
+        }
         measuredNanos = now;
         reception.measure(walker.place());
         if (machine.state() == MobileRadioState.DEDICATED) {
@@ -460,6 +470,7 @@ public final class Mobile {
     }
 
     private void report() {
+        recent.add(reception.levelsDbm());
         double lost = ReceptionQuality.blockErasureRate(reception.errorRate(serving()));
         boolean isUplinkGood = !isLost(lost) && channel.tower().isInService();
         boolean isDownlinkGood = !isLost(lost) && channel.tower().isInService();

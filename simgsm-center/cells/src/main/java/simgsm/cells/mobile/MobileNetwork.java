@@ -30,6 +30,9 @@ public interface MobileNetwork {
     /** A number from 0 to less than 1, of the program's seed. */
     double random();
 
+    /** Whether walking mobiles stand still. */
+    boolean isPaused();
+
     /** The mobile's number has become known. */
     void identified(Mobile mobile);
 

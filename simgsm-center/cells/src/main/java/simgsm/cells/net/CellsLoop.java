@@ -76,6 +76,14 @@ public final class CellsLoop implements AutoCloseable {
         });
     }
 
+    /** Shows the core on the owner thread, at once and after each period. Any thread may call this. */
+    public void observe(long periodNanos, Consumer<CellNetwork> observer) {
+        loop.post(() -> {
+            observer.accept(now());
+            loop.after(periodNanos, () -> observe(periodNanos, observer));
+        });
+    }
+
     /** The core, moved to the present time. */
     CellNetwork now() {
         network.advance(System.nanoTime() - startNanos);

@@ -44,6 +44,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Map<String, Place> placed = new HashMap<>();
     private final Deque<Passing> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
+    private boolean isPaused;
 
     /** The towers are on and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
@@ -113,6 +114,16 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         Optional<Mobile> mobile = mobile(number);
         mobile.ifPresent(found -> found.walker().walk(points, metresPerSecond));
         return mobile.isPresent();
+    }
+
+    /** Lets all walking mobiles stand still, or go on. */
+    public void pause(boolean paused) {
+        isPaused = paused;
+    }
+
+    @Override
+    public boolean isPaused() {
+        return isPaused;
     }
 
     /** The mobile appears at its place; its walk begins. */

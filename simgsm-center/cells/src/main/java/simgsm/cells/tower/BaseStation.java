@@ -104,6 +104,12 @@ public final class BaseStation {
         return List.copyOf(channels.values());
     }
 
+    /** Traffic channels that are not in use, as the town counts them. */
+    public int freeTrafficChannels() {
+        long used = channels.values().stream().filter(TowerChannel::isTraffic).count();
+        return (int) Math.max(0, tower.trafficChannels() - used);
+    }
+
     public Optional<TowerChannel> channel(ChannelNumber number) {
         return Optional.ofNullable(channels.get(number));
     }

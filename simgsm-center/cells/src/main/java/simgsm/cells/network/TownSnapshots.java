@@ -1,0 +1,145 @@
+package simgsm.cells.network;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import simgsm.cells.mobile.IdleSelection;
+import simgsm.cells.mobile.Mobile;
+import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.radio.RadioField;
+import simgsm.cells.radio.RadioScale;
+import simgsm.cells.snapshot.CellState;
+import simgsm.cells.snapshot.MobileState;
+import simgsm.cells.snapshot.TownSnapshot;
+import simgsm.cells.snapshot.TownSnapshot.ControllerLink;
+import simgsm.cells.tower.BaseStation;
+
+/** Makes the snapshots that the window shows. */
+public final class TownSnapshots {
+    /** Cells of a mobile besides the serving one. */
+    private static final int NEIGHBOURS = 6;
+    /** Reports between decisions, and the margin, of algorithm 1 of osmo-bsc by default. */
+    private static final int DECISION_REPORTS = 6;
+
+    private static final double HANDOVER_MARGIN_DECIBELS = 3;
+
+    private final int port;
+    private final String controller;
+    private final boolean isOsmocom;
+
+    public TownSnapshots(int port, String controller, boolean isOsmocom) {
+        this.port = port;
+        this.controller = controller;
+        this.isOsmocom = isOsmocom;
+    }
+
+    public TownSnapshot of(CellNetwork network) {
+        return new TownSnapshot(
+                network.nowNanos(),
+                network.town(),
+                port,
+                controller,
+                isOsmocom,
+                link(network.towers()),
+                network.isPaused(),
+                network.towers().stream().map(tower -> cell(network, tower)).toList(),
+                network.mobiles().stream()
+                        .map(mobile -> mobile(network, mobile))
+                        .toList(),
+                List.copyOf(network.passing()));
+    }
+
+    private static ControllerLink link(List<BaseStation> towers) {
+        long on = towers.stream().filter(BaseStation::isOn).count();
+        long connected = towers.stream().filter(BaseStation::isInService).count();
+        return connected == 0 ? ControllerLink.SEARCHING : connected < on ? ControllerLink.PARTLY : ControllerLink.UP;
+    }
+
+    private static CellState cell(CellNetwork network, BaseStation tower) {
+        return new CellState(
+                tower.tower().name(),
+                tower.area(),
+                tower.isOn(),
+                tower.isInService(),
+                network.powerDbm(tower),
+                tower.freeTrafficChannels(),
+                tower.tower().trafficChannels());
+    }
+
+    private static MobileState mobile(CellNetwork network, Mobile mobile) {
+        boolean isConnected = mobile.channel().isPresent();
+        int serving = mobile.serving();
+        double[] levels = mobile.levelsDbm();
+        return new MobileState(
+                mobile.number(),
+                mobile.walker().place(),
+                mobile.cell(),
+                state(mobile),
+                mobile.channel().filter(channel -> channel.isTraffic()).isPresent(),
+                mobile.walker().ahead(),
+                levels(network, mobile, levels),
+                isConnected ? OptionalInt.of(mobile.quality()) : OptionalInt.empty(),
+                isConnected
+                        ? OptionalInt.of(RadioScale.timingAdvance(network.towers()
+                                .get(serving)
+                                .tower()
+                                .place()
+                                .distanceMetres(mobile.walker().place())))
+                        : OptionalInt.empty(),
+                isConnected ? OptionalInt.of(mobile.radioLinkCount()) : OptionalInt.empty(),
+                isConnected
+                        ? OptionalInt.of(DECISION_REPORTS - mobile.reports() % DECISION_REPORTS)
+                        : OptionalInt.empty(),
+                isConnected ? HANDOVER_MARGIN_DECIBELS : hysteresis(network, serving),
+                mobile.gapMillis());
+    }
+
+    private static double hysteresis(CellNetwork network, int serving) {
+        return serving == IdleSelection.NONE
+                ? 0
+                : network.towers()
+                        .get(serving)
+                        .cell()
+                        .map(cell -> cell.selection().hysteresisDecibels())
+                        .orElse(0);
+    }
+
+    private static MobileState.State state(Mobile mobile) {
+        if (mobile.state() == MobileRadioState.HANDOVER) {
+            return MobileState.State.HANDOVER;
+        }
+        if (mobile.channel().isPresent()) {
+            return MobileState.State.DEDICATED;
+        }
+        return mobile.serving() == IdleSelection.NONE ? MobileState.State.SEARCHING : MobileState.State.IDLE;
+    }
+
+    private static List<MobileState.Level> levels(CellNetwork network, Mobile mobile, double[] levels) {
+        int serving = mobile.serving();
+        boolean isConnected = mobile.channel().isPresent();
+        List<Integer> order = new ArrayList<>();
+        if (serving != IdleSelection.NONE) {
+            order.add(serving);
+        }
+        IntStream.range(0, levels.length)
+                .filter(tower -> tower != serving && levels[tower] > RadioField.SILENCE_DBM)
+                .boxed()
+                .sorted(Comparator.comparingDouble(tower -> -levels[tower]))
+                .limit(NEIGHBOURS)
+                .forEach(order::add);
+        return order.stream()
+                .map(tower -> new MobileState.Level(
+                        network.towers().get(tower).tower().name(),
+                        levels[tower],
+                        isConnected && mobile.recent().isComplete()
+                                ? OptionalDouble.of(mobile.recent().averageDbm(tower))
+                                : OptionalDouble.empty(),
+                        isConnected || Double.isInfinite(mobile.selection().c2(tower))
+                                ? OptionalDouble.empty()
+                                : OptionalDouble.of(mobile.selection().c2(tower))))
+                .toList();
+    }
+}
