@@ -30,6 +30,7 @@ import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.StartErrorWindow;
 import simrobot.app.BatchRun;
 import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
@@ -70,7 +71,9 @@ public final class SimRobotMain {
     private SimRobotMain() {}
 
     public static void main(String[] args) {
-        new Program(NAME, options()).runAndExit(args, SimRobotMain::run);
+        new Program(NAME, options())
+                .showingErrors(StartErrorWindow::show, "headless", "run", "print-world", "modem-check")
+                .runAndExit(args, SimRobotMain::run);
     }
 
     public static Options options() {

@@ -82,6 +82,19 @@ class DemoWindowsTest {
         assertFalse(window(TITLES.get(0)).isEmpty());
     }
 
+    @Test
+    void aProgramThatCannotStartSaysSoInAWindow() throws Exception {
+        screen(1280, 720);
+        Process robot = start(
+                onDisplay(new ProcessBuilder(Dist.command("simrobot", List.of("--world", "nope.map", "--lang", "en")))
+                        .redirectErrorStream(true)));
+        xdotool("windowactivate", "--sync", window("simrobot cannot start"), "key", "Escape");
+        assertTrue(robot.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        String printed = new String(robot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(printed.contains("nope.map: no such file"), printed);
+        assertEquals(74, robot.exitValue());
+    }
+
     private void screen(int width, int height) throws Exception {
         // Xvfb complains of displays that are taken; only the number of its own belongs to standard output.
         Process server = start(Peer.XVFB

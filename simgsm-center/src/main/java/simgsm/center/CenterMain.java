@@ -26,13 +26,16 @@ import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.StartErrorWindow;
 
 /** Starts the centre (M3) from the command line. */
 public final class CenterMain {
     private CenterMain() {}
 
     public static void main(String[] args) {
-        new Program(Center.NAME, options()).runAndExit(args, arguments -> run(arguments, args));
+        new Program(Center.NAME, options())
+                .showingErrors(StartErrorWindow::show, "headless", "new-sim", "lessons", "check")
+                .runAndExit(args, arguments -> run(arguments, args));
     }
 
     private static Options options() {

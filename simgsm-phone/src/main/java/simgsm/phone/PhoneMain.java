@@ -20,6 +20,7 @@ import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.StartErrorWindow;
 
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
@@ -30,7 +31,9 @@ public final class PhoneMain {
     private PhoneMain() {}
 
     public static void main(String[] args) {
-        new Program(NAME, options()).runAndExit(args, PhoneMain::run);
+        new Program(NAME, options())
+                .showingErrors(StartErrorWindow::show, "headless")
+                .runAndExit(args, PhoneMain::run);
     }
 
     static Options options() {

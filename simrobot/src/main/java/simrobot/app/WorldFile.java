@@ -1,6 +1,7 @@
 package simrobot.app;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -13,16 +14,21 @@ import simgsm.console.ProgramFolder;
 import simgsm.console.UsageException;
 import simrobot.bitmap.BitmapWorld;
 import simrobot.world.World;
+import simrobot.world.WorldReader;
 
-/** Finds a world file: as named, in {@code worlds/}, or upward from the folder of the jar or the image, with or without {@code worlds/}. */
+/**
+ * Finds a world file: as named, in {@code worlds/}, upward from the folder of the jar or the image, with or without
+ * {@code worlds/}, or among the worlds that the program carries itself.
+ */
 public final class WorldFile {
-    private static final String DEFAULT = "worlds/demo.map";
+    private static final Path FOLDER = Path.of("worlds");
+    private static final Path DEFAULT = FOLDER.resolve("demo.map");
     /** The jar lies in target/dist of the source tree, or next to worlds/. */
     private static final int FOLDERS_UPWARD = 3;
 
     private WorldFile() {}
 
-    /** @param name empty for the demo's world, or an empty one if that is not found */
+    /** @param name empty for the demo's world */
     public static World read(Optional<Path> name) throws IOException {
         return read(name, OptionalDouble.empty());
     }
@@ -36,10 +42,20 @@ public final class WorldFile {
         if (Files.exists(place)) {
             return BitmapWorld.read(place, resolutionMeters);
         }
-        if (name.isEmpty()) {
-            return World.bare();
+        return WorldReader.read(place, ofProgram(place));
+    }
+
+    /** The content of one of the worlds that the program carries itself. */
+    private static byte[] ofProgram(Path wanted) throws IOException {
+        Path folder = wanted.getParent();
+        boolean mayBe = folder == null || folder.equals(FOLDER);
+        try (InputStream in =
+                mayBe ? WorldFile.class.getResourceAsStream("/simrobot/worlds/" + wanted.getFileName()) : null) {
+            if (in == null) {
+                throw new NoSuchFileException(wanted.toString());
+            }
+            return in.readAllBytes();
         }
-        throw new NoSuchFileException(place.toString());
     }
 
     /** The option --resolution: metres a pixel. */
@@ -51,16 +67,16 @@ public final class WorldFile {
 
     /** The place of the world's file; as named if it is not found. */
     public static Path find(Optional<Path> name) {
-        Path wanted = name.orElse(Path.of(DEFAULT));
+        Path wanted = name.orElse(DEFAULT);
         return places(wanted).stream().filter(Files::exists).findFirst().orElse(wanted);
     }
 
     private static List<Path> places(Path wanted) {
-        List<Path> places = new ArrayList<>(List.of(wanted, Path.of("worlds").resolve(wanted)));
+        List<Path> places = new ArrayList<>(List.of(wanted, FOLDER.resolve(wanted)));
         Path folder = ProgramFolder.above(WorldFile.class).orElse(null);
         for (int i = 0; i < FOLDERS_UPWARD && folder != null; i++) {
             places.add(folder.resolve(wanted));
-            places.add(folder.resolve("worlds").resolve(wanted));
+            places.add(folder.resolve(FOLDER).resolve(wanted));
             folder = folder.getParent();
         }
         return places;

@@ -25,7 +25,12 @@ public final class WorldReader {
      * @throws IOException when the file cannot be read
      */
     public static World read(Path file) throws IOException {
-        String text = decode(octets(file));
+        return read(file, octets(file));
+    }
+
+    /** The world that a file of this name and content describes. */
+    public static World read(Path file, byte[] octets) throws WorldFormatException {
+        String text = decode(octets);
         boolean saphira = file.toString().toLowerCase(Locale.ROOT).endsWith(".wld");
         String name = String.valueOf(file.getFileName());
         return saphira ? SaphiraReader.read(name, text) : MapReader.read(name, text);

@@ -31,8 +31,16 @@ public final class Program {
         int run(Arguments arguments) throws Exception;
     }
 
+    /** Shows why a program with a window could not start, and returns when its user has read it. */
+    public interface StartErrors {
+        /** @param arguments as far as they could be read */
+        void show(String program, String text, Optional<Arguments> arguments);
+    }
+
     private final String name;
     private final Options options;
+    private StartErrors startErrors = (program, text, arguments) -> {};
+    private List<String> windowless = List.of();
     private String logLevel = LogSettings.DEFAULT;
 
     /** @param name as in messages, such as {@code simgsm-phone} */
@@ -47,6 +55,17 @@ public final class Program {
         return this;
     }
 
+    /**
+     * Shows errors in a window, too, unless one of these options is given, with which the program opens no window.
+     *
+     * @param withoutWindow without their hyphens
+     */
+    public Program showingErrors(StartErrors view, String... withoutWindow) {
+        startErrors = view;
+        windowless = List.of(withoutWindow);
+        return this;
+    }
+
     /** Runs and ends the process with the resulting status. */
     public void runAndExit(String[] args, Body body) {
         System.exit(run(List.of(args), standardOutput(), System.err, body));
@@ -54,8 +73,10 @@ public final class Program {
 
     /** Runs and returns the exit status; does not end the process. */
     public int run(List<String> args, PrintStream out, PrintStream err, Body body) {
+        Optional<Arguments> given = Optional.empty();
         try {
             Arguments arguments = options.parse(args);
+            given = Optional.of(arguments);
             if (arguments.has("help")) {
                 out.print(options.help());
                 out.flush();
@@ -71,20 +92,36 @@ public final class Program {
             return body.run(arguments);
         } catch (UsageException e) {
             err.println(name + ": " + e.getMessage() + "; see --help");
+            if (System.console() == null) {
+                showError(args, given, e.getMessage());
+            }
             return ExitStatus.USAGE;
         } catch (UnavailableException e) {
-            err.println(name + ": " + e.getMessage());
-            return ExitStatus.UNAVAILABLE;
+            return failed(ExitStatus.UNAVAILABLE, e, err, args, given);
         } catch (IOException | UncheckedIOException e) {
-            err.println(name + ": " + describe(e));
-            return ExitStatus.INPUT_OUTPUT;
+            return failed(ExitStatus.INPUT_OUTPUT, e, err, args, given);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return ExitStatus.FAILED;
         } catch (Exception e) {
             LOG.log(System.Logger.Level.DEBUG, "the run failed", e);
-            err.println(name + ": " + describe(e));
-            return ExitStatus.FAILED;
+            return failed(ExitStatus.FAILED, e, err, args, given);
+        }
+    }
+
+    private int failed(int status, Exception e, PrintStream err, List<String> args, Optional<Arguments> given) {
+        err.println(name + ": " + describe(e));
+        showError(args, given, describe(e));
+        return status;
+    }
+
+    private void showError(List<String> args, Optional<Arguments> given, String text) {
+        boolean hasWindow = windowless.stream()
+                .map(option -> "--" + option)
+                .noneMatch(
+                        option -> args.stream().anyMatch(word -> word.equals(option) || word.startsWith(option + "=")));
+        if (hasWindow) {
+            startErrors.show(name, text, given);
         }
     }
 

@@ -7,8 +7,6 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.io.IOException;
-import java.io.OutputStream;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -134,7 +132,7 @@ public final class ProgramWindow {
             open(content.get());
         });
         if (endsWithInput) {
-            endWithInput();
+            EndOfInput.then(this::close);
         }
         ended.await();
         // The end of the process may take a second or two.
@@ -217,21 +215,5 @@ public final class ProgramWindow {
 
     private Dimension zoomed(Dimension size) {
         return new Dimension((int) Math.round(size.width * zoom), (int) Math.round(size.height * zoom));
-    }
-
-    /** The parent process holds the standard input open; the program ends when the input ends. */
-    private void endWithInput() {
-        Thread reader = new Thread(
-                () -> {
-                    try {
-                        System.in.transferTo(OutputStream.nullOutputStream());
-                    } catch (IOException e) {
-                        // a broken input has ended, too
-                    }
-                    close();
-                },
-                "end of input");
-        reader.setDaemon(true);
-        reader.start();
     }
 }
