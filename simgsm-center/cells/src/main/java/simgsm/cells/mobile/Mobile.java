@@ -53,6 +53,7 @@ public final class Mobile {
     private final MobileSpeech speech;
     private final RecentLevels recent;
     private final ChannelChange change;
+    private final CellNotice notice = new CellNotice(this::send);
     private final StateMachine<MobileRadioState, MobileRadioEvent, MobileRadioAction> machine;
     private final Queue<RslMessage.DataIndication> heldUp = new ArrayDeque<>();
     private final Queue<RslMessage.DataRequest> heldDown = new ArrayDeque<>();
@@ -442,6 +443,16 @@ public final class Mobile {
             passHeld();
         } else if (channel == null) {
             chooseCell(now);
+        }
+        tellCell();
+    }
+
+    private void tellCell() {
+        int tower = serving();
+        if (tower == IdleSelection.NONE) {
+            notice.tell(Optional.empty(), 0);
+        } else {
+            notice.tell(network.towers().get(tower).cell(), reception.levelsDbm()[tower]);
         }
     }
 
