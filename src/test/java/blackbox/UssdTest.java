@@ -36,7 +36,15 @@ public class UssdTest {
         phone.say("ussd *200*" + Scenario.ROBOT + "#").expect("ussd");
         phone.say("ussd *111#").expect("ussd", "reply", "expected");
         phone.say("ussd 1").expect("ussd", "text", "Your number is " + Scenario.PHONE + ".");
-        phone.say("ussd *#21#").expect("ussd-failed", "cause", "21");
+        phone.say("ussd **61*5550299#").expect("service", "code", "61", "state", "active", "to", "+5550299");
+        phone.say("ussd *#61#").expect("service", "state", "active", "to", "+5550299");
+        phone.say("ussd #61#").expect("service", "state", "registered");
+        phone.say("ussd ##002#").expect("service", "code", "002", "state", "inactive");
+        phone.say("ussd *#61#").expect("service", "state", "inactive");
+        phone.say("ussd *43#").expect("service", "code", "43", "state", "active");
+        phone.say("ussd *#43#").expect("service", "code", "43", "state", "active");
+        phone.say("ussd #43#").expect("service", "code", "43", "state", "inactive");
+        phone.say("ussd *#33#").expect("ussd-failed", "cause", "21");
         phone.say("ussd *999#").expect("ussd-failed", "cause", "36");
     }
 
@@ -93,8 +101,7 @@ public class UssdTest {
     @Test
     void aCodeThatIsUnknownAndAServiceThatIsNotOfferedAreRefusedByTheStandardsErrors() {
         alice.say("ussd *999#").expect("ussd-failed", "cause", "36", "text", "unexpected data value");
-        alice.say("ussd *#21#").expect("ussd-failed", "cause", "21", "text", "facility not supported");
-        alice.say("ussd *43#").expect("ussd-failed", "cause", "21");
+        alice.say("ussd *#33#").expect("ussd-failed", "cause", "21", "text", "facility not supported");
     }
 
     @Test

@@ -9,6 +9,7 @@ import simgsm.console.TextBundle;
 import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
+import simgsm.ss.ServiceStatus;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.UssdEnding;
 
@@ -100,12 +101,24 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
         if (event instanceof StationEvent.UssdReceived text) {
             Event line = Event.of("ussd").with("text", text.text());
             console.emit(text.replyExpected() ? line.with("reply", "expected") : line);
+        } else if (event instanceof StationEvent.ServiceAnswered answer) {
+            Event line = Event.of("service")
+                    .with("code", answer.status().service().typed())
+                    .with("state", stateOf(answer.status()));
+            console.emit(answer.status()
+                    .forwardedTo()
+                    .map(number -> line.with("to", number))
+                    .orElse(line));
         } else if (event instanceof StationEvent.UssdEnded end && end.how() != UssdEnding.COMPLETED) {
             Event line = Event.of("ussd-failed");
             console.emit(end.error()
                     .map(error -> line.with("cause", error.code()).with("text", error.title()))
                     .orElseGet(() -> line.with("text", end.how().title())));
         }
+    }
+
+    private static String stateOf(ServiceStatus status) {
+        return status.isActive() ? "active" : status.isRegistered() ? "registered" : "inactive";
     }
 
     private void print(HandsetEvent event) {

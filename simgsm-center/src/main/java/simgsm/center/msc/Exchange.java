@@ -88,7 +88,7 @@ public final class Exchange {
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
-        UssdDialogues services = new UssdDialogues(locations, settings.language());
+        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting());
         shortMessages = new ShortMessageCenter(
                 startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);

@@ -10,6 +10,7 @@ import simgsm.air.Tmsi;
 public final class Subscriber {
     private final Msisdn number;
     private final Imsi imsi;
+    private final CallServices services = new CallServices();
     private Imei imei;
     private Tmsi tmsi;
     private Tmsi formerTmsi;
@@ -27,6 +28,10 @@ public final class Subscriber {
 
     public Imsi imsi() {
         return imsi;
+    }
+
+    public CallServices services() {
+        return services;
     }
 
     /** The equipment that last registered with this SIM. */

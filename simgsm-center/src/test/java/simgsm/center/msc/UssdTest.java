@@ -219,8 +219,8 @@ class UssdTest {
 
     @ParameterizedTest
     @EnumSource(value = SsOperation.class, mode = EnumSource.Mode.EXCLUDE, names = "PROCESS_UNSTRUCTURED_SS_REQUEST")
-    void everyOtherSupplementaryServiceIsRefusedAsNotSupported(SsOperation operation) {
-        begin(ComponentCodec.encode(new Component.Invoke(1, operation, OctetString.ofHex("3003040121"))));
+    void everyOperationOnAnotherServiceIsRefusedAsNotSupported(SsOperation operation) {
+        begin(ComponentCodec.encode(new Component.Invoke(1, operation, OctetString.ofHex("3003040192"))));
 
         assertEquals(new Component.ReturnError(1, SsError.FACILITY_NOT_SUPPORTED), end());
     }

@@ -2,12 +2,11 @@ package simgsm.ss;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.air.Msisdn;
-import simgsm.air.SemiOctets;
 import simgsm.octets.OctetString;
-import simgsm.octets.OctetWriter;
 import simgsm.ss.Component.Invoke;
 
 /**
@@ -18,12 +17,6 @@ public final class ServiceCode {
     /** Procedure, service code, supplementary information. */
     private static final Pattern FORM = Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)[0-9*]*)?#");
 
-    /** International number, ISDN numbering plan (TS 29.002, 17.7.8: AddressString); {@code 0x81} for one of unknown type. */
-    private static final int INTERNATIONAL = 0x91;
-
-    private static final int UNKNOWN_TYPE = 0x81;
-    /** [4] IMPLICIT in RegisterSS-Arg. */
-    private static final int FORWARDED_TO = 0x84;
     /** Codes of call forwarding begin so (TS 24.080, 4.5: SS-Code). */
     private static final int FORWARDING = 0x20;
 
@@ -74,14 +67,10 @@ public final class ServiceCode {
     }
 
     private static OctetString argument(SsOperation operation, int service, String information) {
-        OctetWriter body = BerElement.write(new OctetWriter(), BerElement.OCTET_STRING, service);
-        if (operation == SsOperation.REGISTER_SS && information.matches("\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "}")) {
-            boolean isInternational = information.startsWith("+");
-            OctetWriter number = new OctetWriter().octet(isInternational ? INTERNATIONAL : UNKNOWN_TYPE);
-            SemiOctets.write(number, information, isInternational ? 1 : 0);
-            BerElement.write(body, FORWARDED_TO, number.toOctetString());
-        }
-        return BerElement.write(new OctetWriter(), BerElement.SEQUENCE, body.toOctetString())
-                .toOctetString();
+        boolean isNumber = information.matches("\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "}");
+        return new SsArgument(
+                        service,
+                        operation == SsOperation.REGISTER_SS && isNumber ? Optional.of(information) : Optional.empty())
+                .encode();
     }
 }

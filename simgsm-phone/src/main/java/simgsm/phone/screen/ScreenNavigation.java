@@ -17,7 +17,7 @@ public final class ScreenNavigation {
     private static final Screen HOME = new Screen.Home();
 
     private final PageStack stack = new PageStack();
-    private final UssdPage ussd = new UssdPage(stack);
+    private final UssdPage ussd;
     private final ContactPages names;
     private final MessagePages messages;
     private final CallPages calls;
@@ -33,6 +33,7 @@ public final class ScreenNavigation {
             Supplier<UserSettings> settings,
             Supplier<List<Words>> about) {
         this.about = about;
+        ussd = new UssdPage(stack, contacts::nameOf);
         names = new ContactPages(stack, contacts);
         messages = new MessagePages(stack, mailbox, contacts, names);
         names.setWriteTo(messages::writeTo);

@@ -1,16 +1,24 @@
 package simgsm.phone.screen;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import simgsm.phone.screen.KeyIntent.Simple;
+import simgsm.ss.ServiceStatus;
 import simgsm.station.context.StationEvent;
 
 /** A USSD dialogue on the display. */
 final class UssdPage extends ScreenPage {
+    private final UnaryOperator<String> names;
     private final UssdDialog dialog = new UssdDialog();
     private Screen shown = new Screen.Ussd(Screen.Ussd.Phase.WAITING, "", "");
 
-    UssdPage(PageStack stack) {
+    /** @param names the name of a number */
+    UssdPage(PageStack stack, UnaryOperator<String> names) {
         super(stack);
+        this.names = names;
     }
 
     boolean awaitsNetwork() {
@@ -27,6 +35,9 @@ final class UssdPage extends ScreenPage {
         if (event instanceof StationEvent.UssdReceived text) {
             dialog.received(text);
             show();
+        } else if (event instanceof StationEvent.ServiceAnswered answer) {
+            dialog.close();
+            stack.replace(this, answerPage(answer.status()));
         } else if (event instanceof StationEvent.UssdEnded end) {
             Optional<Screen.Note> note = dialog.ended(end);
             if (dialog.screen().isEmpty()) {
@@ -34,6 +45,17 @@ final class UssdPage extends ScreenPage {
             }
             note.ifPresent(told -> stack.open(new NotePage(stack, told)));
         }
+    }
+
+    /** How a service stands, in words. */
+    private TextPage answerPage(ServiceStatus status) {
+        List<Words> lines = new ArrayList<>();
+        lines.add(Words.of(
+                status.isActive()
+                        ? "service.active"
+                        : status.isRegistered() ? "service.registered" : "service.inactive"));
+        status.forwardedTo().ifPresent(number -> lines.add(Words.of("service.to", names.apply(number))));
+        return TextPage.of(stack, Words.of("service." + status.service().name().toLowerCase(Locale.ROOT)), () -> lines);
     }
 
     private void show() {

@@ -11,11 +11,14 @@ import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
 import simgsm.center.msc.mobility.MobilityProcedures;
+import simgsm.center.subscriber.Subscriber;
 import simgsm.dtmf.ToneSet;
+import simgsm.ss.SsCode;
 
 /** Number analysis and switching: connects the two legs of each call, and the speech between them. */
 public final class CallSwitch implements LinkUser {
@@ -40,7 +43,7 @@ public final class CallSwitch implements LinkUser {
 
     /**
      * @param tones of the network to callers, if any
-     * @param callWaiting whether a second call is offered to a mobile in a call
+     * @param callWaiting whether a second call is offered to a mobile in a call whose subscriber has not set it
      * @param changes is given each call that enters a state
      */
     public CallSwitch(
@@ -146,22 +149,70 @@ public final class CallSwitch implements LinkUser {
     }
 
     private void reach(NetworkCall call) {
-        Optional<Link> location =
-                call.to().flatMap(mobility.register()::ofNumber).flatMap(mobility::locationOf);
+        if (divert(call, SsCode.FORWARDING_UNCONDITIONAL)) {
+            return;
+        }
+        Optional<Link> location = subscriberOf(call).flatMap(mobility::locationOf);
         if (location.isEmpty()) {
-            call.refuse(Cause.DESTINATION_OUT_OF_ORDER);
+            fail(call, SsCode.FORWARDING_ON_NOT_REACHABLE, Cause.DESTINATION_OUT_OF_ORDER);
             return;
         }
         LinkCalls called = on(location.get());
         Optional<TransactionIdentifier> transaction = called.freeTransaction();
-        boolean waits = callWaiting && location.get() != call.originating().link() && called.allowsWaitingCall();
+        boolean waits =
+                hasCallWaiting(call) && location.get() != call.originating().link() && called.allowsWaitingCall();
         if (!called.live().isEmpty() && !waits || transaction.isEmpty()) {
-            call.refuse(Cause.USER_BUSY);
+            fail(call, SsCode.FORWARDING_ON_BUSY, Cause.USER_BUSY);
         } else if (called.isClearing() && !waits) {
             call.hold(called);
         } else {
             call.extend(called, transaction.get());
         }
+    }
+
+    private Optional<Subscriber> subscriberOf(NetworkCall call) {
+        return call.target().flatMap(mobility.register()::ofNumber);
+    }
+
+    private boolean hasCallWaiting(NetworkCall call) {
+        return subscriberOf(call)
+                .filter(called -> called.services().hasCallWaiting(callWaiting))
+                .isPresent();
+    }
+
+    private void fail(NetworkCall call, SsCode condition, Cause cause) {
+        if (!divert(call, condition)) {
+            call.refuse(cause);
+        }
+    }
+
+    /** Where the called subscriber forwards this call on a condition. */
+    Optional<Msisdn> forwarding(NetworkCall call, SsCode condition) {
+        return subscriberOf(call).flatMap(called -> called.services().forwarding(condition));
+    }
+
+    /** Forwards the call if the called subscriber wants it (TS 23.082, 1.3). @return whether it goes on, or has been refused */
+    boolean divert(NetworkCall call, SsCode condition) {
+        Optional<Msisdn> next = forwarding(call, condition);
+        if (next.isEmpty() || !call.turn(next.get())) {
+            return false;
+        }
+        if (mobility.register().isAssigned(next.get())) {
+            reach(call);
+        } else {
+            call.refuse(Cause.UNASSIGNED_NUMBER);
+        }
+        return true;
+    }
+
+    /** As {@link #divert(NetworkCall, SsCode)}, for a call that the called mobile has not taken. */
+    boolean divert(NetworkCall call, Cause why) {
+        return switch (why) {
+            case USER_BUSY -> divert(call, SsCode.FORWARDING_ON_BUSY);
+            case DESTINATION_OUT_OF_ORDER, NO_USER_RESPONDING -> divert(call, SsCode.FORWARDING_ON_NOT_REACHABLE);
+            case USER_ALERTING_NO_ANSWER -> divert(call, SsCode.FORWARDING_ON_NO_REPLY);
+            default -> false;
+        };
     }
 
     /** Legs on this link have changed: calls that are held for it may go on. */

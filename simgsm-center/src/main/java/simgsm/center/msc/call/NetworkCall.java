@@ -5,9 +5,15 @@ import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.link.NetworkTimer;
+import simgsm.ss.SsCode;
+import simgsm.timer.Timer;
 
 /** A call from SETUP to its clearing: passes the events of one leg on to the other. */
 public final class NetworkCall {
+    /** Limits a circle of forwardings. */
+    private static final int MAX_FORWARDINGS = 5;
+
     private final CallSwitch exchange;
     private final long id;
     private final Msisdn from;
@@ -17,6 +23,12 @@ public final class NetworkCall {
     /** The called link while this call is held; null otherwise. */
     private LinkCalls heldFor;
 
+    /** Where the call goes: the number as dialled, or the one to which it was forwarded last. */
+    private Optional<Msisdn> target;
+
+    private int forwardings;
+    private boolean isAnswered;
+    private Timer noReply;
     private CallProgress state = CallProgress.INITIATED;
     private Optional<Cause> cause = Optional.empty();
     private long activeSinceNanos;
@@ -27,6 +39,7 @@ public final class NetworkCall {
         this.id = exchange.nextCallId();
         this.from = caller.link().subscriber().number();
         this.to = to;
+        this.target = to;
         this.originating = new CallLeg(this, caller, transaction, Optional.empty(), exchange.tones());
     }
 
@@ -79,6 +92,26 @@ public final class NetworkCall {
         called.hold(this);
     }
 
+    /** The number that is called now; empty if it could not be decoded. */
+    Optional<Msisdn> target() {
+        return target;
+    }
+
+    /** Turns the call to another number. @return false if it was forwarded too often (TS 22.082, 1.3) */
+    boolean turn(Msisdn next) {
+        if (forwardings == MAX_FORWARDINGS) {
+            return false;
+        }
+        forwardings++;
+        target = Optional.of(next);
+        stopNoReply();
+        return true;
+    }
+
+    private void stopNoReply() {
+        originating.link().timers().cancel(noReply);
+    }
+
     /** Calls the mobile on this link. */
     void extend(LinkCalls called, TransactionIdentifier transaction) {
         originating.proceed();
@@ -109,9 +142,22 @@ public final class NetworkCall {
     void alerting() {
         enter(CallProgress.ALERTING);
         originating.alert();
+        if (exchange.forwarding(this, SsCode.FORWARDING_ON_NO_REPLY).isPresent()) {
+            noReply = originating.link().timers().start(NetworkTimer.NO_REPLY.nanos(), this::notAnswered);
+        }
+    }
+
+    /** The called mobile is left, and the call goes on to another one. */
+    private void notAnswered() {
+        CallLeg left = terminating;
+        if (exchange.divert(this, SsCode.FORWARDING_ON_NO_REPLY)) {
+            left.clear(Cause.NORMAL_CALL_CLEARING);
+        }
     }
 
     void answered() {
+        isAnswered = true;
+        stopNoReply();
         originating.answer();
     }
 
@@ -122,12 +168,17 @@ public final class NetworkCall {
 
     /** A leg is being cleared by its mobile, a timer or the loss of its link. */
     void cleared(CallLeg leg, Cause cause) {
-        end(other(leg), cause);
+        boolean isCalled = leg == terminating;
+        boolean isForwarded = isCalled && !isAnswered && exchange.divert(this, cause);
+        if (!isForwarded && (isCalled || leg == originating)) {
+            end(other(leg), cause);
+        }
     }
 
     private void end(CallLeg rest, Cause why) {
         if (state != CallProgress.RELEASED) {
             cause = Optional.of(why);
+            stopNoReply();
             endedActiveSeconds = activeSeconds();
             if (heldFor != null) {
                 heldFor.forget(this);

@@ -30,13 +30,15 @@ final class LinkDialogues {
 
     private final Link link;
     private final BiConsumer<UssdSession, String> services;
+    private final ServiceProcedures procedures;
     private final List<UssdDialogue> ofMobile = new ArrayList<>(1);
     private UssdDialogue ofNetwork;
     private int nextTransaction;
 
     /** @param services receives each dialogue that the mobile begins, with its code */
-    LinkDialogues(Link link, BiConsumer<UssdSession, String> services) {
+    LinkDialogues(Link link, BiConsumer<UssdSession, String> services, ServiceProcedures procedures) {
         this.link = link;
+        this.procedures = procedures;
         this.services = services;
     }
 
@@ -99,20 +101,23 @@ final class LinkDialogues {
         }
         try {
             begin(ComponentCodec.decode(register.facility()), transaction)
-                    .ifPresent(
-                            refusal -> link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(refusal))));
+                    .ifPresent(last -> link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(last))));
         } catch (ComponentFault fault) {
             link.violated(fault.getMessage());
             link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(fault.answer())));
         }
     }
 
-    /** @return what a refused dialogue ends with */
+    /** @return what the dialogue ends with at once: a refusal, or the answer to an operation */
     private Optional<Component> begin(Component component, TransactionIdentifier transaction) {
         if (!(component instanceof Invoke invoke)) {
             return Optional.of(new Reject(Optional.empty(), SsProblem.UNRECOGNIZED_COMPONENT));
         }
         if (!invoke.is(SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST)) {
+            Optional<Component> performed = procedures.perform(link.subscriber(), invoke);
+            if (performed.isPresent()) {
+                return performed;
+            }
             return Optional.of(
                     SsOperation.ofCode(invoke.operation()).isPresent()
                             ? new ReturnError(invoke.id(), SsError.FACILITY_NOT_SUPPORTED)

@@ -16,18 +16,21 @@ public final class UssdDialogues implements LinkUser {
     private final Function<Msisdn, Optional<Link>> locations;
     private final Map<Link, LinkDialogues> dialogues = new HashMap<>();
     private final UssdServices services;
+    private final ServiceProcedures procedures;
 
     /**
      * @param locations gives the link of an attached subscriber
      * @param language of the services' texts
+     * @param callWaiting whether a second call may wait for subscribers who have not set it
      */
-    public UssdDialogues(Function<Msisdn, Optional<Link>> locations, Locale language) {
+    public UssdDialogues(Function<Msisdn, Optional<Link>> locations, Locale language, boolean callWaiting) {
+        procedures = new ServiceProcedures(callWaiting);
         this.locations = locations;
         services = new UssdServices(this::ask, language);
     }
 
     private LinkDialogues on(Link link) {
-        return dialogues.computeIfAbsent(link, each -> new LinkDialogues(each, services::begin));
+        return dialogues.computeIfAbsent(link, each -> new LinkDialogues(each, services::begin, procedures));
     }
 
     /** A message of a registered mobile. */

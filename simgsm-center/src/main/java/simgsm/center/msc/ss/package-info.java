@@ -1,6 +1,6 @@
 /**
  * Supplementary services on the network side (TS 24.080, TS 24.090): USSD dialogues with mobiles and the services behind their
- * codes; all other services are refused.
+ * codes, and operations on call forwarding and call waiting; all other services are refused.
  *
  * <p>Read first: {@link simgsm.center.msc.ss.UssdDialogues}, then {@link simgsm.center.msc.ss.UssdServices}.
  */

@@ -7,7 +7,9 @@ import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
+import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsError;
+import simgsm.ss.SsOperation;
 
 /**
  * What a station reports, and what a terminal built on it adds. Events are delivered on the owner thread once the
@@ -125,6 +127,9 @@ public sealed interface StationEvent {
      * @param replyExpected whether the network waits for a reply; else the dialogue is over, or the text is for information
      */
     record UssdReceived(String text, boolean replyExpected) implements OfUssd {}
+
+    /** The network has performed an operation on a supplementary service. @param status how the service stands now */
+    record ServiceAnswered(SsOperation operation, ServiceStatus status) implements OfUssd {}
 
     /** A dialogue has ended without a last text. @param error if the network refused with one that is known */
     record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {}

@@ -21,6 +21,9 @@ import simgsm.ss.Component.ReturnResult;
 import simgsm.ss.ComponentCodec;
 import simgsm.ss.ComponentFault;
 import simgsm.ss.ServiceCode;
+import simgsm.ss.ServiceStatus;
+import simgsm.ss.SsArgument;
+import simgsm.ss.SsCode;
 import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
 import simgsm.ss.SsProblem;
@@ -57,7 +60,9 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     /** The network's latest operation, which is answered. */
     private Invoke asked;
 
-    private Optional<String> lastText = Optional.empty();
+    /** What the network's last component says. */
+    private Optional<StationEvent> lastWord = Optional.empty();
+
     private UssdEnding ending = UssdEnding.COMPLETED;
     private Optional<SsError> error = Optional.empty();
 
@@ -108,8 +113,8 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         return machine.fire(event);
     }
 
-    private void setEnd(Optional<String> text, UssdEnding how, Optional<SsError> why) {
-        lastText = text;
+    private void setEnd(Optional<StationEvent> word, UssdEnding how, Optional<SsError> why) {
+        lastWord = word;
         ending = how;
         error = why;
     }
@@ -226,10 +231,9 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         try {
             Component last = ComponentCodec.decode(facility);
             if (last instanceof ReturnResult result) {
-                Optional<String> text = result.result().length() == 0
-                        ? Optional.empty()
-                        : Optional.of(UssdText.decode(result.result()).text());
-                setEnd(text, UssdEnding.COMPLETED, Optional.empty());
+                Optional<StationEvent> word =
+                        result.result().length() == 0 ? Optional.empty() : Optional.of(wordOf(result.result()));
+                setEnd(word, UssdEnding.COMPLETED, Optional.empty());
             } else if (last instanceof ReturnError returned) {
                 setEnd(Optional.empty(), UssdEnding.REFUSED, SsError.ofCode(returned.error()));
             } else if (last instanceof Reject) {
@@ -238,6 +242,18 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         } catch (ComponentFault | ProtocolViolation broken) {
             context.log().trace(Level.WARNING, "USSD: the last component is broken, {0}", broken.getMessage());
         }
+    }
+
+    /** A text, or how the supplementary service stands for which the user has asked. */
+    private StationEvent wordOf(OctetString result) throws ProtocolViolation {
+        if (!(typed instanceof Invoke request) || request.is(SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST)) {
+            return new StationEvent.UssdReceived(UssdText.decode(result).text(), false);
+        }
+        SsOperation operation = SsOperation.ofCode(request.operation()).orElseThrow();
+        int code = SsArgument.decode(request.argument()).service();
+        SsCode service = SsCode.ofCode(code)
+                .orElseThrow(() -> ProtocolViolation.invalid(String.format("service 0x%02x is not known", code)));
+        return new StationEvent.ServiceAnswered(operation, ServiceStatus.decode(service, operation, result));
     }
 
     /** TS 24.010, 4.2.3: the answer to a message of an unknown transaction, except to the end of one. */
@@ -272,9 +288,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
             case STOP_TIMERS -> context.timers().stop(StationTimer.SERVICE_WAIT, StationTimer.SERVICE_ANSWER);
             case SHOW_TEXT -> context.events().add(new StationEvent.UssdReceived(shown, awaitsReply()));
             case REPORT_END ->
-                context.events()
-                        .add(lastText.<StationEvent>map(text -> new StationEvent.UssdReceived(text, false))
-                                .orElseGet(() -> new StationEvent.UssdEnded(ending, error)));
+                context.events().add(lastWord.orElseGet(() -> new StationEvent.UssdEnded(ending, error)));
         }
     }
 

@@ -37,6 +37,9 @@ final class UssdCodes {
             int coding = GsmAlphabet.encodes(received.text()) ? GSM : UCS2;
             return (received.replyExpected() ? REPLY_EXPECTED : OVER) + "," + text + "," + coding;
         }
+        if (event instanceof StationEvent.ServiceAnswered) {
+            return Integer.toString(OVER);
+        }
         int how = switch (((StationEvent.UssdEnded) event).how()) {
             case COMPLETED -> OVER;
             case REFUSED -> NOT_SUPPORTED;

@@ -1,0 +1,116 @@
+package simgsm.center.msc.ss;
+
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.Msisdn;
+import simgsm.air.ProtocolViolation;
+import simgsm.center.subscriber.CallServices;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.ss.Component;
+import simgsm.ss.Component.Invoke;
+import simgsm.ss.Component.Reject;
+import simgsm.ss.Component.ReturnError;
+import simgsm.ss.Component.ReturnResult;
+import simgsm.ss.ServiceStatus;
+import simgsm.ss.SsArgument;
+import simgsm.ss.SsCode;
+import simgsm.ss.SsError;
+import simgsm.ss.SsOperation;
+import simgsm.ss.SsProblem;
+
+/** Operations on a subscriber's call forwarding and call waiting (TS 23.082, 1.1; TS 23.083, 1.1). */
+final class ServiceProcedures {
+    private static final Set<SsOperation> OPERATIONS = Set.of(
+            SsOperation.REGISTER_SS,
+            SsOperation.ERASE_SS,
+            SsOperation.ACTIVATE_SS,
+            SsOperation.DEACTIVATE_SS,
+            SsOperation.INTERROGATE_SS);
+
+    private final boolean callWaiting;
+
+    /** @param callWaiting whether a second call may wait for subscribers who have not set it */
+    ServiceProcedures(boolean callWaiting) {
+        this.callWaiting = callWaiting;
+    }
+
+    /** Performs the operation; empty if it is none on a supplementary service. */
+    Optional<Component> perform(Subscriber subscriber, Invoke invoke) {
+        return SsOperation.ofCode(invoke.operation())
+                .filter(OPERATIONS::contains)
+                .map(operation -> perform(subscriber, invoke, operation));
+    }
+
+    private Component perform(Subscriber subscriber, Invoke invoke, SsOperation operation) {
+        SsArgument argument;
+        try {
+            argument = SsArgument.decode(invoke.argument());
+        } catch (ProtocolViolation violation) {
+            return new Reject(Optional.of(invoke.id()), SsProblem.MISTYPED_PARAMETER);
+        }
+        Optional<SsCode> service = SsCode.ofCode(argument.service());
+        if (service.isEmpty()) {
+            return new ReturnError(invoke.id(), SsError.FACILITY_NOT_SUPPORTED);
+        }
+        Optional<SsError> error = service.get().isForwarding()
+                ? forward(subscriber, operation, service.get(), argument.forwardedTo())
+                : setWaiting(subscriber.services(), operation);
+        if (error.isPresent()) {
+            return new ReturnError(invoke.id(), error.get());
+        }
+        ServiceStatus status = status(subscriber.services(), service.get());
+        return new ReturnResult(invoke.id(), operation, status.encode(operation));
+    }
+
+    private static Optional<SsError> forward(
+            Subscriber subscriber, SsOperation operation, SsCode service, Optional<String> number) {
+        CallServices services = subscriber.services();
+        switch (operation) {
+            case REGISTER_SS -> {
+                if (number.isEmpty()) {
+                    return Optional.of(SsError.DATA_MISSING);
+                }
+                Msisdn to = Msisdn.parse(number.get());
+                if (to.equals(subscriber.number())) {
+                    return Optional.of(SsError.UNEXPECTED_DATA_VALUE);
+                }
+                service.members().forEach(condition -> services.register(condition, to));
+            }
+            case ERASE_SS -> service.members().forEach(services::erase);
+            case INTERROGATE_SS -> {
+                return service.isGroup() ? Optional.of(SsError.ILLEGAL_SS_OPERATION) : Optional.empty();
+            }
+            default -> {
+                boolean isActive = operation == SsOperation.ACTIVATE_SS;
+                boolean isAny = false;
+                for (SsCode condition : service.members()) {
+                    isAny |= services.setForwarding(condition, isActive);
+                }
+                return isAny ? Optional.empty() : Optional.of(SsError.SS_ERROR_STATUS);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<SsError> setWaiting(CallServices services, SsOperation operation) {
+        switch (operation) {
+            case ACTIVATE_SS -> services.setCallWaiting(true);
+            case DEACTIVATE_SS -> services.setCallWaiting(false);
+            case INTERROGATE_SS -> {}
+            default -> {
+                return Optional.of(SsError.ILLEGAL_SS_OPERATION);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Of a group, how its first service stands. */
+    private ServiceStatus status(CallServices services, SsCode service) {
+        if (service == SsCode.CALL_WAITING) {
+            int active = services.hasCallWaiting(callWaiting) ? ServiceStatus.ACTIVE : 0;
+            return new ServiceStatus(service, ServiceStatus.PROVISIONED | active, Optional.empty());
+        }
+        ServiceStatus first = services.status(service.members().get(0));
+        return new ServiceStatus(service, first.flags(), first.forwardedTo());
+    }
+}

@@ -1,0 +1,67 @@
+package simgsm.center.subscriber;
+
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.air.Msisdn;
+import simgsm.ss.ServiceStatus;
+import simgsm.ss.SsCode;
+
+/** A subscriber's call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1), as the subscriber has set them. */
+public final class CallServices {
+    private final Map<SsCode, Msisdn> forwardedTo = new EnumMap<>(SsCode.class);
+    private final Set<SsCode> active = EnumSet.noneOf(SsCode.class);
+    private Optional<Boolean> callWaiting = Optional.empty();
+
+    CallServices() {}
+
+    /** Registers a number for one condition and activates the forwarding. */
+    public void register(SsCode condition, Msisdn number) {
+        forwardedTo.put(condition, number);
+        active.add(condition);
+    }
+
+    public void erase(SsCode condition) {
+        forwardedTo.remove(condition);
+        active.remove(condition);
+    }
+
+    /** @return false if no number is registered */
+    public boolean setForwarding(SsCode condition, boolean isActive) {
+        if (!forwardedTo.containsKey(condition)) {
+            return false;
+        }
+        if (isActive) {
+            active.add(condition);
+        } else {
+            active.remove(condition);
+        }
+        return true;
+    }
+
+    /** Where calls go on this condition; empty if they are not forwarded. */
+    public Optional<Msisdn> forwarding(SsCode condition) {
+        return active.contains(condition) ? Optional.of(forwardedTo.get(condition)) : Optional.empty();
+    }
+
+    public void setCallWaiting(boolean isActive) {
+        callWaiting = Optional.of(isActive);
+    }
+
+    /** Whether a second call may wait. @param otherwise unless the subscriber has set it */
+    public boolean hasCallWaiting(boolean otherwise) {
+        return callWaiting.orElse(otherwise);
+    }
+
+    /** How a forwarding stands. */
+    public ServiceStatus status(SsCode condition) {
+        Optional<String> number =
+                Optional.ofNullable(forwardedTo.get(condition)).map(known -> "+" + known);
+        int flags = ServiceStatus.PROVISIONED
+                | (number.isPresent() ? ServiceStatus.REGISTERED : 0)
+                | (active.contains(condition) ? ServiceStatus.ACTIVE : 0);
+        return new ServiceStatus(condition, flags, number);
+    }
+}

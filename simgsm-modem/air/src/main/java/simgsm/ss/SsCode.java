@@ -1,0 +1,64 @@
+package simgsm.ss;
+
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Coded;
+
+/** Supplementary services in use: SS-Code (TS 29.002, 17.7.5) and the code that a user types (TS 22.030, annex B). */
+public enum SsCode implements Coded {
+    ALL_FORWARDING(0x20, "002"),
+    FORWARDING_UNCONDITIONAL(0x21, "21"),
+    ALL_CONDITIONAL_FORWARDING(0x28, "004"),
+    FORWARDING_ON_BUSY(0x29, "67"),
+    FORWARDING_ON_NO_REPLY(0x2a, "61"),
+    FORWARDING_ON_NOT_REACHABLE(0x2b, "62"),
+    CALL_WAITING(0x41, "43");
+
+    private static final List<SsCode> CONDITIONAL =
+            List.of(FORWARDING_ON_BUSY, FORWARDING_ON_NO_REPLY, FORWARDING_ON_NOT_REACHABLE);
+
+    private final int code;
+    private final String typed;
+
+    SsCode(int code, String typed) {
+        this.code = code;
+        this.typed = typed;
+    }
+
+    @Override
+    public int code() {
+        return code;
+    }
+
+    /** As a user types it, "21". */
+    public String typed() {
+        return typed;
+    }
+
+    public boolean isForwarding() {
+        return this != CALL_WAITING;
+    }
+
+    /** The services of a group; a single service alone. */
+    public List<SsCode> members() {
+        return switch (this) {
+            case ALL_CONDITIONAL_FORWARDING -> CONDITIONAL;
+            case ALL_FORWARDING ->
+                List.of(
+                        FORWARDING_UNCONDITIONAL,
+                        FORWARDING_ON_BUSY,
+                        FORWARDING_ON_NO_REPLY,
+                        FORWARDING_ON_NOT_REACHABLE);
+            default -> List.of(this);
+        };
+    }
+
+    /** Whether this names several services. */
+    public boolean isGroup() {
+        return this == ALL_FORWARDING || this == ALL_CONDITIONAL_FORWARDING;
+    }
+
+    public static Optional<SsCode> ofCode(int code) {
+        return Coded.find(values(), code);
+    }
+}
