@@ -26,6 +26,11 @@ final class CellReception {
                 cell -> new ServingCell(cell.cellIdentity(), cell.area().areaCode(), rxlev));
     }
 
+    /** What the cell has told; empty before. */
+    Optional<SystemInformation.Type3> information() {
+        return information;
+    }
+
     /** The link is down. */
     void lost() {
         information = Optional.empty();

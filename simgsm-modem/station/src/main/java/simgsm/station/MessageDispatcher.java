@@ -78,6 +78,10 @@ final class MessageDispatcher {
             paged(paging.identity());
         } else if (message instanceof RslMessage.BroadcastInformation information) {
             reception.arrived(information);
+            reception
+                    .information()
+                    .ifPresent(cell ->
+                            registration.camped(cell.area(), cell.control().t3212()));
         } else if (message instanceof RslMessage.MeasurementResult result) {
             reception.arrived(result);
         } else if (message instanceof RslMessage.SmsBroadcastCommand broadcast) {

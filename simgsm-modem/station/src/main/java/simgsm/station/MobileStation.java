@@ -298,6 +298,9 @@ public final class MobileStation implements StationCommands {
     /** Follows each change: supervises the idle channel, publishes the snapshot, delivers the events. */
     private void settle() {
         call.checkService();
+        if (!context.radio().isOpen()) {
+            registration.keepLocation();
+        }
         superviseIdleChannel();
         StationSnapshot now = current();
         if (!now.equals(snapshot)) {

@@ -71,6 +71,7 @@ public final class Mobile {
     private int quality;
     private double erasure;
     private boolean isGone;
+
     private long measuredNanos;
 
     /** Answers of the tower. */

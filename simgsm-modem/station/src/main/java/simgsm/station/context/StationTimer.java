@@ -8,6 +8,8 @@ public enum StationTimer {
     T3210(20_000),
     /** Pause before the next location updating (TS 24.008, table 11.1: 15 s); ours begins at 1 s and doubles. */
     T3211(1_000),
+    /** Periodic location updating (TS 24.008, table 11.1); the cell names the time, in steps of 6 minutes. */
+    T3212(360_000),
     /** The network releases the connection after IMSI DETACH INDICATION (TS 24.008, table 11.1). */
     T3220(5_000),
     /** CM SERVICE REQUEST is answered (TS 24.008, table 11.1). */

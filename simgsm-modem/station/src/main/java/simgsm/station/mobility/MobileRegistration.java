@@ -38,6 +38,13 @@ public final class MobileRegistration {
     private int pause = 1;
     private Optional<Tmsi> tmsi = Optional.empty();
     private LocationArea area = LocationArea.TEST;
+    /** Of the cell on which the mobile is camped; empty if no cell has told it. */
+    private Optional<LocationArea> cellArea = Optional.empty();
+    /** Steps of 6 minutes; 0 for no periodic updating. */
+    private int periodicSteps;
+
+    private boolean periodicDue;
+    private LocationUpdatingType updatingType = LocationUpdatingType.IMSI_ATTACH;
     private Optional<MobileIdentity> offeredIdentity = Optional.empty();
     private Optional<RejectCause> rejectCause = Optional.empty();
     private boolean cardRefused;
@@ -126,8 +133,45 @@ public final class MobileRegistration {
         }
     }
 
+    /**
+     * The cell has told what it is.
+     *
+     * @param periodicUpdatingSteps T3212, of 6 minutes; 0 for none
+     */
+    public void camped(LocationArea newArea, int periodicUpdatingSteps) {
+        cellArea = Optional.of(newArea);
+        periodicSteps = periodicUpdatingSteps;
+    }
+
+    /**
+     * Updates the location if the cell belongs to another area or T3212 has expired (TS 24.008, 4.4.1 and 4.4.2). To be called
+     * on no radio connection.
+     */
+    public void keepLocation() {
+        if (isRegistered() && cellArea.isPresent() && !cellArea.get().equals(area)) {
+            update(LocationUpdatingType.NORMAL, MobileRegistrationEvent.NEW_AREA);
+        } else if (isRegistered() && periodicDue) {
+            update(LocationUpdatingType.PERIODIC, MobileRegistrationEvent.T3212_EXPIRED);
+        }
+    }
+
+    private void update(LocationUpdatingType type, MobileRegistrationEvent reason) {
+        updatingType = type;
+        fire(reason);
+    }
+
+    private void startPeriodicUpdating() {
+        periodicDue = false;
+        context.timers().stop(StationTimer.T3212);
+        if (periodicSteps > 0) {
+            context.timers()
+                    .start(StationTimer.T3212, periodicSteps * StationTimer.T3212.nanos(), () -> periodicDue = true);
+        }
+    }
+
     public void linkLost() {
         cellFound = false;
+        cellArea = Optional.empty();
         clearRefusal();
         fire(MobileRegistrationEvent.LINK_LOST);
     }
@@ -193,8 +237,7 @@ public final class MobileRegistration {
     /** The first message of a radio connection, so an open connection is released first. */
     private void sendLocationUpdatingRequest() {
         context.radio().release();
-        context.radio()
-                .send(new LocationUpdatingRequest(LocationUpdatingType.IMSI_ATTACH, keySequence, area, identity()));
+        context.radio().send(new LocationUpdatingRequest(updatingType, keySequence, area, identity()));
         start(StationTimer.T3210, StationTimer.T3210.nanos(), MobileRegistrationEvent.T3210_EXPIRED);
     }
 
@@ -227,12 +270,21 @@ public final class MobileRegistration {
     }
 
     private void reportRegistered() {
+        boolean isFirst = updatingType == LocationUpdatingType.IMSI_ATTACH;
+        updatingType = LocationUpdatingType.IMSI_ATTACH;
+        startPeriodicUpdating();
+        if (!isFirst) {
+            context.log().trace(Level.INFO, "location updated: area {0}", Integer.toString(area.areaCode()));
+            return;
+        }
         lastReport = new StationEvent.StationRegistered(context.identity().number());
         context.log().trace(Level.INFO, "registered");
         context.events().add(lastReport);
     }
 
     private void reportUnregistered() {
+        updatingType = LocationUpdatingType.IMSI_ATTACH;
+        context.timers().stop(StationTimer.T3212);
         StationEvent report = new StationEvent.StationUnregistered(rejectCause);
         if (!report.equals(lastReport)) {
             lastReport = report;

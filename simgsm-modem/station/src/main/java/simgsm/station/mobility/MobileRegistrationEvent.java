@@ -13,8 +13,11 @@ public enum MobileRegistrationEvent {
     AUTHENTICATION_REJECTED,
     /** A service was refused because the network has lost the registration. */
     FORGOTTEN_BY_NETWORK,
+    /** The cell belongs to another location area. */
+    NEW_AREA,
     CHANNEL_RELEASED,
     T3210_EXPIRED,
     T3211_EXPIRED,
+    T3212_EXPIRED,
     T3220_EXPIRED
 }

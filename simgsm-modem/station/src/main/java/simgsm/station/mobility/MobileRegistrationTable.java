@@ -67,6 +67,11 @@ public final class MobileRegistrationTable {
                         LOCATION_UPDATING_INITIATED,
                         FORGET_IDENTITY,
                         SEND_LOCATION_UPDATING_REQUEST)
+                .on(
+                        EnumSet.of(NORMAL_SERVICE),
+                        EnumSet.of(NEW_AREA, T3212_EXPIRED),
+                        LOCATION_UPDATING_INITIATED,
+                        SEND_LOCATION_UPDATING_REQUEST)
                 .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, LIMITED_SERVICE, NORMAL_SERVICE), CHANNEL_RELEASED)
                 // The answer to a request that was sent twice: the network pages by the identity that it gave last.
                 .stay(EnumSet.of(NORMAL_SERVICE), LOCATION_UPDATING_ACCEPTED, TAKE_NEW_IDENTITY);

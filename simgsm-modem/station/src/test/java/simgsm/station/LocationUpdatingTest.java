@@ -1,0 +1,96 @@
+package simgsm.station;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.abis.IpaFrame;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
+import simgsm.air.LocationArea;
+import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingRequest;
+import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.RadioResource.PagingResponse;
+import simgsm.rr.SystemInformation;
+import simgsm.rr.SystemInformation.ControlChannel;
+import simgsm.rr.SystemInformation.RandomAccess;
+import simgsm.rr.SystemInformation.SelectionParameters;
+
+/** How a station that moves through a town keeps its location known. */
+class LocationUpdatingTest {
+    private static final long SIX_MINUTES = 360 * Scene.SECOND;
+    private static final LocationArea SECOND_AREA = new LocationArea("001", "01", 2);
+
+    private Scene scene;
+
+    @BeforeEach
+    void register() {
+        scene = Scene.registered();
+    }
+
+    private void camp(LocationArea area, int t3212) {
+        SystemInformation.Type3 cell = new SystemInformation.Type3(
+                1,
+                area,
+                new ControlChannel(true, 1, true, 2, t3212),
+                32,
+                new SelectionParameters(4, 5, 5),
+                new RandomAccess(7, 9, false),
+                Optional.empty());
+        scene.frame(
+                IpaFrame.RSL,
+                RslCodec.encode(
+                        new RslMessage.BroadcastInformation(RslMessage.BroadcastInformation.TYPE_3, cell.encode())));
+    }
+
+    private LocationUpdatingRequest accept(LocationArea area) {
+        LocationUpdatingRequest request = scene.expectFirst(LocationUpdatingRequest.class);
+        scene.down(new LocationUpdatingAccept(area, Optional.empty()));
+        scene.releaseChannel();
+        return request;
+    }
+
+    @Test
+    void aCellOfTheSameAreaChangesNothing() {
+        camp(LocationArea.TEST, 0);
+        scene.expectNothing();
+    }
+
+    @Test
+    void aCellOfAnotherAreaIsFollowedByOneNormalUpdate() {
+        camp(SECOND_AREA, 0);
+
+        LocationUpdatingRequest request = accept(SECOND_AREA);
+        assertEquals(LocationUpdatingType.NORMAL, request.updatingType());
+        assertEquals(LocationArea.TEST, request.oldArea());
+        scene.expectNothing();
+        assertEquals(List.of(), scene.reported.lines());
+    }
+
+    @Test
+    void onARadioConnectionTheUpdateWaitsForItsEnd() {
+        scene.page(Scene.TMSI);
+        scene.expectFirst(PagingResponse.class);
+        camp(SECOND_AREA, 0);
+        scene.expectNothing();
+
+        scene.releaseChannel();
+
+        assertEquals(LocationUpdatingType.NORMAL, accept(SECOND_AREA).updatingType());
+    }
+
+    @Test
+    void withT3212TheLocationIsUpdatedEachTimeItExpires() {
+        camp(SECOND_AREA, 1);
+        accept(SECOND_AREA);
+        for (int i = 0; i < 3; i++) {
+            scene.pass(SIX_MINUTES - 1);
+            scene.expectNothing();
+            scene.pass(1);
+            assertEquals(LocationUpdatingType.PERIODIC, accept(SECOND_AREA).updatingType());
+        }
+    }
+}
