@@ -9,7 +9,8 @@ public interface Senses {
     int LASER_READINGS = 181;
 
     /**
-     * The range of one sonar, 0.1 to 5 m; 5 m also where there is no echo.
+     * The range of one sonar, 0.1 to 5 m, 5 m also where there is no echo: as it was when the sonar last fired, up to 320 ms
+     * ago, for the eight of an array fire in turn.
      *
      * @param sonar 0 to 15, clockwise: 0 looks to the left, 3 and 4 ahead, 7 to the right, 11 and 12 back
      */

@@ -79,6 +79,12 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return new Viewport(centerX, centerY, pixelsPerMeter, newWidth, newHeight);
     }
 
+    /** The same scale in an upright part of this view. */
+    public Viewport part(double left, double top, double partWidth, double partHeight) {
+        return new Viewport(
+                worldX(left + partWidth / 2), worldY(top + partHeight / 2), pixelsPerMeter, partWidth, partHeight);
+    }
+
     /** True when a disc about that place is at least partly in view. */
     public boolean shows(double xMeters, double yMeters, double radiusMeters) {
         double reach = radiusMeters * pixelsPerMeter;

@@ -24,6 +24,12 @@ public final class WorldPainter {
 
     /** The part that does not change while robots move. */
     public static void floor(Canvas g, World world, Viewport view, Layers layers) {
+        ground(g, world, view, layers);
+        legend(g, view);
+    }
+
+    /** The floor without its legend: a part of a view shows the same as the whole view there. */
+    public static void ground(Canvas g, World world, Viewport view, Layers layers) {
         FloorPainter floor = new FloorPainter(g, view);
         floor.paper();
         if (layers.grid()) {
@@ -31,6 +37,10 @@ public final class WorldPainter {
         }
         floor.markings(world);
         floor.obstacles(world);
+    }
+
+    /** Scale bar and axes, which stay where they are while the view is dragged. */
+    public static void legend(Canvas g, Viewport view) {
         scaleBar(g, view);
         axes(g, view);
     }

@@ -146,7 +146,9 @@ class WorldPainterTest {
 
     static List<Path> worlds() throws Exception {
         try (Stream<Path> files = Files.list(Path.of("..", "worlds"))) {
-            return files.sorted().toList();
+            return files.filter(file -> file.toString().endsWith(".map"))
+                    .sorted()
+                    .toList();
         }
     }
 

@@ -18,7 +18,9 @@ class OurWorldsTest {
 
     static List<Path> worlds() throws Exception {
         try (Stream<Path> files = Files.list(FOLDER)) {
-            return files.sorted().toList();
+            return files.filter(file -> file.toString().endsWith(".map"))
+                    .sorted()
+                    .toList();
         }
     }
 

@@ -3,6 +3,7 @@ package simrobot.ui.floor;
 import java.awt.AlphaComposite;
 import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
+import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import simgsm.draw.Appearance;
@@ -15,7 +16,8 @@ import simrobot.world.World;
 
 /**
  * The floor without its robots as an image in device pixels, painted again only when world, viewport, layers or theme
- * change: a floor of tens of thousands of points takes longer to paint than a frame lasts.
+ * change: a floor of tens of thousands of points takes longer to paint than a frame lasts. While the view is dragged the
+ * image is shifted, and only what has come into view is painted.
  */
 public final class FloorCache {
     /** All that the image depends on. */
@@ -44,7 +46,16 @@ public final class FloorCache {
         public int hashCode() {
             return view.hashCode();
         }
+
+        Key at(Viewport other) {
+            return new Key(world, other, grid, appearance, zoom, scaleX, scaleY);
+        }
     }
+
+    /** Around a part that is painted anew: strokes of objects that are just outside reach into it. */
+    private static final double REACH_PIXELS = 24;
+
+    private static final double WHOLE = 1e-3;
 
     private Key key;
     private BufferedImage image;
@@ -62,31 +73,70 @@ public final class FloorCache {
         Key wanted =
                 new Key(world, view, layers.grid(), Theme.appearance(), Theme.zoom(), t.getScaleX(), t.getScaleY());
         if (!wanted.equals(key)) {
-            picture(device, width, height, t, world, view, layers);
+            if (!drag(wanted, layers)) {
+                reserve(device, width, height);
+                paint(wanted, layers, new Rectangle(width, height));
+            }
             key = wanted;
         }
         g.setTransform(
                 AffineTransform.getTranslateInstance(Math.rint(t.getTranslateX()), Math.rint(t.getTranslateY())));
         g.drawImage(image, 0, 0, null);
         g.setTransform(t);
+        WorldPainter.legend(new GraphicsCanvas(g), view);
     }
 
-    private void picture(
-            GraphicsConfiguration device,
-            int width,
-            int height,
-            AffineTransform t,
-            World world,
-            Viewport view,
-            Layers layers) {
+    private void reserve(GraphicsConfiguration device, int width, int height) {
         if (image == null || image.getWidth() != width || image.getHeight() != height) {
             image = device.createCompatibleImage(width, height);
         }
+    }
+
+    /** Shifts the image, if the wanted view differs from it by whole pixels only; false if it does not. */
+    private boolean drag(Key wanted, Layers layers) {
+        if (key == null || !key.at(wanted.view).equals(wanted)) {
+            return false;
+        }
+        Viewport before = key.view;
+        Viewport after = wanted.view;
+        double right = (before.centerX() - after.centerX()) * after.pixelsPerMeter() * wanted.scaleX;
+        double down = (after.centerY() - before.centerY()) * after.pixelsPerMeter() * wanted.scaleY;
+        int dx = (int) Math.rint(right);
+        int dy = (int) Math.rint(down);
+        int width = image.getWidth();
+        int height = image.getHeight();
+        boolean isDragged = before.equals(after.centeredOn(before.centerX(), before.centerY()))
+                && Math.abs(right - dx) < WHOLE
+                && Math.abs(down - dy) < WHOLE
+                && Math.abs(dx) < width
+                && Math.abs(dy) < height;
+        if (isDragged) {
+            Graphics2D g = image.createGraphics();
+            g.copyArea(0, 0, width, height, dx, dy);
+            g.dispose();
+            paint(wanted, layers, new Rectangle(dx > 0 ? 0 : width + dx, 0, Math.abs(dx), height));
+            paint(wanted, layers, new Rectangle(0, dy > 0 ? 0 : height + dy, width, Math.abs(dy)));
+        }
+        return isDragged;
+    }
+
+    /** Paints a part of the image. @param part in device pixels */
+    private void paint(Key wanted, Layers layers, Rectangle part) {
+        if (part.isEmpty()) {
+            return;
+        }
+        double left = part.x / wanted.scaleX - REACH_PIXELS;
+        double top = part.y / wanted.scaleY - REACH_PIXELS;
+        double width = part.width / wanted.scaleX + 2 * REACH_PIXELS;
+        double height = part.height / wanted.scaleY + 2 * REACH_PIXELS;
         Graphics2D g = image.createGraphics();
         try {
             g.setComposite(AlphaComposite.SrcOver);
-            g.scale(t.getScaleX(), t.getScaleY());
-            WorldPainter.floor(new GraphicsCanvas(g), world, view, layers);
+            g.clip(part);
+            g.scale(wanted.scaleX, wanted.scaleY);
+            g.translate(left, top);
+            WorldPainter.ground(
+                    new GraphicsCanvas(g), wanted.world, wanted.view.part(left, top, width, height), layers);
         } finally {
             g.dispose();
         }

@@ -22,7 +22,14 @@ public abstract class FloorView extends PaintedComponent {
     private final String actions;
     private final double marginUnits;
     private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
-    private boolean fitted = true;
+    private Choice choice = Choice.START;
+
+    /** What decides on the part that is shown. */
+    private enum Choice {
+        START,
+        WHOLE,
+        USER
+    }
 
     /**
      * @param name of the component
@@ -45,7 +52,9 @@ public abstract class FloorView extends PaintedComponent {
             @Override
             public void componentResized(ComponentEvent event) {
                 viewport = viewport.sized(getWidth(), getHeight());
-                if (fitted) {
+                if (choice == Choice.START) {
+                    showStart();
+                } else if (choice == Choice.WHOLE) {
                     fit();
                 }
             }
@@ -83,15 +92,36 @@ public abstract class FloorView extends PaintedComponent {
     /** Shows another part; from then on the view does not fit itself any more. */
     public final void look(Viewport newViewport) {
         viewport = newViewport;
-        fitted = false;
+        choice = Choice.USER;
         repaint();
     }
 
     /** Shows the whole floor, also after the view's size has changed. */
     public final void fit() {
-        fitted = true;
-        viewport = Viewport.fitting(floorArea(), getWidth(), getHeight(), Theme.exact(marginUnits));
+        choice = Choice.WHOLE;
+        viewport = whole();
         repaint();
+    }
+
+    private Viewport whole() {
+        return Viewport.fitting(floorArea(), getWidth(), getHeight(), Theme.exact(marginUnits));
+    }
+
+    /** Shows what a user sees first, also after the view's size has changed. */
+    protected final void showStart() {
+        choice = Choice.START;
+        viewport = start(whole());
+        repaint();
+    }
+
+    /** Whether the user has not chosen a part yet. */
+    protected final boolean isAtStart() {
+        return choice == Choice.START;
+    }
+
+    /** What a user sees first. @param whole the whole floor */
+    protected Viewport start(Viewport whole) {
+        return whole;
     }
 
     public final void zoom(double factor) {

@@ -17,6 +17,7 @@ import simrobot.drawing.Layers;
 import simrobot.drawing.NumberTexts;
 import simrobot.drawing.RobotPainter;
 import simrobot.drawing.Ruler;
+import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
@@ -32,6 +33,10 @@ import simrobot.world.World;
  */
 public final class WorldView extends FloorView {
     private static final double MARGIN_UNITS = 36;
+    /** Units per metre below which a robot, 0.5 m across, is smaller than 8 units. */
+    private static final double LEAST_SCALE = 16;
+
+    private static final double START_SCALE = 40;
     private static final double NUDGE_METERS = 0.1;
     private static final double RULER_METERS = 0.05;
     private static final double TURN_RADIANS = Math.toRadians(5);
@@ -99,7 +104,7 @@ public final class WorldView extends FloorView {
         boolean still = SnapshotComparison.looksTheSame(scene, newest);
         change(() -> scene = newest);
         if (newest.world() != before) {
-            fit();
+            showStart();
         }
         follow();
         if (still) {
@@ -115,13 +120,30 @@ public final class WorldView extends FloorView {
         return scene.world().bounds();
     }
 
+    /** Where robots would be too small in the whole floor, the surroundings of one. */
+    @Override
+    protected Viewport start(Viewport whole) {
+        if (whole.pixelsPerMeter() >= Theme.exact(LEAST_SCALE)) {
+            return whole;
+        }
+        return selectedRobot()
+                .or(() -> scene.robots().stream().findFirst())
+                .map(robot -> new Viewport(
+                        robot.xMeters(), robot.yMeters(), Theme.exact(START_SCALE), whole.width(), whole.height()))
+                .orElse(whole);
+    }
+
     SimulationSnapshot scene() {
         return scene;
     }
 
     public void select(String robot) {
         if (!Objects.equals(selected, robot)) {
+            boolean isFirst = selected == null;
             selected = robot;
+            if (isFirst && isAtStart()) {
+                showStart();
+            }
             repaint();
         }
     }

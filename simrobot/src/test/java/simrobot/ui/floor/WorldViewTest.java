@@ -10,6 +10,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
@@ -20,6 +21,8 @@ import simrobot.drawing.NumberTexts;
 import simrobot.drawing.RobotPainter;
 import simrobot.robot.SimulatedRobot;
 import simrobot.ui.panel.WindowBench;
+import simrobot.world.Segment;
+import simrobot.world.World;
 
 /** The floor by mouse and by keyboard. */
 class WorldViewTest {
@@ -185,5 +188,19 @@ class WorldViewTest {
         assertTrue(SnapshotComparison.looksTheSame(before, bench.simulation.snapshot()));
         robot.place(1, 1, 0);
         assertFalse(SnapshotComparison.looksTheSame(before, bench.simulation.snapshot()));
+    }
+
+    /** On the map of a whole building the robot would be a few pixels wide. */
+    @Test
+    void aLargeFloorIsShownAroundTheRobotFirstAndHomeShowsAllOfIt() {
+        bench.simulation.load(World.ofSegments("large", List.of(new Segment(-60, -60, 60, 60))));
+        bench.show();
+        assertEquals(40, view.viewport().pixelsPerMeter(), 1e-9);
+        assertEquals(robot.xMeters(), view.viewport().centerX(), 1e-9);
+        assertEquals(robot.yMeters(), view.viewport().centerY(), 1e-9);
+        bench.resize(900, 700);
+        assertEquals(robot.xMeters(), view.viewport().centerX(), 1e-9);
+        view.fit();
+        assertTrue(view.viewport().shows(-60, -60, 0) && view.viewport().shows(60, 60, 0));
     }
 }
