@@ -25,8 +25,9 @@ final class SystemInformationBlocks {
     private static final int[] CONTROL_CHANNEL = {0xc9, 0x03};
     /** No uplink DTX on TCH; radio link time-out in the low half. */
     private static final int NO_DTX = 0x20;
-    /** Hysteresis 4 dB, power level 14; NECI, access at any level. */
-    private static final int[] CELL_SELECTION = {0x4e, 0x40};
+
+    private static final int POWER_LEVEL = 14;
+    private static final int NECI = 0x40;
 
     private final TowerPlan plan;
     private final Collection<Integer> neighbours;
@@ -57,14 +58,14 @@ final class SystemInformationBlocks {
     OctetString type3() {
         OctetWriter out = begin(18, 0x1b).twoOctets(plan.cellIdentity());
         octets(area(out), CONTROL_CHANNEL).octet(settings.t3212SixMinutes()).octet(options());
-        octets(out, CELL_SELECTION);
+        selection(out);
         return filled(access(out).octet(0x29), BLOCK);
     }
 
     /** A part of type 3, more often. */
     OctetString type4() {
         OctetWriter out = area(begin(12, 0x1c));
-        octets(out, CELL_SELECTION);
+        selection(out);
         return filled(access(out), BLOCK);
     }
 
@@ -99,8 +100,13 @@ final class SystemInformationBlocks {
         return octets(out, RANDOM_ACCESS);
     }
 
+    /** Cell selection parameters (10.5.2.4): hysteresis in steps of 2 dB, power level; NECI, least level for access. */
+    private void selection(OctetWriter out) {
+        octets(out, plan.hysteresisDecibels() / 2 << 5 | POWER_LEVEL, NECI | plan.accessMinimum());
+    }
+
     private int options() {
-        return NO_DTX | settings.radioLinkTimeout() / 4 - 1;
+        return NO_DTX | plan.radioLinkTimeout() / 4 - 1;
     }
 
     private OctetWriter area(OctetWriter out) {

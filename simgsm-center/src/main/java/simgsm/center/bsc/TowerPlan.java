@@ -15,8 +15,18 @@ import simgsm.air.LocationArea;
  * @param cell ARFCN of its one carrier, and BSIC
  * @param cellIdentity 0 to 65535
  * @param trafficChannels timeslots for speech, from 1 on
+ * @param radioLinkTimeout SACCH blocks, 4 to 64 in steps of 4
+ * @param accessMinimum RXLEV_ACCESS_MIN, 0 to 63
  */
-record TowerPlan(String name, CellDescription cell, LocationArea area, int cellIdentity, int trafficChannels) {
+record TowerPlan(
+        String name,
+        CellDescription cell,
+        LocationArea area,
+        int cellIdentity,
+        int trafficChannels,
+        int radioLinkTimeout,
+        int accessMinimum,
+        int hysteresisDecibels) {
     private static final int SIGNALLING_TIMESLOT = 0;
 
     /** The plan of a tower. @param position of the tower among those connected, from 0 */
@@ -27,7 +37,10 @@ record TowerPlan(String name, CellDescription cell, LocationArea area, int cellI
                 new CellDescription(tower.identityCode(), tower.frequency()),
                 new LocationArea(LocationArea.TEST.countryCode(), LocationArea.TEST.networkCode(), tower.area()),
                 tower.cellIdentity(),
-                tower.trafficChannels());
+                tower.trafficChannels(),
+                tower.radioLinkTimeout(),
+                tower.accessMinimum(),
+                tower.hysteresisDecibels());
     }
 
     /** The dedicated channels in the order in which they are given out: SDCCH/4 beside the common channels, then TCH/F. */

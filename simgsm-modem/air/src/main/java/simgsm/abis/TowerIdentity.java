@@ -6,16 +6,28 @@ import simgsm.octets.Bounds;
 
 /**
  * What a tower tells the centre of itself in its identity: the unit id, and in the unit name the cell's parameters, as {@code
- * "west arfcn=100 bsic=10 lac=1 cell=6969 tch=6"}. osmo-bsc reads only the unit id and has the rest in its configuration.
+ * "west arfcn=100 bsic=10 lac=1 cell=6969 tch=6 timeout=32 access=0 hysteresis=4"}. osmo-bsc reads only the unit id and has the rest in its configuration.
  *
  * @param frequency ARFCN of the one carrier, 0 to 1023
  * @param identityCode BSIC, 0 to 63
  * @param area location area code, 0 to 65535
  * @param cellIdentity 0 to 65535
  * @param trafficChannels timeslots for speech, 1 to 7
+ * @param radioLinkTimeout SACCH blocks, 4 to 64 in steps of 4
+ * @param accessMinimum RXLEV_ACCESS_MIN, 0 to 63
+ * @param hysteresisDecibels CELL_RESELECT_HYSTERESIS, 0 to 14 in steps of 2
  */
 public record TowerIdentity(
-        String unitId, String name, int frequency, int identityCode, int area, int cellIdentity, int trafficChannels) {
+        String unitId,
+        String name,
+        int frequency,
+        int identityCode,
+        int area,
+        int cellIdentity,
+        int trafficChannels,
+        int radioLinkTimeout,
+        int accessMinimum,
+        int hysteresisDecibels) {
     private static final Pattern UNIT_ID = Pattern.compile("([0-9]{1,5})/[0-9]{1,5}/[0-9]{1,5}");
     private static final int FIRST_FREQUENCY = 100;
     private static final int FREQUENCY_STEP = 10;
@@ -23,6 +35,8 @@ public record TowerIdentity(
     private static final int IDENTITY_CODES = 64;
     private static final int HIGHEST_FREQUENCY = 124;
     private static final int MOST_TRAFFIC_CHANNELS = 7;
+    private static final int STANDARD_TIMEOUT = 32;
+    private static final int STANDARD_HYSTERESIS_DECIBELS = 4;
 
     public TowerIdentity {
         Bounds.check("ARFCN", frequency, 0, 1023);
@@ -30,6 +44,9 @@ public record TowerIdentity(
         Bounds.check("location area code", area, 0, 0xffff);
         Bounds.check("cell identity", cellIdentity, 0, 0xffff);
         Bounds.check("traffic channels", trafficChannels, 1, MOST_TRAFFIC_CHANNELS);
+        Bounds.check("radio link time-out", radioLinkTimeout, 4, 64);
+        Bounds.check("RXLEV_ACCESS_MIN", accessMinimum, 0, 63);
+        Bounds.check("hysteresis", hysteresisDecibels, 0, 14);
     }
 
     /** The identity that the tower sends. */
@@ -39,7 +56,10 @@ public record TowerIdentity(
                 + " bsic=" + identityCode
                 + " lac=" + area
                 + " cell=" + cellIdentity
-                + " tch=" + trafficChannels;
+                + " tch=" + trafficChannels
+                + " timeout=" + radioLinkTimeout
+                + " access=" + accessMinimum
+                + " hysteresis=" + hysteresisDecibels;
         return new CcmMessage.IdentityResponse(text, "", unitId);
     }
 
@@ -67,7 +87,10 @@ public record TowerIdentity(
                 value(text, "bsic", (FIRST_IDENTITY_CODE + position) % IDENTITY_CODES),
                 value(text, "lac", 1),
                 value(text, "cell", Integer.parseInt(unit.group(1)) & 0xffff),
-                value(text, "tch", MOST_TRAFFIC_CHANNELS));
+                value(text, "tch", MOST_TRAFFIC_CHANNELS),
+                value(text, "timeout", STANDARD_TIMEOUT),
+                value(text, "access", 0),
+                value(text, "hysteresis", STANDARD_HYSTERESIS_DECIBELS));
     }
 
     private static int value(String text, String key, int otherwise) {

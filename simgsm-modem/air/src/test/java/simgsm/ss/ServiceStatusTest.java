@@ -17,9 +17,7 @@ class ServiceStatusTest {
             new ServiceStatus(SsCode.FORWARDING_UNCONDITIONAL, 7, Optional.of("+5550102"));
 
     @ParameterizedTest
-    @CsvSource({
-        "REGISTER_SS, a011040121300c300a8401078505915505 01f2",
-        "INTERROGATE_SS, a30c300a8401078505915505 01f2"
+    @CsvSource({"REGISTER_SS, a011040121300c300a8401078505915505 01f2", "INTERROGATE_SS, a30c300a8401078505915505 01f2"
     })
     void aForwardingIsEncodedAsTheStandardHasIt(SsOperation operation, String hex) {
         assertEquals(

@@ -53,7 +53,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         field = new RadioField(new Propagation(town, seed));
         random = new SplittableRandom(seed);
         town.towers().forEach(tower -> {
-            BaseStation station = new BaseStation(tower, timers, this);
+            BaseStation station = new BaseStation(tower, town.radioLinkTimeout(), timers, this);
             indices.put(station, towers.size());
             towers.add(station);
         });

@@ -40,8 +40,10 @@ public final class BaseStation {
     private static final int MOST_ACCESSES = 1_000;
 
     private static final int VIOLATIONS_LOGGED = 3;
+    private static final int STANDARD_RADIO_LINK_TIMEOUT = 32;
 
     private final Tower tower;
+    private final int radioLinkTimeout;
     private final Timers timers;
     private final TowerListener listener;
     private final KeepAlive keepAlive;
@@ -57,7 +59,13 @@ public final class BaseStation {
 
     /** A tower that is on, without a controller. */
     public BaseStation(Tower tower, Timers timers, TowerListener listener) {
+        this(tower, STANDARD_RADIO_LINK_TIMEOUT, timers, listener);
+    }
+
+    /** @param radioLinkTimeout SACCH blocks, told to a centre of this suite; osmo-bsc has its own */
+    public BaseStation(Tower tower, int radioLinkTimeout, Timers timers, TowerListener listener) {
         this.tower = tower;
+        this.radioLinkTimeout = radioLinkTimeout;
         this.timers = timers;
         this.listener = listener;
         keepAlive = new KeepAlive(timers, this::sendCcm, reason -> {
@@ -190,7 +198,10 @@ public final class BaseStation {
                 tower.bsic(),
                 tower.area(),
                 tower.cellIdentity(),
-                tower.trafficChannels());
+                tower.trafficChannels(),
+                radioLinkTimeout,
+                tower.selection().accessMinimumRxlev(),
+                tower.selection().hysteresisDecibels());
     }
 
     private void sendCcm(CcmMessage message) {
