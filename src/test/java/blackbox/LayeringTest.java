@@ -39,15 +39,16 @@ class LayeringTest {
             simgsm.sms               : simgsm.octets simgsm.air
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
-            simgsm.dtmf              :
             simgsm.speech            :
+            simgsm.dtmf              : simgsm.speech
+            simgsm.scope             : simgsm.dtmf
             simgsm.console           :
             simgsm.lesson            : simgsm.console
             simgsm.web               :
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
-            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.draw simgsm.ui
+            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui
             simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui
             simgsm.ui.window         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf

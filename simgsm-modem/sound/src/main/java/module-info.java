@@ -1,5 +1,6 @@
 /** DTMF tones, their receiver, speech codecs and recordings. Needs no sound device. */
 module simgsm.sound {
     exports simgsm.dtmf;
+    exports simgsm.scope;
     exports simgsm.speech;
 }

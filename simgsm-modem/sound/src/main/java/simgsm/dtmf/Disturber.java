@@ -5,7 +5,7 @@ import java.util.SplittableRandom;
 
 /**
  * Does to sound what a {@link ToneExperiment} says. Frequencies are shifted by playing faster or slower, so what comes out
- * is shorter or longer by as much; noise is measured against the loudest sound of late. The same sound is disturbed in the
+ * is shorter or longer by as much; noise is measured against the loudest sound of late; a codec comes last. The same sound is disturbed in the
  * same way each time. Owned by one thread.
  */
 final class Disturber {
@@ -21,6 +21,7 @@ final class Disturber {
     private static final float[][] TAPS = taps();
 
     private ToneExperiment experiment = ToneExperiment.NONE;
+    private final Recoder recoder = new Recoder();
     private SplittableRandom random = new SplittableRandom(1);
     private double power = USUAL_POWER;
     private boolean heard;
@@ -31,9 +32,11 @@ final class Disturber {
 
     void set(ToneExperiment newExperiment) {
         experiment = newExperiment;
+        recoder.set(newExperiment.codec());
     }
 
     void clear() {
+        recoder.clear();
         random = new SplittableRandom(1);
         power = USUAL_POWER;
         heard = false;
@@ -43,14 +46,14 @@ final class Disturber {
 
     short[] disturbed(short[] frame) {
         follow(frame);
-        double[] sound = shifted(frame);
+        double[] sound = experiment.shiftPercent() == 0 ? unshifted(frame) : shifted(frame);
         double noise = experiment.hasNoise() ? Math.sqrt(power * Math.pow(10, -experiment.snrDecibels() / 10)) : 0;
         short[] result = new short[sound.length];
         for (int i = 0; i < result.length; i++) {
             double value = noise == 0 ? sound[i] : sound[i] + noise * random.nextGaussian();
             result[i] = (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(value)));
         }
-        return result;
+        return recoder.recoded(result);
     }
 
     private void follow(short[] frame) {
@@ -65,6 +68,12 @@ final class Disturber {
         }
         power = heard ? Math.max(now, power * DECAY) : power;
         power = Math.max(power, SILENCE_POWER);
+    }
+
+    private static double[] unshifted(short[] frame) {
+        double[] sound = new double[frame.length];
+        Arrays.setAll(sound, i -> frame[i]);
+        return sound;
     }
 
     private double[] shifted(short[] frame) {

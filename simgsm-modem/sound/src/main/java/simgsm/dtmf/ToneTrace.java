@@ -8,19 +8,53 @@ public final class ToneTrace {
     /** 40 ms at 8 kHz. */
     public static final int SAMPLES = 320;
     /** Nothing has sounded yet. */
-    public static final ToneTrace EMPTY =
-            new ToneTrace(new short[SAMPLES], ToneExperiment.NONE, ReceiverTrace.EMPTY, ReceiverTrace.EMPTY);
+    public static final ToneTrace EMPTY = new ToneTrace(
+            new short[SAMPLES],
+            SoundStretch.EMPTY,
+            SoundStretch.EMPTY,
+            ToneExperiment.NONE,
+            ToneLevels.SILENCE,
+            ReceiverTrace.EMPTY,
+            ReceiverTrace.EMPTY);
 
     private final short[] samples;
+    private final SoundStretch original;
+    private final SoundStretch heard;
     private final ToneExperiment experiment;
+    private final ToneLevels originalLevels;
     private final ReceiverTrace modem;
     private final ReceiverTrace classic;
 
-    ToneTrace(short[] samples, ToneExperiment experiment, ReceiverTrace modem, ReceiverTrace classic) {
+    ToneTrace(
+            short[] samples,
+            SoundStretch original,
+            SoundStretch heard,
+            ToneExperiment experiment,
+            ToneLevels originalLevels,
+            ReceiverTrace modem,
+            ReceiverTrace classic) {
         this.samples = samples;
+        this.original = original;
+        this.heard = heard;
         this.experiment = experiment;
+        this.originalLevels = originalLevels;
         this.modem = modem;
         this.classic = classic;
+    }
+
+    /** The sound before the experiment. */
+    public SoundStretch original() {
+        return original;
+    }
+
+    /** The sound after the experiment, of which {@link #sample} has the last 40 ms. */
+    public SoundStretch heard() {
+        return heard;
+    }
+
+    /** The levels before the experiment. */
+    public ToneLevels originalLevels() {
+        return originalLevels;
     }
 
     /** A sample, oldest first. @param index 0 to {@link #SAMPLES} - 1 */

@@ -23,6 +23,8 @@ public final class ToneTracer {
     private final DtmfReceiver reference;
 
     private ToneExperiment experiment = ToneExperiment.NONE;
+    private SoundStretch original = SoundStretch.EMPTY;
+    private SoundStretch afterwards = SoundStretch.EMPTY;
     private long samplesPassed;
     private boolean silent = true;
     private ToneTrace newest = ToneTrace.EMPTY;
@@ -52,7 +54,10 @@ public final class ToneTracer {
 
     /** The next stretch of sound, at most 280 samples long. @return whether the picture has changed */
     public boolean accept(short[] frame) {
-        short[] heard = isExperiment() ? disturber.disturbed(frame) : frame;
+        short[] kept = frame.clone();
+        short[] heard = isExperiment() ? disturber.disturbed(frame) : kept;
+        original = original.with(kept);
+        afterwards = afterwards.with(heard);
         samplesPassed += frame.length;
         List<ToneScore> before = scores();
         if (isExperiment()) {
@@ -90,6 +95,8 @@ public final class ToneTracer {
     /** No sound comes for now: the picture is quiet, and the last key stays. */
     public void rest() {
         Arrays.fill(samples, (short) 0);
+        original = original.with(samples.clone());
+        afterwards = afterwards.with(samples.clone());
         receivers.forEach(ReceiverTracer::rest);
         silent = true;
         publish();
@@ -102,8 +109,10 @@ public final class ToneTracer {
     }
 
     private void publish() {
+        ReceiverTrace ours = modem.newest(isExperiment());
+        ToneLevels before = isExperiment() && !silent ? reference.levels() : ours.levels();
         newest = new ToneTrace(
-                samples.clone(), experiment, modem.newest(isExperiment()), classic.newest(isExperiment()));
+                samples.clone(), original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
     }
 
     private boolean isSilent() {
@@ -125,6 +134,8 @@ public final class ToneTracer {
         reference.reset();
         disturber.clear();
         Arrays.fill(samples, (short) 0);
+        original = SoundStretch.EMPTY;
+        afterwards = SoundStretch.EMPTY;
         silent = true;
         if (isExperiment()) {
             publish();

@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.speech.SpeechCodec;
 
 /** What the tone scope measures. */
 class ToneTracerTest {
@@ -227,5 +230,51 @@ class ToneTracerTest {
             assertEquals(DtmfKey.FIVE, candidate.key());
             assertTrue(candidate.climbed() >= 1, candidate.toString());
         }
+    }
+
+    @Test
+    void aTraceHasTheSoundBeforeAndAfterACodec() {
+        ToneTracer tracer = new ToneTracer();
+        tracer.tryOut(new ToneExperiment(Double.POSITIVE_INFINITY, 0, Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
+        short[] sent = new short[1600];
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.FIVE, 200, 0);
+        generator.read(sent);
+        for (int at = 0; at < sent.length; at += 160) {
+            tracer.accept(Arrays.copyOfRange(sent, at, at + 160));
+        }
+        ToneTrace trace = tracer.newest();
+
+        assertArrayEquals(sent, trace.original().last(sent.length));
+        SpeechCodec coder = SpeechCodec.Kind.GSM_FULL_RATE.open();
+        SpeechCodec decoder = SpeechCodec.Kind.GSM_FULL_RATE.open();
+        short[] received = new short[sent.length];
+        for (int at = 0; at < sent.length; at += 160) {
+            short[] frame = decoder.decode(coder.encode(Arrays.copyOfRange(sent, at, at + 160)));
+            System.arraycopy(frame, 0, received, at, 160);
+        }
+        assertArrayEquals(received, trace.heard().last(sent.length));
+        assertEquals(-10, trace.originalLevels().dbm0(1), 1);
+    }
+
+    @Test
+    void aStretchOfSoundIsTheLastTwoSecondsAndSilenceBefore() {
+        ToneTracer tracer = new ToneTracer();
+        tracer.accept(filled(160, 1000));
+        short[] last = tracer.newest().heard().last(320);
+        assertEquals(0, last[159]);
+        assertEquals(1000, last[160]);
+        for (int i = 0; i < 200; i++) {
+            tracer.accept(filled(160, i));
+        }
+        short[] all = tracer.newest().heard().last(SoundStretch.SAMPLES + 320);
+        assertEquals(199, all[all.length - 1]);
+        assertEquals(0, all[159]);
+    }
+
+    private static short[] filled(int length, int value) {
+        short[] samples = new short[length];
+        Arrays.fill(samples, (short) value);
+        return samples;
     }
 }

@@ -17,7 +17,7 @@ import simgsm.ui.Theme;
 final class HandsetLayout implements LayoutManager2 {
     static final double WIDTH = 320;
     static final double CLOSED_HEIGHT = 624;
-    static final double OPEN_HEIGHT = 976;
+    static final double OPEN_HEIGHT = 1000;
 
     private static final double PAD_TOP = 232;
 
@@ -29,9 +29,9 @@ final class HandsetLayout implements LayoutManager2 {
     static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
     static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
     /** The background of the scope. */
-    static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 344);
+    static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 368);
 
-    static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 326);
+    static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 350);
 
     private static final double KEY_TOP = 336;
     private static final double KEY_WIDTH = 88;

@@ -21,7 +21,7 @@ public final class CodecText {
         return heard.isEmpty() || heard.equals(sent) ? own : texts.of("codec.different", own, name(texts, heard.get()));
     }
 
-    private static String name(TextBundle texts, SpeechCodec.Kind kind) {
+    static String name(TextBundle texts, SpeechCodec.Kind kind) {
         return texts.of("codec." + kind.name().toLowerCase(Locale.ROOT));
     }
 }

@@ -28,6 +28,7 @@ final class ReceiverPanel extends JPanel {
     private final TextBundle texts;
     private ShownReceiver selected = ShownReceiver.MODEM;
     private boolean compact;
+    private boolean hiding;
 
     /** @param chosen receives each receiver that is selected */
     ReceiverPanel(Locale language, Consumer<ShownReceiver> chosen) {
@@ -80,7 +81,13 @@ final class ReceiverPanel extends JPanel {
         arrange();
     }
 
+    /** Hides all findings, which tell the key. */
+    void setHiding(boolean nowHiding) {
+        hiding = nowHiding;
+        arrange();
+    }
+
     private void arrange() {
-        rows.forEach((receiver, row) -> row.setVisible(!compact || receiver == selected));
+        rows.forEach((receiver, row) -> row.setVisible(!hiding && (!compact || receiver == selected)));
     }
 }

@@ -4,9 +4,13 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.GridLayout;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
@@ -15,6 +19,7 @@ import simgsm.draw.Ink;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneScore;
 import simgsm.dtmf.ToneTrace;
+import simgsm.speech.SpeechCodec;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
@@ -25,12 +30,13 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * Two sliders for the noise and the frequency shift that are added to what a tone scope hears, and how many keys it still hears
- * then. The call itself is not changed, and the bar says so.
+ * Two sliders for the noise and the frequency shift that are added to what a tone scope hears, the codec that it then passes, and how
+ * many keys it still hears. The call itself is not changed, and the bar says so.
  *
  * <pre>
  *   What if? Only this scope hears it.        [reset]
  *   Noise --o------- 12 dB    Pitch ----o--- +1.5 %
+ *   Codec GSM 06.10
  * </pre>
  */
 final class ToneExperimentBar extends JPanel {
@@ -41,11 +47,15 @@ final class ToneExperimentBar extends JPanel {
     /** The pitch slider's steps are tenths of a percent. */
     private static final int SHIFT_STEPS = 50;
 
+    private static final List<Optional<SpeechCodec.Kind>> CODECS =
+            List.of(Optional.empty(), Optional.of(SpeechCodec.Kind.A_LAW), Optional.of(SpeechCodec.Kind.GSM_FULL_RATE));
+
     private final TextBundle texts;
     private final Consumer<ToneExperiment> chosen;
     private final JLabel verdict = Theme.label("", Theme::small, Ink.QUIET);
     private final Slider noise = new Slider(0, NOISE_STEPS, 0, this::changed);
     private final Slider shift = new Slider(-SHIFT_STEPS, SHIFT_STEPS, 0, this::changed);
+    private final JComboBox<String> codec = new JComboBox<>();
     private final JLabel noiseValue = value();
     private final JLabel shiftValue = value();
     private final JButton reset = new JButton(new UserAction("scope.reset", "", this::reset));
@@ -65,6 +75,7 @@ final class ToneExperimentBar extends JPanel {
         sliders.setOpaque(false);
         sliders.add(row("scope.noise", noise, noiseValue));
         sliders.add(row("scope.shift", shift, shiftValue));
+        sliders.add(codecRow());
         reset.setToolTipText(texts.of("scope.reset.tip"));
         ComponentNames.name(reset, "scope.reset", texts.of("scope.reset.tip"));
         Theme.styled(reset, button -> {
@@ -85,8 +96,7 @@ final class ToneExperimentBar extends JPanel {
     }
 
     private JPanel row(String key, Slider slider, JLabel value) {
-        JLabel label = Theme.label(texts.of(key), Theme::small, Ink.QUIET);
-        Theme.styled(label, it -> it.setPreferredSize(new Dimension(longestLabel() + 2, Theme.px(20))));
+        JLabel label = label(key);
         label.setLabelFor(slider);
         slider.setToolTipText(texts.of(key + ".tip"));
         ComponentNames.name(slider, key, texts.of(key));
@@ -94,10 +104,33 @@ final class ToneExperimentBar extends JPanel {
         return Arrange.row(6, label, Arrange.growing(slider), value);
     }
 
+    private JPanel codecRow() {
+        for (Optional<SpeechCodec.Kind> kind : CODECS) {
+            codec.addItem(kind.map(it -> CodecText.name(texts, it)).orElse(texts.of("scope.codec.none")));
+        }
+        JLabel label = label("scope.codec");
+        label.setLabelFor(codec);
+        codec.setToolTipText(texts.of("scope.codec.tip"));
+        ComponentNames.name(codec, "scope.codec", texts.of("scope.codec"));
+        codec.addActionListener(event -> changed());
+        Theme.styled(codec, it -> {
+            it.setFont(Theme.small());
+            it.setPreferredSize(new Dimension(Theme.px(120), Theme.px(24)));
+        });
+        return Arrange.row(6, label, codec, Arrange.spring());
+    }
+
+    private JLabel label(String key) {
+        return Theme.styled(
+                Theme.label(texts.of(key), Theme::small, Ink.QUIET),
+                it -> it.setPreferredSize(new Dimension(longestLabel() + 2, Theme.px(20))));
+    }
+
     private int longestLabel() {
-        return Math.max(
-                Drawing.width(Theme.small(), texts.of("scope.noise")),
-                Drawing.width(Theme.small(), texts.of("scope.shift")));
+        return Stream.of("scope.noise", "scope.shift", "scope.codec")
+                .mapToInt(key -> Drawing.width(Theme.small(), texts.of(key)))
+                .max()
+                .orElseThrow();
     }
 
     private static JLabel value() {
@@ -136,7 +169,7 @@ final class ToneExperimentBar extends JPanel {
 
     private void changed() {
         double snr = noise.value() == 0 ? Double.POSITIVE_INFINITY : MOST_SNR_DECIBELS + 1 - noise.value();
-        ToneExperiment wanted = new ToneExperiment(snr, shift.value() / 10.0);
+        ToneExperiment wanted = new ToneExperiment(snr, shift.value() / 10.0, CODECS.get(codec.getSelectedIndex()));
         if (!wanted.equals(experiment)) {
             experiment = wanted;
             score = ToneScore.NONE;
@@ -148,6 +181,7 @@ final class ToneExperimentBar extends JPanel {
     private void reset() {
         noise.setValue(0);
         shift.setValue(0);
+        codec.setSelectedIndex(0);
     }
 
     private void showState() {

@@ -2,6 +2,9 @@ package simgsm.ui.scope;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import simgsm.console.TextBundle;
@@ -12,13 +15,15 @@ import simgsm.dtmf.ReceiverTrace;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneLevels;
 import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ScopeInstrument;
+import simgsm.scope.ScopeInstrument.Picture;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
  * Paints a {@link ToneTrace}: the wave above, below it the eight levels with their thresholds, the key matrix, and one line of
- * numbers. A wave that an experiment has changed has another colour and the experiment's values.
+ * numbers; or its spectrogram. A wave that an experiment has changed has another colour and the experiment's values.
  *
  * <pre>
  *   +---------------------------+
@@ -40,33 +45,83 @@ final class ToneScopePainter {
     /** The frequencies below the bars; where they are too wide, every other one stands a line lower. */
     private static final double LABEL_POINTS = 10;
 
+    private static final double LINE_UNITS = 18;
+    private static final double SCALE_UNITS = 23;
+    private static final double FREQUENCY_UNITS = 32;
+    private static final double GROUP_GAP_UNITS = 10;
+
     private final TextBundle texts;
+    private final SpectrogramPainter spectrogram = new SpectrogramPainter();
 
     ToneScopePainter(Locale language) {
         texts = DesktopTexts.in(language);
     }
 
     /**
-     * Paints a trace.
+     * Paints what an instrument shows.
      *
      * @param shown the receiver's part of the trace, whose levels, limits and last key are painted
      * @param width of the box that starts at the origin, in pixels
      */
-    void paint(Graphics2D g, ToneTrace trace, ReceiverTrace shown, double width, double height) {
-        double gap = Theme.exact(Theme.GRID);
-        double lineHeight = Theme.exact(18);
-        double waveHeight = Math.max(Theme.exact(32), (height - lineHeight - gap) * 0.4);
-        double bottom = height - lineHeight;
-        double barsTop = waveHeight + gap;
-        double matrix = Math.min(bottom - barsTop, width * 0.3);
-        double scale = Theme.exact(23);
-        paintWave(g, trace, width, waveHeight);
-        paintBars(g, shown.levels(), scale, barsTop, width - matrix - 2 * gap - scale, bottom - barsTop);
-        paintMatrix(g, shown, width - matrix, barsTop + (bottom - barsTop - matrix) / 2, matrix);
-        paintReading(g, shown, width, height);
+    void paint(Graphics2D g, ScopeInstrument instrument, ReceiverTrace shown, double width, double height) {
+        ToneTrace trace = instrument.trace();
+        boolean isHiding = instrument.prediction().isHiding();
+        Rectangle2D area = area(instrument, width, height);
+        if (instrument.picture() == Picture.SPECTROGRAM) {
+            spectrogram.paint(g, trace.heard(), area);
+        } else {
+            boolean comparing = instrument.isComparing();
+            Rectangle2D keys = keys(width, height);
+            double barsTop = area.getMaxY() + Theme.exact(Theme.GRID);
+            double scale = Theme.exact(SCALE_UNITS);
+            paintWave(g, trace, comparing, width, area.getHeight());
+            double barsWidth = keys.getX() - 2 * Theme.exact(Theme.GRID) - scale;
+            double barsHeight = height - Theme.exact(LINE_UNITS) - barsTop;
+            paintBars(g, shown.levels(), scale, barsTop, barsWidth, barsHeight);
+            if (comparing) {
+                paintLevelsBefore(g, trace.originalLevels(), scale, barsTop, barsWidth, barsHeight);
+            }
+            paintMatrix(g, isHiding ? Optional.empty() : shown.digit().map(DtmfDigit::key), shown.isSounding(), keys);
+        }
+        if (instrument.hasCursors()) {
+            double span = instrument.picture() == Picture.SPECTROGRAM
+                    ? ScopeInstrument.SPECTROGRAM_MILLIS
+                    : ScopeInstrument.WAVE_MILLIS;
+            CursorPainter.paint(g, instrument.cursors(), area, span);
+        }
+        paintReading(
+                g,
+                reading(instrument, shown),
+                instrument.hasCursors() || shown.digit().isPresent(),
+                width,
+                height);
+        if (instrument.isFrozen()) {
+            paintFlag(g, texts.of("scope.frozen"), Ink.ACCENT, width, Theme.exact(3));
+        }
     }
 
-    private void paintWave(Graphics2D g, ToneTrace trace, double width, double height) {
+    /** Where the cursors are: the wave, or the whole spectrogram. */
+    Rectangle2D area(ScopeInstrument instrument, double width, double height) {
+        double line = Theme.exact(LINE_UNITS);
+        if (instrument.picture() == Picture.SPECTROGRAM) {
+            double left = Theme.exact(FREQUENCY_UNITS);
+            return new Rectangle2D.Double(left, 0, width - left - 1, height - line - Theme.exact(4));
+        }
+        double waveHeight = Math.max(Theme.exact(32), (height - line - Theme.exact(Theme.GRID)) * 0.4);
+        return new Rectangle2D.Double(0, 0, width, waveHeight);
+    }
+
+    /** The matrix of keys in {@link Picture#LEVELS}. */
+    Rectangle2D keys(double width, double height) {
+        double line = Theme.exact(LINE_UNITS);
+        double gap = Theme.exact(Theme.GRID);
+        double waveHeight = Math.max(Theme.exact(32), (height - line - gap) * 0.4);
+        double top = waveHeight + gap;
+        double side = Math.min(height - line - top, width * 0.3);
+        return new Rectangle2D.Double(width - side, top + (height - line - top - side) / 2, side, side);
+    }
+
+    private void paintWave(Graphics2D g, ToneTrace trace, boolean comparing, double width, double height) {
         g.setColor(Theme.color(Ink.LINE));
         for (int i = 0; i <= 8; i++) {
             Drawing.vertical(g, (width - Theme.exact(1)) * i / 8, 0, height);
@@ -75,20 +130,40 @@ final class ToneScopePainter {
             Drawing.horizontal(g, 0, width, (height - Theme.exact(1)) * i / 4);
         }
         boolean changed = !trace.experiment().equals(ToneExperiment.NONE);
+        short[] after = trace.heard().last(ToneTrace.SAMPLES);
+        int start = trigger(after);
+        if (comparing) {
+            g.setColor(Theme.color(Ink.QUIET));
+            g.setStroke(Theme.dashed(1.2, 3));
+            g.draw(wave(trace.original().last(ToneTrace.SAMPLES), start, width, height));
+        }
         g.setColor(Theme.color(changed ? Ink.WARNING : Ink.ACCENT));
         g.setStroke(Theme.stroke(1.4));
-        g.draw(wave(trace, width, height));
+        g.draw(wave(after, start, width, height));
         if (changed) {
-            paintExperiment(g, trace.experiment(), width);
+            paintFlag(g, trial(trace.experiment()), Ink.WARNING, width, height - Theme.exact(19));
         }
     }
 
-    private static Path2D wave(ToneTrace trace, double width, double height) {
+    /** A short line across each bar at the level before the experiment. */
+    private static void paintLevelsBefore(
+            Graphics2D g, ToneLevels levels, double x, double y, double width, double height) {
+        double groupGap = Theme.exact(GROUP_GAP_UNITS);
+        double step = (width - groupGap) / 8;
+        double tall = barHeight(step, height);
+        g.setColor(Theme.color(Ink.TEXT));
+        for (int i = 0; i < 8; i++) {
+            double left = x + i * step + (i >= 4 ? groupGap : 0);
+            double at = y + tall * (1 - share(levels.dbm0(i)));
+            Drawing.fillCrisp(g, left, at - Theme.exact(1), step, Theme.exact(2));
+        }
+    }
+
+    private static Path2D wave(short[] samples, int start, double width, double height) {
         var wave = new Path2D.Double();
-        int start = trigger(trace);
         for (int i = 0; i < SHOWN_SAMPLES; i++) {
             double x = width * i / (SHOWN_SAMPLES - 1);
-            double y = height / 2 * (1 - trace.sample(start + i) / FULL_SCALE * WAVE_GAIN);
+            double y = height / 2 * (1 - samples[start + i] / FULL_SCALE * WAVE_GAIN);
             y = Math.max(1, Math.min(height - 1, y));
             if (i == 0) {
                 wave.moveTo(x, y);
@@ -100,43 +175,49 @@ final class ToneScopePainter {
     }
 
     /** The first sample at which the wave rises through zero, so that the picture stands still. */
-    private static int trigger(ToneTrace trace) {
+    private static int trigger(short[] samples) {
         for (int i = 1; i <= ToneTrace.SAMPLES - SHOWN_SAMPLES; i++) {
-            if (trace.sample(i - 1) < 0 && trace.sample(i) >= 0) {
+            if (samples[i - 1] < 0 && samples[i] >= 0) {
                 return i;
             }
         }
         return 0;
     }
 
-    /** The experiment's values in the corner: the wave is not the call's. */
-    private void paintExperiment(Graphics2D g, ToneExperiment experiment, double width) {
-        String text = trial(experiment);
+    /** Words in the corner of the wave: the experiment's values, since the wave is not the call's; or that it is frozen. */
+    private static void paintFlag(Graphics2D g, String text, Ink ink, double width, double top) {
         var font = Theme.monoSmall();
         double textWidth = Drawing.width(font, text);
         double height = Theme.exact(16);
         double left = width - textWidth - Theme.exact(13);
-        g.setColor(Theme.color(Ink.WARNING_WASH));
-        var flag = Drawing.round(left, Theme.exact(3), textWidth + Theme.exact(10), height, Theme.exact(3));
+        g.setColor(Theme.color(ink == Ink.WARNING ? Ink.WARNING_WASH : Ink.ACCENT_WASH));
+        var flag = Drawing.round(left, top, textWidth + Theme.exact(10), height, Theme.exact(3));
         g.fill(flag);
-        g.setColor(Theme.color(Ink.WARNING));
+        g.setColor(Theme.color(ink));
         g.setStroke(Theme.hairline());
         g.draw(flag);
-        Drawing.centred(g, text, font, left + Theme.exact(5) + textWidth / 2, Theme.exact(3) + height / 2);
+        Drawing.centred(g, text, font, left + Theme.exact(5) + textWidth / 2, top + height / 2);
     }
 
     private String trial(ToneExperiment experiment) {
-        String snr = experiment.hasNoise() ? decimal("%.0f dB", experiment.snrDecibels()) : "\u221e";
-        return texts.of("scope.trial", snr, decimal("%+.1f", experiment.shiftPercent()) + " %");
+        List<String> changes = new ArrayList<>();
+        if (experiment.hasNoise()) {
+            changes.add(decimal("SNR %.0f dB", experiment.snrDecibels()));
+        }
+        if (experiment.shiftPercent() != 0) {
+            changes.add(decimal("%+.1f", experiment.shiftPercent()) + " %");
+        }
+        experiment.codec().ifPresent(kind -> changes.add(CodecText.name(texts, kind)));
+        return texts.of("scope.trial", String.join(", ", changes));
     }
 
     private static void paintBars(Graphics2D g, ToneLevels levels, double x, double y, double width, double height) {
-        double groupGap = Theme.exact(10);
+        double groupGap = Theme.exact(GROUP_GAP_UNITS);
         double step = (width - groupGap) / 8;
         double line = Theme.exact(LABEL_POINTS + 3);
-        boolean staggered = Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
+        boolean staggered = isStaggered(step);
         double points = Math.min(LABEL_POINTS, step / Theme.zoom() * 0.75);
-        double tall = height - (staggered ? 2 : 1) * line;
+        double tall = barHeight(step, height);
         paintScale(g, x, y, width, tall);
         for (int i = 0; i < 8; i++) {
             double left = x + i * step + (i >= 4 ? groupGap : 0);
@@ -152,6 +233,14 @@ final class ToneScopePainter {
         }
         paintThreshold(g, levels.leastDbm0(0), x, y, 4 * step, tall);
         paintThreshold(g, levels.leastDbm0(4), x + 4 * step + groupGap, y, 4 * step, tall);
+    }
+
+    private static boolean isStaggered(double step) {
+        return Drawing.width(Theme.mono(LABEL_POINTS, true), "1633") > step - Theme.exact(4);
+    }
+
+    private static double barHeight(double step, double height) {
+        return height - (isStaggered(step) ? 2 : 1) * Theme.exact(LABEL_POINTS + 3);
     }
 
     /** The levels of the scale in dBm0, as lines behind the bars. */
@@ -187,32 +276,40 @@ final class ToneScopePainter {
         return String.valueOf((int) hertz);
     }
 
-    private static void paintMatrix(Graphics2D g, ReceiverTrace trace, double x, double y, double size) {
-        double step = size / 4;
-        Optional<DtmfKey> key = trace.digit().map(DtmfDigit::key);
+    private static void paintMatrix(Graphics2D g, Optional<DtmfKey> key, boolean isSounding, Rectangle2D box) {
+        double step = box.getWidth() / 4;
         for (DtmfKey each : DtmfKey.values()) {
-            double left = x + each.column() * step;
-            double top = y + each.row() * step;
+            double left = box.getX() + each.column() * step;
+            double top = box.getY() + each.row() * step;
             boolean last = key.isPresent() && key.get() == each;
             var cell = Drawing.round(left + 1, top + 1, step - 2, step - 2, Theme.exact(3));
             if (last) {
-                g.setColor(Theme.color(trace.isSounding() ? Ink.ACCENT : Ink.ACCENT_WASH));
+                g.setColor(Theme.color(isSounding ? Ink.ACCENT : Ink.ACCENT_WASH));
                 g.fill(cell);
             }
             g.setColor(Theme.color(last ? Ink.ACCENT : Ink.LINE));
             g.setStroke(Theme.hairline());
             g.draw(cell);
-            Ink ink = last ? trace.isSounding() ? Ink.ON_ACCENT : Ink.TEXT : Ink.QUIET;
+            Ink ink = last ? isSounding ? Ink.ON_ACCENT : Ink.TEXT : Ink.QUIET;
             g.setColor(Theme.color(ink));
             var font = Theme.mono(step / Theme.zoom() * 0.55, last);
             Drawing.centred(g, String.valueOf(each.symbol()), font, left + step / 2, top + step / 2);
         }
     }
 
-    private void paintReading(Graphics2D g, ReceiverTrace trace, double width, double height) {
-        String text =
-                trace.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
-        g.setColor(Theme.color(trace.digit().isPresent() ? Ink.TEXT : Ink.QUIET));
+    /** Of the cursors, or of the last key. */
+    private String reading(ScopeInstrument instrument, ReceiverTrace shown) {
+        if (instrument.hasCursors()) {
+            return CursorPainter.words(texts, instrument.cursors());
+        }
+        if (instrument.prediction().isHiding()) {
+            return texts.of("scope.hidden");
+        }
+        return shown.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
+    }
+
+    private static void paintReading(Graphics2D g, String text, boolean isStrong, double width, double height) {
+        g.setColor(Theme.color(isStrong ? Ink.TEXT : Ink.QUIET));
         var font = Theme.monoSmall();
         g.setFont(font);
         double natural = g.getFontMetrics().stringWidth(text);
@@ -224,8 +321,14 @@ final class ToneScopePainter {
     }
 
     /** The numbers in words, for assistive technology. */
-    String spoken(ReceiverTrace trace) {
-        return trace.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));
+    String spoken(ScopeInstrument instrument, ReceiverTrace shown) {
+        if (instrument.hasCursors()) {
+            return texts.of("scope.name") + ": " + CursorPainter.words(texts, instrument.cursors());
+        }
+        if (instrument.prediction().isHiding()) {
+            return texts.of("scope.name") + ": " + texts.of("scope.hidden");
+        }
+        return shown.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));
     }
 
     private String reading(String key, DtmfDigit digit) {

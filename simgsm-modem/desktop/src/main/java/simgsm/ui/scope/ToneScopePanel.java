@@ -3,23 +3,52 @@ package simgsm.ui.scope;
 import java.awt.BorderLayout;
 import java.util.Locale;
 import java.util.function.Consumer;
+import javax.swing.JDialog;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
+import simgsm.scope.KeyPrediction;
+import simgsm.scope.PracticeTone;
+import simgsm.scope.ScopeInstrument;
+import simgsm.scope.ScopeInstrument.Picture;
 import simgsm.ui.Arrange;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
-/** The tone scope of phone and modem; below it the receivers with their candidate keys, and the experiment. */
+/**
+ * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers with their
+ * candidate keys, and the experiment. A small one opens a large one in a window of its own.
+ */
 public final class ToneScopePanel extends JPanel {
     /** In units: below it the two sliders lie one below the other. */
     private static final int NARROW = 440;
     /** In units: in a lower compact scope the row of the receiver is hidden. */
     private static final int LOW = 174;
+    /** In units: from here on there is room for the receivers below a question. */
+    private static final int HIGH = 440;
+    /** In units: in a still lower one the tools are. */
+    private static final int TOOLS_LOW = 162;
 
+    private final Locale language;
+    private final TextBundle texts;
+    private final Consumer<ToneExperiment> chosen;
+    private final ScopeInstrument instrument = new ScopeInstrument();
+    private final PracticeTone practice = new PracticeTone(System.nanoTime());
     private final ToneScope scope;
+    private final ScopeTools tools;
+    private final PredictionBar prediction;
     private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
+    private Consumer<Boolean> whenHiding = hiding -> {};
+    private boolean wasHiding;
     private boolean isCompact;
+    private ToneTrace newest = ToneTrace.EMPTY;
+    private LargeScope large;
 
     /**
      * A scope that shows nothing yet.
@@ -27,19 +56,95 @@ public final class ToneScopePanel extends JPanel {
      * @param chosen receives each experiment that is set, on the event thread; the scope's owner passes it to its tracer
      */
     public ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen) {
+        this(language, chosen, true);
+    }
+
+    /** @param opensLarge whether there is a button for a large scope */
+    ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen, boolean opensLarge) {
         super(new BorderLayout());
+        this.language = language;
+        this.chosen = chosen;
+        texts = DesktopTexts.in(language);
         setOpaque(false);
         setName("scope");
-        scope = new ToneScope(language);
+        scope = new ToneScope(language, instrument, this::guess);
         experiment = new ToneExperimentBar(language, chosen);
-        add(scope, BorderLayout.CENTER);
         receivers = new ReceiverPanel(language, this::select);
-        add(Arrange.column(Theme.HALF, receivers, experiment), BorderLayout.SOUTH);
+        prediction = new PredictionBar(texts, instrument.prediction(), this::guess, this::practise);
+        prediction.setVisible(false);
+        tools = new ScopeTools(texts);
+        addTools(opensLarge);
+        add(tools, BorderLayout.NORTH);
+        add(scope, BorderLayout.CENTER);
+        add(Arrange.column(Theme.HALF, prediction, receivers, experiment), BorderLayout.SOUTH);
+    }
+
+    private void addTools(boolean opensLarge) {
+        tools.toggle("scope.freeze", Symbol.PAUSE, on -> scope.changed(() -> instrument.freeze(on)));
+        tools.toggle("scope.cursors", Symbol.CURSORS, on -> scope.changed(() -> instrument.setCursors(on)));
+        tools.toggle(
+                "scope.spectrogram",
+                Symbol.SPECTROGRAM,
+                on -> scope.changed(() -> instrument.choose(on ? Picture.SPECTROGRAM : Picture.LEVELS)));
+        tools.toggle("scope.compare", Symbol.COMPARE, on -> scope.changed(() -> instrument.compare(on)));
+        tools.toggle("scope.predict", Symbol.QUESTION, this::predict);
+        if (opensLarge) {
+            tools.button("scope.large", Symbol.FIT, this::openLarge);
+        }
     }
 
     private void select(ShownReceiver receiver) {
         scope.show(receiver);
         experiment.show(receiver);
+    }
+
+    private void predict(boolean on) {
+        instrument.prediction().set(on);
+        prediction.setVisible(on);
+        updatePrediction();
+        if (on) {
+            prediction.focusField();
+        }
+    }
+
+    private void guess(DtmfKey key) {
+        instrument.prediction().guess(key);
+        updatePrediction();
+    }
+
+    private void practise() {
+        PracticeTone.Played played = practice.next(newest.experiment());
+        instrument.prediction().ask(played.trace(), played.key());
+        updatePrediction();
+        prediction.focusField();
+    }
+
+    private void updatePrediction() {
+        prediction.update();
+        scope.changed(() -> {});
+        boolean isHiding = instrument.prediction().isHiding();
+        receivers.setHiding(isHiding);
+        receivers.show(instrument.trace());
+        if (isHiding != wasHiding) {
+            wasHiding = isHiding;
+            whenHiding.accept(isHiding);
+            revalidate();
+        }
+    }
+
+    /** Is told when keys are to be hidden everywhere, because a student reads them off the picture, and when no longer. */
+    public void whenHiding(Consumer<Boolean> listener) {
+        whenHiding = listener;
+    }
+
+    /** Opens a large scope of the same sound, or brings it to the front. */
+    private void openLarge() {
+        if (large == null || !large.isOpen()) {
+            large = LargeScope.open(this, language, texts.of("scope.name"), chosen);
+            large.show(newest);
+        } else {
+            large.toFront();
+        }
     }
 
     /** A compact scope is lower, has one receiver's row and no sliders; their settings remain in effect. */
@@ -53,13 +158,59 @@ public final class ToneScopePanel extends JPanel {
     @Override
     public void doLayout() {
         experiment.arrange(getWidth() < Theme.px(NARROW));
-        receivers.setVisible(!isCompact || getHeight() >= Theme.px(LOW));
+        boolean asks = prediction.isVisible();
+        receivers.setVisible(asks ? getHeight() >= Theme.px(HIGH) : !isCompact || getHeight() >= Theme.px(LOW));
+        tools.setVisible(!isCompact || getHeight() >= Theme.px(TOOLS_LOW));
         super.doLayout();
     }
 
     public void show(ToneTrace trace) {
+        newest = trace;
+        KeyPrediction.Stage before = instrument.prediction().stage();
         scope.show(trace);
-        receivers.show(trace);
+        if (before != instrument.prediction().stage()) {
+            updatePrediction();
+        }
+        receivers.show(instrument.trace());
         experiment.show(trace);
+        if (large != null) {
+            large.show(trace);
+        }
+    }
+
+    /** A scope in a window of its own, which ends with the window that it was opened from. */
+    private record LargeScope(JDialog dialog, ToneScopePanel panel) {
+        private static final int WIDTH = 720;
+        private static final int HEIGHT = 560;
+
+        static LargeScope open(ToneScopePanel owner, Locale language, String title, Consumer<ToneExperiment> chosen) {
+            JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title);
+            ToneScopePanel panel = new ToneScopePanel(language, chosen, false);
+            JPanel content = new JPanel(new BorderLayout());
+            Theme.styled(content, it -> {
+                it.setBackground(Theme.color(Ink.CARD));
+                it.setBorder(Theme.padding(12));
+            });
+            content.add(panel);
+            dialog.setContentPane(content);
+            dialog.setSize(Theme.px(WIDTH), Theme.px(HEIGHT));
+            dialog.setLocationRelativeTo(owner);
+            dialog.setVisible(true);
+            return new LargeScope(dialog, panel);
+        }
+
+        boolean isOpen() {
+            return dialog.isVisible();
+        }
+
+        void toFront() {
+            dialog.toFront();
+        }
+
+        void show(ToneTrace trace) {
+            if (isOpen()) {
+                panel.show(trace);
+            }
+        }
     }
 }

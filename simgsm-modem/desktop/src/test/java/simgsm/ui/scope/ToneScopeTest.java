@@ -2,14 +2,19 @@ package simgsm.ui.scope;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -28,7 +33,9 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.KeyCandidate;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneShape;
+import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
+import simgsm.speech.SpeechCodec;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Painted;
@@ -268,5 +275,116 @@ class ToneScopeTest {
         for (String measure : KeyCandidate.measures()) {
             assertFalse(texts.of("scope.measure." + measure, "1").isEmpty(), measure);
         }
+    }
+
+    private static void click(ToneScopePanel panel, String name) {
+        ((AbstractButton) ComponentNames.find(panel, name).orElseThrow()).doClick();
+    }
+
+    private static String question(ToneScopePanel panel) {
+        return ((JLabel) ComponentNames.find(panel, "scope.question").orElseThrow()).getText();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, Which key is it?", "es, '\u00bfQu\u00e9 tecla es?'"})
+    void aPredictionHidesTheKeyUntilItIsTyped(String language, String asked) {
+        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
+        List<Boolean> hidden = new ArrayList<>();
+        panel.whenHiding(hidden::add);
+        click(panel, "scope.predict");
+        panel.show(fiveIsSounding());
+        assertEquals(asked, question(panel));
+        assertFalse(spoken(panel, "scope.picture").contains("5"), spoken(panel, "scope.picture"));
+        assertFalse(isRowVisible(panel, "scope.receiver.modem"));
+
+        type(panel, '6');
+        assertTrue(question(panel).contains("5 (770 + 1336 Hz)"), question(panel));
+        assertTrue(isRowVisible(panel, "scope.receiver.modem"));
+        assertEquals(List.of(true, false), hidden);
+    }
+
+    @Test
+    void aPracticeToneIsGuessedWithoutACall() {
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        click(panel, "scope.predict");
+        click(panel, "scope.practise");
+        assertEquals("Which key is it?", question(panel));
+        type(panel, 'x');
+        assertEquals("Which key is it?", question(panel));
+        type(panel, '#');
+        assertTrue(question(panel).matches("(Right: #|No, it is .) \\(.*"), question(panel));
+    }
+
+    private static void type(ToneScopePanel panel, char key) {
+        Component field = ComponentNames.find(panel, "scope.guess").orElseThrow();
+        KeyEvent event = new KeyEvent(field, KeyEvent.KEY_TYPED, 0, 0, KeyEvent.VK_UNDEFINED, key);
+        for (KeyListener listener : field.getKeyListeners()) {
+            listener.keyTyped(event);
+        }
+    }
+
+    private static ToneTrace fiveIsSounding() {
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.FIVE);
+        ToneTracer tracer = new ToneTracer();
+        for (int i = 0; i < 4; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        return tracer.newest();
+    }
+
+    @Test
+    void theArrowsMoveTheCursorsAndTheDifferenceIsSpoken() {
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        panel.show(fiveIsSounding());
+        click(panel, "scope.cursors");
+        assertTrue(spoken(panel, "scope.picture").contains("A 8.00  B 16.00  difference +8.00 ms = 125 Hz"));
+        JComponent picture =
+                (JComponent) ComponentNames.find(panel, "scope.picture").orElseThrow();
+        for (String key : new String[] {"RIGHT", "ctrl RIGHT", "shift LEFT"}) {
+            Object id = picture.getInputMap().get(KeyStroke.getKeyStroke(key));
+            picture.getActionMap().get(id).actionPerformed(new ActionEvent(picture, 0, key));
+        }
+        assertTrue(
+                spoken(panel, "scope.picture").contains("A 9.13  B 15.88  difference +6.75 ms = 148 Hz"),
+                spoken(panel, "scope.picture"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"scope.freeze", "scope.cursors", "scope.spectrogram", "scope.predict"})
+    void everyToolChangesThePicture(String tool) {
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        panel.show(fiveIsSounding());
+        JComponent picture =
+                (JComponent) ComponentNames.find(panel, "scope.picture").orElseThrow();
+        int before = Painted.hash(Painted.at(picture, 1));
+        click(panel, tool);
+        panel.show(new ToneTracer().newest());
+        if (tool.equals("scope.freeze")) {
+            panel.show(fiveIsSounding());
+        }
+        assertNotEquals(before, Painted.hash(Painted.at(picture, 1)));
+    }
+
+    @Test
+    void theSoundBeforeTheExperimentIsDrawnBehindThatAfterIt() {
+        ToneTracer tracer = new ToneTracer();
+        tracer.tryOut(new ToneExperiment(0, 0, Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.FIVE);
+        for (int i = 0; i < 4; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        panel.show(tracer.newest());
+        JComponent picture =
+                (JComponent) ComponentNames.find(panel, "scope.picture").orElseThrow();
+        int before = Painted.count(Painted.at(picture, 2), Ink.TEXT);
+        click(panel, "scope.compare");
+        assertTrue(Painted.count(Painted.at(picture, 2), Ink.TEXT) > before + 300);
     }
 }

@@ -1,0 +1,45 @@
+package simgsm.dtmf;
+
+import java.util.Arrays;
+import java.util.Optional;
+import simgsm.speech.SpeechCodec;
+
+/** Sound as it is after a codec: coded and decoded in frames of 20 ms. Owned by one thread. */
+final class Recoder {
+    private Optional<SpeechCodec.Kind> kind = Optional.empty();
+    private SpeechCodec coder;
+    private SpeechCodec decoder;
+    /** What does not fill a frame yet. */
+    private short[] rest = new short[0];
+
+    /** @param newKind empty for the sound as it is */
+    void set(Optional<SpeechCodec.Kind> newKind) {
+        if (!newKind.equals(kind)) {
+            kind = newKind;
+            clear();
+        }
+    }
+
+    void clear() {
+        coder = kind.map(SpeechCodec.Kind::open).orElse(null);
+        decoder = kind.map(SpeechCodec.Kind::open).orElse(null);
+        rest = new short[0];
+    }
+
+    /** The next stretch; the frames that it completes, none or several. */
+    short[] recoded(short[] samples) {
+        if (kind.isEmpty()) {
+            return samples;
+        }
+        short[] all = Arrays.copyOf(rest, rest.length + samples.length);
+        System.arraycopy(samples, 0, all, rest.length, samples.length);
+        int whole = all.length - all.length % SpeechCodec.SAMPLES_PER_FRAME;
+        short[] result = new short[whole];
+        for (int at = 0; at < whole; at += SpeechCodec.SAMPLES_PER_FRAME) {
+            short[] frame = Arrays.copyOfRange(all, at, at + SpeechCodec.SAMPLES_PER_FRAME);
+            System.arraycopy(decoder.decode(coder.encode(frame)), 0, result, at, SpeechCodec.SAMPLES_PER_FRAME);
+        }
+        rest = Arrays.copyOfRange(all, whole, all.length);
+        return result;
+    }
+}

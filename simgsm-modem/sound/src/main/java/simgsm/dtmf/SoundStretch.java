@@ -1,0 +1,47 @@
+package simgsm.dtmf;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The last stretch of a sound, immutable: up to {@link #SAMPLES}, which share their memory with earlier stretches. */
+public final class SoundStretch {
+    /** 2 s at 8 kHz. */
+    public static final int SAMPLES = 16_000;
+
+    static final SoundStretch EMPTY = new SoundStretch(List.of());
+
+    private final List<short[]> frames;
+    private final int length;
+
+    private SoundStretch(List<short[]> frames) {
+        this.frames = frames;
+        this.length = frames.stream().mapToInt(frame -> frame.length).sum();
+    }
+
+    /** With a frame at its end, which must not change afterwards; what is older than {@link #SAMPLES} is left out. */
+    SoundStretch with(short[] frame) {
+        int from = 0;
+        int kept = length + frame.length;
+        while (from < frames.size() && kept - frames.get(from).length >= SAMPLES) {
+            kept -= frames.get(from).length;
+            from++;
+        }
+        List<short[]> all = new ArrayList<>(frames.size() - from + 1);
+        all.addAll(frames.subList(from, frames.size()));
+        all.add(frame);
+        return new SoundStretch(all);
+    }
+
+    /** The last samples, oldest first; silence where there are not so many. */
+    public short[] last(int count) {
+        short[] samples = new short[count];
+        int end = count;
+        for (int i = frames.size() - 1; i >= 0 && end > 0; i--) {
+            short[] frame = frames.get(i);
+            int part = Math.min(end, frame.length);
+            System.arraycopy(frame, frame.length - part, samples, end - part, part);
+            end -= part;
+        }
+        return samples;
+    }
+}

@@ -1,0 +1,124 @@
+package simgsm.scope;
+
+import java.util.Optional;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneTrace;
+
+/**
+ * A student reads keys off the picture: each key that is heard is hidden, and its picture held, until a guess is made. Keys
+ * that sound meanwhile are left out. Not thread-safe.
+ */
+public final class KeyPrediction {
+    /** What there is to do. */
+    public enum Stage {
+        /** Off: keys are shown. */
+        OFF,
+        /** No tone has been heard since the last guess. */
+        WAITING,
+        /** A tone is shown without its key. */
+        ASKING,
+        /** The last guess was right; the key is shown. */
+        RIGHT,
+        /** The last guess was wrong; the key is shown. */
+        WRONG
+    }
+
+    private Stage stage = Stage.OFF;
+    private ToneTrace newest = ToneTrace.EMPTY;
+    private ToneTrace held = ToneTrace.EMPTY;
+    private Optional<DtmfDigit> known = Optional.empty();
+    private DtmfKey answer;
+    private DtmfKey guessed;
+    private int right;
+    private int asked;
+
+    /** Begins anew, or ends. The key that was heard before is not asked for. */
+    public void set(boolean on) {
+        stage = on ? Stage.WAITING : Stage.OFF;
+        known = digit(newest);
+        right = 0;
+        asked = 0;
+    }
+
+    public void hear(ToneTrace trace) {
+        newest = trace;
+        Optional<DtmfDigit> digit = digit(trace);
+        boolean isNew = digit.isPresent() && !isSame(digit, known);
+        if (stage == Stage.ASKING) {
+            if (isSame(digit, digit(held)) && trace.modem().isSounding()) {
+                held = trace;
+            }
+        } else if (stage != Stage.OFF && isNew) {
+            ask(trace, digit.get().key());
+        }
+        if (digit.isPresent()) {
+            known = digit;
+        }
+    }
+
+    /** Asks for the key of this picture, whether a receiver has heard it or not. */
+    public void ask(ToneTrace trace, DtmfKey key) {
+        stage = Stage.ASKING;
+        held = trace;
+        answer = key;
+        guessed = null;
+    }
+
+    private static Optional<DtmfDigit> digit(ToneTrace trace) {
+        return trace.modem().digit();
+    }
+
+    /** The duration grows while the tone sounds. */
+    private static boolean isSame(Optional<DtmfDigit> one, Optional<DtmfDigit> other) {
+        return one.isPresent()
+                && other.isPresent()
+                && one.get().key() == other.get().key()
+                && one.get().decidedAtSample() == other.get().decidedAtSample();
+    }
+
+    /** Takes a guess at the key that is asked for; without one it does nothing. */
+    public void guess(DtmfKey key) {
+        if (stage == Stage.ASKING) {
+            guessed = key;
+            asked++;
+            boolean isRight = answer == key;
+            right += isRight ? 1 : 0;
+            stage = isRight ? Stage.RIGHT : Stage.WRONG;
+        }
+    }
+
+    public Stage stage() {
+        return stage;
+    }
+
+    /** Whether keys are hidden now. */
+    public boolean isHiding() {
+        return stage == Stage.WAITING || stage == Stage.ASKING;
+    }
+
+    /** The picture of the key that is asked for, or was last; empty while none is. */
+    public Optional<ToneTrace> held() {
+        return stage == Stage.OFF || stage == Stage.WAITING ? Optional.empty() : Optional.of(held);
+    }
+
+    /** The key that was played; empty while no picture is held. */
+    public Optional<DtmfKey> answer() {
+        return held().map(picture -> answer);
+    }
+
+    /** The last guess; empty before. */
+    public Optional<DtmfKey> guessed() {
+        return Optional.ofNullable(guessed);
+    }
+
+    /** Right guesses since the beginning. */
+    public int right() {
+        return right;
+    }
+
+    /** Guesses since the beginning. */
+    public int asked() {
+        return asked;
+    }
+}

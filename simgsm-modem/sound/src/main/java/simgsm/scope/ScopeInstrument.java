@@ -1,0 +1,93 @@
+package simgsm.scope;
+
+import simgsm.dtmf.ToneTrace;
+
+/**
+ * A tone scope without its picture: which trace it shows, and how. Traces come in at any rate; a frozen scope keeps the one
+ * that it showed. Not thread-safe.
+ */
+public final class ScopeInstrument {
+    /** Milliseconds of the wave in {@link Picture#LEVELS}. */
+    public static final double WAVE_MILLIS = 24;
+    /** Milliseconds of a spectrogram. */
+    public static final double SPECTROGRAM_MILLIS = 2000;
+
+    public static final double LEAST_HERTZ = 600;
+    public static final double MOST_HERTZ = 1750;
+
+    /** What is drawn. */
+    public enum Picture {
+        /** The wave and the levels of the eight tones. */
+        LEVELS,
+        /** Power over time and frequency. */
+        SPECTROGRAM
+    }
+
+    private final ScopeCursors onWave = new ScopeCursors(WAVE_MILLIS, 0, 0);
+    private final ScopeCursors onSpectrogram = new ScopeCursors(SPECTROGRAM_MILLIS, LEAST_HERTZ, MOST_HERTZ);
+    private final KeyPrediction prediction = new KeyPrediction();
+    private ToneTrace newest = ToneTrace.EMPTY;
+    private ToneTrace frozen = ToneTrace.EMPTY;
+    private boolean isFrozen;
+    private boolean hasCursors;
+    private boolean isComparing;
+    private Picture picture = Picture.LEVELS;
+
+    /** @return whether the picture changes */
+    public boolean show(ToneTrace trace) {
+        ToneTrace before = trace();
+        newest = trace;
+        prediction.hear(trace);
+        return trace() != before;
+    }
+
+    /** The trace to be drawn. */
+    public ToneTrace trace() {
+        return isFrozen ? frozen : prediction.held().orElse(newest);
+    }
+
+    /** Keeps the trace that is shown, or goes on with the newest. */
+    public void freeze(boolean freeze) {
+        frozen = trace();
+        isFrozen = freeze;
+    }
+
+    public boolean isFrozen() {
+        return isFrozen;
+    }
+
+    public void choose(Picture newPicture) {
+        picture = newPicture;
+    }
+
+    public Picture picture() {
+        return picture;
+    }
+
+    /** Of the picture that is chosen; drawn only if {@link #hasCursors}. */
+    public ScopeCursors cursors() {
+        return picture == Picture.LEVELS ? onWave : onSpectrogram;
+    }
+
+    public void setCursors(boolean shown) {
+        hasCursors = shown;
+    }
+
+    public boolean hasCursors() {
+        return hasCursors;
+    }
+
+    /** Draws the sound before the experiment behind that after it. */
+    public void compare(boolean comparing) {
+        isComparing = comparing;
+    }
+
+    public boolean isComparing() {
+        return isComparing;
+    }
+
+    /** Which keys are to be read off the picture. */
+    public KeyPrediction prediction() {
+        return prediction;
+    }
+}
