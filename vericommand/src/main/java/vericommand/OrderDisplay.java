@@ -79,6 +79,18 @@ final class OrderDisplay {
         }
     }
 
+    /** The call that gave the order under way has ended. @param stops whether the robot brakes, or finishes the order */
+    void callEnded(boolean stops) {
+        verdictWord = stops ? VeriCommandSnapshot.STOPPED : verdictWord;
+        verdictText = texts.text(stops ? "verdict.stopped" : "verdict.finishing");
+    }
+
+    /** The call has ended before its order was whole. */
+    void callEndedWithinOrder() {
+        verdictWord = VeriCommandSnapshot.STOPPED;
+        verdictText = texts.text("verdict.unfinished");
+    }
+
     void reply(Reply reply) {
         if (replies.size() == MAX_REPLIES) {
             replies.removeFirst();

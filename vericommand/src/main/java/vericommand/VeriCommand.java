@@ -55,8 +55,13 @@ public final class VeriCommand {
             return;
         }
         call.end();
-        boolean brakes =
-                settings.onHangup() == VeriCommandSettings.OnHangup.STOP && (isOfCall(running) || isOfCall(process));
+        boolean moves = isOfCall(running) || isOfCall(process);
+        boolean brakes = settings.onHangup() == VeriCommandSettings.OnHangup.STOP && moves;
+        if (moves) {
+            display.callEnded(brakes);
+        } else if (!recognizer.keys().isEmpty()) {
+            display.callEndedWithinOrder();
+        }
         call = null;
         recognizer.reset();
         listener.changed();

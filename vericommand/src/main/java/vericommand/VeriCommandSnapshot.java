@@ -11,7 +11,7 @@ import java.util.List;
  * @param underWay whether an order is being executed
  * @param keys of the current or last order as received, without blanks; in a call also those skipped after a fault
  * @param words the order in words, empty unless it is complete
- * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, or empty while the order is being keyed
+ * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, {@link #STOPPED}, or empty while the order is being keyed
  * @param verdictText the verdict in words
  * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One more than the number of keys: a
  *     key is missing
@@ -27,4 +27,7 @@ public record VeriCommandSnapshot(
         String verdictWord,
         String verdictText,
         int failingPosition,
-        List<String> replies) {}
+        List<String> replies) {
+    /** The verdict's word once the end of the call has ended the order. */
+    public static final String STOPPED = "stopped";
+}

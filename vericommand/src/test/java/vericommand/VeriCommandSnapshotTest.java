@@ -79,6 +79,34 @@ class VeriCommandSnapshotTest {
     }
 
     @Test
+    void aLostCallStopsItsOrderAndTheSnapshotSaysSo() {
+        bench.press("** #**20 **");
+        bench.veri.callEnded();
+
+        assertEquals("Stopped: the call ended.", shown().verdictText());
+        assertEquals(VeriCommandSnapshot.STOPPED, shown().verdictWord());
+        assertEquals("**#**20**", shown().keys());
+    }
+
+    @Test
+    void aCallThatIsLostWithinAnOrderLeavesItUnfinished() {
+        bench.press("** #*");
+        bench.veri.callEnded();
+
+        assertEquals("The call ended before the order was whole.", shown().verdictText());
+    }
+
+    @Test
+    void aCallThatEndsAfterItsOrderLeavesTheVerdict() {
+        bench.press("** #*0 **");
+        String verdict = shown().verdictText();
+        bench.veri.callEnded();
+
+        assertEquals(verdict, shown().verdictText());
+        assertEquals("accepted", shown().verdictWord());
+    }
+
+    @Test
     void everyChangeOfTheSnapshotIsNotified() {
         bench.veri.callEnded();
         Runnable[] inputs = {

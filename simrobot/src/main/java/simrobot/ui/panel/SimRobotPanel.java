@@ -70,6 +70,10 @@ public final class SimRobotPanel extends JPanel {
         inspector = new Inspector(texts, this::select, operator, world, running, this::showInspector);
         modem = new ModemPanel(texts, language, operator);
         orders = new VeriCommandPanel(texts, language);
+        modem.whenHidingKeys(hiding -> {
+            orders.setKeysHidden(hiding);
+            line(selected).ifPresent(orders::show);
+        });
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);
         busyNotice = new BusyRobotNotice(texts, this::select);

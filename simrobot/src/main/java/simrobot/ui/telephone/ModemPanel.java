@@ -2,6 +2,7 @@ package simrobot.ui.telephone;
 
 import java.awt.BorderLayout;
 import java.util.Locale;
+import java.util.function.Consumer;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.air.Msisdn;
@@ -118,6 +119,11 @@ public final class ModemPanel extends JPanel {
             operator.tryOut(robot, experiment);
         }
         scope.show(line.heard());
+    }
+
+    /** Is told when keys are to be hidden in the window, because a student reads them off the scope. */
+    public void whenHidingKeys(Consumer<Boolean> listener) {
+        scope.whenHiding(listener);
     }
 
     private String network(StationSnapshot modem) {

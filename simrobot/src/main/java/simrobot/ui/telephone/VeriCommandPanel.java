@@ -20,6 +20,7 @@ import vericommand.VeriCommandSnapshot;
 public final class VeriCommandPanel extends JPanel {
     private final Card card;
     private boolean isCompact;
+    private boolean areKeysHidden;
 
     private final TextBundle texts;
     private final TextLine from = new TextLine("order.from", Theme::base, Ink.QUIET);
@@ -60,11 +61,22 @@ public final class VeriCommandPanel extends JPanel {
     public void show(TelephoneSnapshot line) {
         VeriCommandSnapshot order = line.orders();
         from.show(origin(order));
-        keys.show(order.keys(), order.failingPosition());
-        words.show(order.words());
-        showVerdict(order);
+        if (areKeysHidden) {
+            keys.show("?".repeat(order.keys().length()), 0);
+            words.show("");
+            verdict.show(StatusMark.HALF_DISC, Ink.QUIET, texts.of("order.hidden"));
+        } else {
+            keys.show(order.keys(), order.failingPosition());
+            words.show(order.words());
+            showVerdict(order);
+        }
         replies.show(order.message() ? order.replies() : tones(line.tones()));
         reply.show(newest(order.replies()));
+    }
+
+    /** Hides the keys of the order while a student reads them off the tone scope. */
+    public void setKeysHidden(boolean hidden) {
+        areKeysHidden = hidden;
     }
 
     private String origin(VeriCommandSnapshot order) {
@@ -84,6 +96,7 @@ public final class VeriCommandPanel extends JPanel {
                 String said = isCompact && !order.words().isEmpty() ? order.words() : order.verdictText();
                 verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, said);
             }
+            case VeriCommandSnapshot.STOPPED -> verdict.show(StatusMark.SQUARE, Ink.WARNING, order.verdictText());
             case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, order.verdictText());
             case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, order.verdictText());
             default -> {

@@ -40,6 +40,11 @@ final class ScopeTools extends JPanel {
         dress(button, id, symbol, () -> task.accept(button.isSelected()));
     }
 
+    /** The first button. */
+    AbstractButton first() {
+        return buttons.get(0);
+    }
+
     void button(String id, Symbol symbol, Runnable task) {
         dress(new JButton(), id, symbol, task);
     }

@@ -55,6 +55,7 @@ final class ToneExperimentBar extends JPanel {
     private final JLabel verdict = Theme.label("", Theme::small, Ink.QUIET);
     private final Slider noise = new Slider(0, NOISE_STEPS, 0, this::changed);
     private final Slider shift = new Slider(-SHIFT_STEPS, SHIFT_STEPS, 0, this::changed);
+    private final JPanel codecRow;
     private final JComboBox<String> codec = new JComboBox<>();
     private final JLabel noiseValue = value();
     private final JLabel shiftValue = value();
@@ -75,7 +76,8 @@ final class ToneExperimentBar extends JPanel {
         sliders.setOpaque(false);
         sliders.add(row("scope.noise", noise, noiseValue));
         sliders.add(row("scope.shift", shift, shiftValue));
-        sliders.add(codecRow());
+        codecRow = codecRow();
+        sliders.add(codecRow);
         reset.setToolTipText(texts.of("scope.reset.tip"));
         ComponentNames.name(reset, "scope.reset", texts.of("scope.reset.tip"));
         Theme.styled(reset, button -> {
@@ -139,6 +141,27 @@ final class ToneExperimentBar extends JPanel {
         return Theme.styled(
                 value,
                 it -> it.setPreferredSize(new Dimension(Drawing.width(Theme.monoSmall(), "+10.0 %"), Theme.px(20))));
+    }
+
+    /** The codec remains in effect while its row is hidden. */
+    void setCodecVisible(boolean visible) {
+        if (visible != isCodecVisible()) {
+            if (visible) {
+                sliders.add(codecRow);
+            } else {
+                sliders.remove(codecRow);
+            }
+            revalidate();
+        }
+    }
+
+    boolean isCodecVisible() {
+        return codecRow.getParent() == sliders;
+    }
+
+    /** What the row of the codec takes. */
+    int codecHeight() {
+        return codecRow.getPreferredSize().height;
     }
 
     /** @param narrow whether the sliders lie one below the other */

@@ -29,7 +29,7 @@ public final class ToneScope extends PaintedComponent {
     private static final int WIDTH = 288;
 
     private static final int HEIGHT = 168;
-    private static final int COMPACT_HEIGHT = 132;
+    static final int COMPACT_HEIGHT = 132;
     /** A step of a cursor: one sample on the wave, one spectrum on a spectrogram. */
     private static final double WAVE_STEP_MILLIS = 0.125;
 

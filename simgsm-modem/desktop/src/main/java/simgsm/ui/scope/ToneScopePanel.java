@@ -1,10 +1,13 @@
 package simgsm.ui.scope;
 
 import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.KeyEvent;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
@@ -19,6 +22,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 
 /**
  * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers with their
@@ -31,8 +35,6 @@ public final class ToneScopePanel extends JPanel {
     private static final int LOW = 174;
     /** In units: from here on there is room for the receivers below a question. */
     private static final int HIGH = 440;
-    /** In units: in a still lower one the tools are. */
-    private static final int TOOLS_LOW = 162;
 
     private final Locale language;
     private final TextBundle texts;
@@ -44,6 +46,7 @@ public final class ToneScopePanel extends JPanel {
     private final PredictionBar prediction;
     private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
+    private final JPanel below;
     private Consumer<Boolean> whenHiding = hiding -> {};
     private boolean wasHiding;
     private boolean isCompact;
@@ -74,9 +77,16 @@ public final class ToneScopePanel extends JPanel {
         prediction.setVisible(false);
         tools = new ScopeTools(texts);
         addTools(opensLarge);
+        if (opensLarge) {
+            UserAction enlarge = new UserAction("scope.large.key", texts.of("scope.large"), this::openLarge);
+            enlarge.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
+        }
+        UserAction freeze = new UserAction("scope.freeze.key", texts.of("scope.freeze"), tools.first()::doClick);
+        freeze.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0));
         add(tools, BorderLayout.NORTH);
         add(scope, BorderLayout.CENTER);
-        add(Arrange.column(Theme.HALF, prediction, receivers, experiment), BorderLayout.SOUTH);
+        below = Arrange.column(Theme.HALF, prediction, receivers, experiment);
+        add(below, BorderLayout.SOUTH);
     }
 
     private void addTools(boolean opensLarge) {
@@ -160,8 +170,27 @@ public final class ToneScopePanel extends JPanel {
         experiment.arrange(getWidth() < Theme.px(NARROW));
         boolean asks = prediction.isVisible();
         receivers.setVisible(asks ? getHeight() >= Theme.px(HIGH) : !isCompact || getHeight() >= Theme.px(LOW));
-        tools.setVisible(!isCompact || getHeight() >= Theme.px(TOOLS_LOW));
+        int spare = getHeight() - leastHeight();
+        int toolsHeight = tools.getPreferredSize().height;
+        tools.setVisible(spare >= toolsHeight);
+        experiment.setCodecVisible(spare >= toolsHeight + experiment.codecHeight());
         super.doLayout();
+    }
+
+    /** Without tools and codec: the lowest picture, and what stands below it. */
+    private int leastHeight() {
+        int least = Theme.px(ToneScope.COMPACT_HEIGHT) + below.getPreferredSize().height;
+        return least - (experiment.isVisible() && experiment.isCodecVisible() ? experiment.codecHeight() : 0);
+    }
+
+    /** Tools and codec are shown where there is room to spare. */
+    @Override
+    public Dimension getPreferredSize() {
+        if (isPreferredSizeSet()) {
+            return super.getPreferredSize();
+        }
+        int picture = scope.getPreferredSize().height - Theme.px(ToneScope.COMPACT_HEIGHT);
+        return new Dimension(scope.getPreferredSize().width, leastHeight() + picture);
     }
 
     public void show(ToneTrace trace) {
