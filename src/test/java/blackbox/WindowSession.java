@@ -36,9 +36,9 @@ final class WindowSession {
         try {
             launch(
                     "centre",
-                    () -> simgsm.center.CenterMain.main(
-                            new String[] {"--port", args[0], "--data", args[1], "--lang", "en", "--window", "300,500"
-                            }));
+                    () -> simgsm.center.CenterMain.main(new String[] {
+                        "--port", args[0], "--data", args[1], "--lang", "en", "--fresh", "--window", "300,500"
+                    }));
             launch(
                     "robot",
                     () -> simrobot.SimRobotMain.main(new String[] {
@@ -51,6 +51,7 @@ final class WindowSession {
                         "--lang",
                         "en",
                         "--no-sound",
+                        "--fresh",
                         "--window",
                         "380,0"
                     }));
@@ -64,6 +65,7 @@ final class WindowSession {
                         "--lang",
                         "en",
                         "--no-sound",
+                        "--fresh",
                         "--window",
                         "0,0"
                     }));

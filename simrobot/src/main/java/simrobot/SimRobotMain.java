@@ -12,6 +12,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
@@ -31,6 +32,7 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
+import simgsm.ui.window.WindowMemory;
 import simrobot.app.BatchRun;
 import simrobot.app.CallRecordings;
 import simrobot.app.HeadlessReplay;
@@ -68,11 +70,14 @@ public final class SimRobotMain {
     private static final double MIN_SPEED = 0.001;
     private static final double MAX_SPEED = 1000;
 
+    /** Options with which no window opens. */
+    private static final String[] WINDOWLESS = {"headless", "run", "print-world", "modem-check"};
+
     private SimRobotMain() {}
 
     public static void main(String[] args) {
         new Program(NAME, options())
-                .showingErrors(StartErrorWindow::show, "headless", "run", "print-world", "modem-check")
+                .showingErrors(StartErrorWindow::show, WINDOWLESS)
                 .runAndExit(args, SimRobotMain::run);
     }
 
@@ -173,7 +178,9 @@ public final class SimRobotMain {
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 
-    private static int run(Arguments arguments) throws Exception {
+    private static int run(Arguments given) throws Exception {
+        boolean hasWindow = Stream.of(WINDOWLESS).noneMatch(given::has);
+        Arguments arguments = hasWindow ? WindowMemory.recall(given, "robot") : given;
         if (arguments.has("replay")) {
             return replay(arguments);
         }
@@ -236,8 +243,8 @@ public final class SimRobotMain {
             replay.setSpeed(speed);
             replay.setPaused(false);
             replay.start();
-            window.show(
-                    () -> SimRobotWindow.content("SimRobot - " + file.getFileName(), language, model::snapshot, model));
+            String title = "SimRobot - " + file.getFileName();
+            window.show(chosen -> SimRobotWindow.content(title, chosen, model::snapshot, model));
         }
         return ExitStatus.OK;
     }
@@ -270,8 +277,8 @@ public final class SimRobotMain {
                 RobotConsole commands = commands(arguments, built, console.get()::emit);
                 window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
             }
-            window.show(
-                    () -> SimRobotWindow.content("SimRobot " + model.firstNumber(), language, model::snapshot, model));
+            String title = "SimRobot " + model.firstNumber();
+            window.show(chosen -> SimRobotWindow.content(title, chosen, model::snapshot, model));
             console.ifPresent(Console::close);
         }
         return ExitStatus.OK;

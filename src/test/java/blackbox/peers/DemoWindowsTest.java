@@ -114,6 +114,7 @@ class DemoWindowsTest {
                 "-jar",
                 Dist.jar("simgsm-center").toString(),
                 "--demo",
+                "--fresh",
                 "--port",
                 "0",
                 "--lang",

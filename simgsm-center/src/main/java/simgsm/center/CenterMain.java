@@ -27,6 +27,7 @@ import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
+import simgsm.ui.window.WindowMemory;
 
 /** Starts the centre (M3) from the command line. */
 public final class CenterMain {
@@ -128,25 +129,28 @@ public final class CenterMain {
                                 + CapturePlan.DEFAULT_LIMIT_MIB);
     }
 
-    private static int run(Arguments arguments, String... words) throws Exception {
-        if (arguments.has("new-sim")) {
-            return NewSims.make(arguments);
+    private static int run(Arguments given, String... words) throws Exception {
+        if (given.has("new-sim")) {
+            return NewSims.make(given);
         }
-        if (arguments.has("lessons")) {
-            return LessonCheck.list(arguments);
+        if (given.has("lessons")) {
+            return LessonCheck.list(given);
         }
-        requireTogether(arguments, "check", "lesson");
-        requireTogether(arguments, "result", "check");
-        if (arguments.has("check")) {
-            return LessonCheck.run(arguments);
+        requireTogether(given, "check", "lesson");
+        requireTogether(given, "result", "check");
+        if (given.has("check")) {
+            return LessonCheck.run(given);
         }
-        CenterSettings settings = CenterSettings.read(arguments);
-        boolean isHeadless = arguments.has("headless");
-        if (arguments.has("demo")) {
-            OptionalInt status = QuickDemo.run(arguments, words);
+        if (given.has("demo")) {
+            OptionalInt status = QuickDemo.run(given, words);
             if (status.isPresent()) {
                 return status.getAsInt();
             }
+        }
+        Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
+        CenterSettings settings = CenterSettings.read(arguments);
+        boolean isHeadless = arguments.has("headless");
+        if (arguments.has("demo")) {
             if (isHeadless || !Display.isAvailable()) {
                 return HeadlessDemo.run(arguments, settings);
             }
@@ -172,7 +176,7 @@ public final class CenterMain {
     private static int lessons(Arguments arguments, Optional<String> first) throws Exception {
         Optional<String> next = first;
         while (next.isPresent()) {
-            next = WindowedLesson.run(arguments.with("lesson", next.get()));
+            next = WindowedLesson.run(arguments.without("remember-as", "window").with("lesson", next.get()));
         }
         return ExitStatus.OK;
     }

@@ -21,6 +21,7 @@ import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
+import simgsm.ui.window.WindowMemory;
 
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
@@ -72,7 +73,8 @@ public final class PhoneMain {
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
-    static int run(Arguments arguments) throws Exception {
+    static int run(Arguments given) throws Exception {
+        Arguments arguments = WindowMemory.recall(given, "phone");
         PhoneSettings settings = PhoneSettings.of(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         TextBundle texts = PhoneTexts.in(arguments.language());

@@ -50,7 +50,7 @@ public final class WorldFile {
         Path folder = wanted.getParent();
         boolean mayBe = folder == null || folder.equals(FOLDER);
         try (InputStream in =
-                mayBe ? WorldFile.class.getResourceAsStream("/simrobot/worlds/" + wanted.getFileName()) : null) {
+                mayBe ? WorldFile.class.getResourceAsStream("/simrobot/world-files/" + wanted.getFileName()) : null) {
             if (in == null) {
                 throw new NoSuchFileException(wanted.toString());
             }

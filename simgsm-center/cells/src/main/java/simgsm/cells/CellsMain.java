@@ -14,13 +14,17 @@ import simgsm.console.FatalError;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.StartErrorWindow;
+import simgsm.ui.window.WindowMemory;
 
 /** Starts the cells program from the command line. */
 public final class CellsMain {
     private CellsMain() {}
 
     public static void main(String[] args) {
-        new Program(CellsSettings.PROGRAM, options()).runAndExit(args, CellsMain::run);
+        new Program(CellsSettings.PROGRAM, options())
+                .showingErrors(StartErrorWindow::show, "headless", "print-osmo-bsc")
+                .runAndExit(args, CellsMain::run);
     }
 
     private static Options options() {
@@ -47,7 +51,8 @@ public final class CellsMain {
                 .flag("print-osmo-bsc", "print the configuration of osmo-bsc for the town's towers, and end");
     }
 
-    private static int run(Arguments arguments) throws Exception {
+    private static int run(Arguments given) throws Exception {
+        Arguments arguments = given.has("print-osmo-bsc") ? given : WindowMemory.recall(given, "cells");
         CellsSettings settings = CellsSettings.read(arguments);
         if (arguments.has("print-osmo-bsc")) {
             return settings.printOsmoBsc(Program.standardOutput());

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -74,9 +75,12 @@ public final class CenterWindow implements CenterActions {
         center.publishSnapshots(watch.snapshots());
         center.start(watch.events());
         window.onLesson(operator::beginLesson);
-        window.show(() -> {
-            watch.opened().run();
-            return MonitorWindow.content(operator, CenterTexts.in(settings.language()));
+        AtomicBoolean isOpen = new AtomicBoolean();
+        window.show(language -> {
+            if (!isOpen.getAndSet(true)) {
+                watch.opened().run();
+            }
+            return MonitorWindow.content(operator, CenterTexts.in(language));
         });
         operator.endChildren();
         return operator.chosenLesson();

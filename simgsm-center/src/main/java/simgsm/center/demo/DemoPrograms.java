@@ -107,6 +107,9 @@ public final class DemoPrograms implements AutoCloseable {
         if (arguments.has("no-sound")) {
             words.add("--no-sound");
         }
+        if (!arguments.has("remember-as")) {
+            words.add("--fresh");
+        }
         words.addAll(List.of(more));
         return words;
     }

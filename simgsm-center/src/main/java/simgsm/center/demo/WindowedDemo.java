@@ -7,13 +7,21 @@ import java.util.concurrent.CompletableFuture;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.console.Arguments;
+import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowMemory;
 import simgsm.ui.window.WindowPlace;
 
 /** The demo with a display: three windows that do not cover each other, ready to dial; closing the centre's window ends all. */
 public final class WindowedDemo {
     private static final System.Logger LOG = System.getLogger(WindowedDemo.class.getName());
+
+    /** The name under which the centre's window is remembered, and those of phone and robot. */
+    public static final String CENTER = "demo-center";
+
+    private static final String PHONE = "demo-phone";
+    private static final String ROBOT = "demo-robot";
 
     private WindowedDemo() {}
 
@@ -23,7 +31,8 @@ public final class WindowedDemo {
         // Desktop libraries and centre load at the same time; the other programs start before the centre's window.
         CompletableFuture<WindowPlace> screen = CompletableFuture.supplyAsync(Display::usableArea);
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
-            DemoLayout layout = DemoLayout.of(screen.join(), wanted);
+            Optional<DemoLayout> left = asLeft(arguments);
+            DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen.join(), wanted);
             if (wanted.isPresent() && layout.zoomPercent() < wanted.getAsInt()) {
                 LOG.log(
                         System.Logger.Level.WARNING,
@@ -36,6 +45,8 @@ public final class WindowedDemo {
             choice.listenTo(programs.startPhone(
                     Redirect.PIPE,
                     "--console",
+                    "--remember-as",
+                    PHONE,
                     "--zoom",
                     zoom,
                     "--window",
@@ -45,16 +56,28 @@ public final class WindowedDemo {
                     Redirect.PIPE,
                     "--no-sound",
                     "--console",
+                    "--remember-as",
+                    ROBOT,
                     "--zoom",
                     zoom,
                     "--window",
                     layout.robot().toString()));
-            ProgramWindow window =
-                    ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(layout.zoomPercent());
+            ProgramWindow window = ProgramWindow.of(
+                    arguments.with("zoom", zoom).with("window", layout.center().toString()), Optional.empty());
             choice.onChosen(window::close);
             Optional<String> chosen = CenterWindow.run(
                     programs.center(), arguments, settings, programs.children(), window, CenterWindow.Watch.NONE);
             return chosen.or(choice::chosen);
         }
+    }
+    /** The windows as the last demo left them, if all three are remembered on these screens and at one zoom. */
+    private static Optional<DemoLayout> asLeft(Arguments arguments) throws UsageException {
+        Optional<WindowPlace> phone = WindowMemory.place(arguments, PHONE);
+        Optional<WindowPlace> robot = WindowMemory.place(arguments, ROBOT);
+        Optional<WindowPlace> center = WindowMemory.place(arguments, CENTER);
+        OptionalInt zoom = ProgramWindow.zoomPercent(arguments);
+        return phone.isPresent() && robot.isPresent() && center.isPresent() && zoom.isPresent()
+                ? Optional.of(new DemoLayout(phone.get(), robot.get(), center.get(), zoom.getAsInt()))
+                : Optional.empty();
     }
 }

@@ -83,8 +83,8 @@ public final class WindowedLesson implements LessonActs {
         DemoLayout layout = DemoLayout.of(
                 new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
                 ProgramWindow.zoomPercent(arguments));
-        ProgramWindow window =
-                ProgramWindow.of(arguments, Optional.of(layout.center())).zoomed(layout.zoomPercent());
+        ProgramWindow window = ProgramWindow.of(
+                arguments.with("zoom", String.valueOf(layout.zoomPercent())), Optional.of(layout.center()));
         Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {

@@ -32,6 +32,20 @@ public final class Arguments {
         return given.containsKey(name);
     }
 
+    /** The same, with these values of options that were not given. */
+    public Arguments or(Map<String, String> values) {
+        Map<String, List<String>> all = new LinkedHashMap<>(given);
+        values.forEach((name, value) -> all.putIfAbsent(name, List.of(value)));
+        return new Arguments(all, rest);
+    }
+
+    /** The same without these options. */
+    public Arguments without(String... names) {
+        Map<String, List<String>> others = new LinkedHashMap<>(given);
+        others.keySet().removeAll(List.of(names));
+        return new Arguments(others, rest);
+    }
+
     /** The arguments other than options. */
     public List<String> rest() {
         return rest;

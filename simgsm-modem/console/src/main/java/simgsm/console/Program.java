@@ -196,9 +196,13 @@ public final class Program {
                         "end-with-input",
                         "with a window: end when standard input ends (for programs that start this one)")
                 .value("lang", "en|es", "language of the window and of texts; else the system's")
-                .value("theme", "light|dark|system", "colours of the window")
+                .value("theme", "light|dark|contrast|system", "colours of the window")
                 .value("zoom", "PERCENT", "size of everything in the window, 50 to 300; Ctrl + and - change it (100)")
                 .value("window", "X,Y[,W,H]", "position of the window's top left corner on the screen, and its size")
+                .flag(
+                        "fresh",
+                        "with a window: neither use nor keep what windows remember: place, zoom, theme, language")
+                .value("remember-as", "NAME", "name under which this window's place and zoom are remembered")
                 .flag("no-sound", "use no sound device")
                 .value("seed", "N", "seed of everything random, for runs that repeat")
                 .value(

@@ -2,21 +2,29 @@ package simgsm.draw;
 
 import java.util.Locale;
 
-/** Light or dark. */
+/** Light, dark, or high contrast: black and strong colours on white, for projectors and for those who see less. */
 public enum Appearance {
     LIGHT,
-    DARK;
+    DARK,
+    CONTRAST;
 
-    public Appearance other() {
-        return this == LIGHT ? DARK : LIGHT;
+    /** The one after this, and after the last the first. */
+    public Appearance next() {
+        return values()[(ordinal() + 1) % values().length];
     }
 
-    /** Reads "light" or "dark". IllegalArgumentException names the values of the option {@code --theme}. */
+    /** The word of the option {@code --theme}. */
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Reads "light", "dark" or "contrast". IllegalArgumentException names the values of the option {@code --theme}. */
     public static Appearance parse(String text) {
-        return switch (text.toLowerCase(Locale.ROOT)) {
-            case "light" -> LIGHT;
-            case "dark" -> DARK;
-            default -> throw new IllegalArgumentException("\"" + text + "\" is not light, dark or system");
-        };
+        for (Appearance appearance : values()) {
+            if (appearance.word().equalsIgnoreCase(text)) {
+                return appearance;
+            }
+        }
+        throw new IllegalArgumentException("\"" + text + "\" is not light, dark, contrast or system");
     }
 }

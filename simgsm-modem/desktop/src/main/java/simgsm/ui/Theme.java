@@ -79,9 +79,9 @@ public final class Theme {
         reinstall();
     }
 
-    /** Zooms by that many steps of 10 %. */
-    public static void zoomBy(int steps) {
-        zoomTo(Math.round(zoom * Math.pow(ZOOM_STEP, steps) * 100) / 100.0);
+    /** The present zoom changed by that many steps of 10 %. */
+    public static double zoomed(int steps) {
+        return Math.round(zoom * Math.pow(ZOOM_STEP, steps) * 100) / 100.0;
     }
 
     private static void reinstall() {

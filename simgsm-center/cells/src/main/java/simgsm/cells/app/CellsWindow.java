@@ -32,8 +32,8 @@ public final class CellsWindow implements TownActions {
                 cells.port(), controller.getHostString() + ":" + controller.getPort(), settings.isOsmocom());
         actions.newest.set(cells.ask(snapshots::of));
         cells.observe(SNAPSHOT_NANOS, network -> actions.newest.set(snapshots.of(network)));
-        window.show(() ->
-                TownWindow.content(actions, new Propagation(settings.town(), settings.seed()), settings.language()));
+        window.show(
+                language -> TownWindow.content(actions, new Propagation(settings.town(), settings.seed()), language));
         return ExitStatus.OK;
     }
 

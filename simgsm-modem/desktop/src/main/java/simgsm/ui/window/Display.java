@@ -9,6 +9,8 @@ import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
@@ -33,6 +35,14 @@ public final class Display {
     public static WindowPlace usableArea() {
         Rectangle area = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         return new WindowPlace(area.x, area.y, area.width, area.height);
+    }
+
+    /** The bounds of all screens. */
+    static List<WindowPlace> screens() {
+        return Stream.of(GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices())
+                .map(screen -> screen.getDefaultConfiguration().getBounds())
+                .map(area -> new WindowPlace(area.x, area.y, area.width, area.height))
+                .toList();
     }
 
     /** Resizes a window, limited to its screen without task bars, and moves it as far as necessary. */

@@ -96,7 +96,12 @@ final class HelpDialog {
      * @param lessonChosen begins a lesson; empty where the program cannot
      */
     static void open(
-            JFrame frame, String about, String version, Locale language, Optional<Consumer<String>> lessonChosen) {
+            JFrame frame,
+            String about,
+            String version,
+            Locale language,
+            Optional<Consumer<String>> lessonChosen,
+            SettingsPanel.Acts settings) {
         TextBundle texts = DesktopTexts.in(language);
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
@@ -104,6 +109,9 @@ final class HelpDialog {
         tabs.addTab(
                 texts.of("lessons.title"), new LessonList(language, name -> begin(dialog, name, texts, lessonChosen)));
         tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
+        SettingsPanel.Acts closing = settings.beforeLanguage(dialog::dispose);
+        tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
+        tabs.addTab(texts.of("about.title"), versions(frame.getTitle(), version, texts));
         dialog.setContentPane(tabs);
         UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
@@ -111,6 +119,24 @@ final class HelpDialog {
         dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
         dialog.setLocationRelativeTo(frame);
         dialog.setVisible(true);
+    }
+
+    /** The versions of program, Java and system, to be read or copied. */
+    static JComponent versions(String title, String version, TextBundle texts) {
+        JTextArea lines = new JTextArea(String.join(
+                "\n",
+                texts.of("about.program") + ": " + title + ", SimGSM " + version,
+                texts.of("about.java") + ": " + System.getProperty("java.vm.name") + " "
+                        + System.getProperty("java.vm.version") + ", " + System.getProperty("java.home"),
+                texts.of("about.system") + ": " + System.getProperty("os.name") + " " + System.getProperty("os.version")
+                        + ", " + System.getProperty("os.arch"),
+                texts.of("about.licence") + ": MIT"));
+        lines.setEditable(false);
+        lines.setLineWrap(true);
+        lines.setWrapStyleWord(true);
+        lines.setFont(Theme.base());
+        lines.setBorder(Theme.padding(12));
+        return ComponentNames.name(lines, "about.versions", texts.of("about.title"));
     }
 
     private static void begin(JDialog dialog, String name, TextBundle texts, Optional<Consumer<String>> lessonChosen) {

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
@@ -20,7 +21,6 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.Arguments;
 import simgsm.console.Program;
-import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
@@ -59,18 +59,28 @@ public final class ProgramWindow {
     private final Appearance appearance;
     private final double zoom;
     private final Optional<WindowPlace> place;
-    private final Locale language;
     private final boolean endsWithInput;
+    private final Optional<WindowMemory> memory;
+    private final String rememberedAs;
     private final CountDownLatch ended = new CountDownLatch(1);
     private Optional<Consumer<String>> lessonChosen = Optional.empty();
 
-    private ProgramWindow(
-            Appearance appearance, double zoom, Optional<WindowPlace> place, Locale language, boolean endsWithInput) {
+    // on the event thread, once the window is open
+    private Locale language;
+    private JFrame frame;
+    private Content content;
+    /** Makes the content in another language; empty where the program has a setting of its own. */
+    private Optional<Function<Locale, Content>> contents = Optional.empty();
+
+    private ProgramWindow(Appearance appearance, double zoom, Optional<WindowPlace> place, Arguments arguments)
+            throws UsageException {
         this.appearance = appearance;
         this.zoom = zoom;
         this.place = place;
-        this.language = language;
-        this.endsWithInput = endsWithInput;
+        this.language = arguments.language();
+        this.endsWithInput = arguments.has("end-with-input") && !arguments.has("console");
+        this.memory = WindowMemory.of(arguments);
+        this.rememberedAs = memory.isPresent() ? WindowMemory.nameOf(arguments) : "";
     }
 
     /**
@@ -90,11 +100,7 @@ public final class ProgramWindow {
             throw new UnavailableException(DesktopTexts.in(language).of("window.noDisplay"));
         }
         return new ProgramWindow(
-                chosen.orElseGet(ProgramWindow::systemAppearance),
-                zoom,
-                place.or(() -> otherwise),
-                language,
-                arguments.has("end-with-input") && !arguments.has("console"));
+                chosen.orElseGet(ProgramWindow::systemAppearance), zoom, place.or(() -> otherwise), arguments);
     }
 
     private static Appearance appearance(String text) {
@@ -120,23 +126,27 @@ public final class ProgramWindow {
                 : OptionalInt.empty();
     }
 
-    /** The same window at another zoom. */
-    public ProgramWindow zoomed(int percent) {
-        return new ProgramWindow(appearance, percent / (double) HUNDRED_PERCENT, place, language, endsWithInput);
-    }
-
     /** Opens the window and returns when its user or {@link #close} has closed it. */
-    public void show(Supplier<Content> content) throws InterruptedException {
+    public void show(Supplier<Content> made) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance, zoom);
-            open(content.get());
+            open(made.get());
         });
         if (endsWithInput) {
             EndOfInput.then(this::close);
         }
         ended.await();
         // The end of the process may take a second or two.
-        SwingUtilities.invokeLater(() -> Stream.of(Window.getWindows()).forEach(Window::dispose));
+        SwingUtilities.invokeLater(() -> {
+            keep();
+            Stream.of(Window.getWindows()).forEach(Window::dispose);
+        });
+    }
+
+    /** The same, with a content that is made anew when the user chooses another language. */
+    public void show(Function<Locale, Content> made) throws InterruptedException {
+        contents = Optional.of(made);
+        show(() -> made.apply(language));
     }
 
     /** What happens when the user begins a lesson in the help; without it the help says how to begin one. */
@@ -172,22 +182,18 @@ public final class ProgramWindow {
         ended.countDown();
     }
 
-    private void open(Content content) {
-        JFrame frame = new JFrame(content.title());
-        frame.setContentPane(content.panel());
-        WindowKeys.install(frame.getRootPane(), language);
-        TextBundle texts = DesktopTexts.in(language);
-        String version = Program.version(content.panel().getClass());
-        new UserAction(
-                        "window.help",
-                        texts.of("window.help"),
-                        () -> HelpDialog.open(frame, content.help(), version, language, lessonChosen))
-                .bindInWindow(frame.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+    private void open(Content first) {
+        content = first;
+        frame = new JFrame();
+        fill();
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent event) {
-                content.closing().accept(frame::dispose);
+                content.closing().accept(() -> {
+                    keep();
+                    frame.dispose();
+                });
             }
 
             @Override
@@ -197,14 +203,81 @@ public final class ProgramWindow {
             }
         });
         content.least().ifPresent(least -> frame.setMinimumSize(zoomed(least)));
-        lay(frame, content);
+        lay();
         frame.setVisible(true);
         content.shown().run();
         // The icon is painted once the window is there.
         SwingUtilities.invokeLater(() -> frame.setIconImages(WindowIcon.images(content.symbol())));
     }
 
-    private void lay(JFrame frame, Content content) {
+    private void fill() {
+        frame.setTitle(content.title());
+        frame.setContentPane(content.panel());
+        WindowKeys.install(frame.getRootPane(), language);
+        new UserAction("window.help", DesktopTexts.in(language).of("window.help"), this::help)
+                .bindInWindow(
+                        frame.getRootPane(),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_F10, 0));
+    }
+
+    private void help() {
+        Optional<Consumer<Locale>> speak = contents.isPresent() ? Optional.of(this::speak) : Optional.empty();
+        HelpDialog.open(
+                frame,
+                content.help(),
+                Program.version(content.panel().getClass()),
+                language,
+                lessonChosen,
+                new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory));
+    }
+
+    /** Shows the window in another language, unless its user wants to keep what is unsaved there. */
+    private void speak(Locale next) {
+        if (next.getLanguage().equals(language.getLanguage())) {
+            return;
+        }
+        content.closing().accept(() -> {
+            content.closed().run();
+            language = next;
+            content = contents.orElseThrow().apply(next);
+            fill();
+            frame.validate();
+            frame.repaint();
+            content.shown().run();
+            memory.ifPresent(kept -> kept.keep("lang", next.getLanguage()));
+        });
+    }
+
+    private void dress(Appearance next) {
+        Theme.install(next);
+        Stream.of(Window.getWindows()).forEach(Theme::refresh);
+    }
+
+    private void zoomTo(int percent) {
+        WindowKeys.zoomTo(frame.getRootPane(), percent / (double) HUNDRED_PERCENT);
+    }
+
+    /** Keeps place and zoom, and the colours if they have changed. */
+    private void keep() {
+        if (memory.isEmpty() || frame == null || !frame.isShowing()) {
+            return;
+        }
+        if (frame.getExtendedState() == JFrame.NORMAL) {
+            Rectangle at = frame.getBounds();
+            memory.get()
+                    .keep(
+                            rememberedAs,
+                            new WindowPlace(at.x, at.y, at.width, at.height),
+                            (int) Math.round(Theme.zoom() * HUNDRED_PERCENT),
+                            Display.screens());
+        }
+        if (Theme.appearance() != appearance) {
+            memory.get().keep("theme", Theme.appearance().word());
+        }
+    }
+
+    private void lay() {
         frame.pack();
         content.size().map(this::zoomed).ifPresent(size -> {
             Rectangle screen = frame.getGraphicsConfiguration().getBounds();

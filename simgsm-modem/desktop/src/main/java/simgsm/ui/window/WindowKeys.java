@@ -15,7 +15,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** The keys of every window: zoom with Ctrl +, - and 0, light or dark with Ctrl L. */
+/** The keys of every window: zoom with Ctrl +, - and 0, light, dark or high contrast with Ctrl L. */
 public final class WindowKeys {
     private WindowKeys() {}
 
@@ -23,7 +23,7 @@ public final class WindowKeys {
      * Binds the keys. The anchor's window is resized with the zoom.
      *
      * @param anchor a component that stays in the window, such as its root pane
-     * @return the actions, for menus: larger, smaller, normal size, light or dark
+     * @return the actions, for menus: larger, smaller, normal size, next appearance
      */
     public static List<UserAction> install(JComponent anchor, Locale language) {
         TextBundle texts = DesktopTexts.in(language);
@@ -39,19 +39,20 @@ public final class WindowKeys {
         return List.of(in, out, reset, appearance);
     }
 
-    /** Switches the whole window between light and dark. */
+    /** Gives the whole window the next appearance: light, dark, high contrast. */
     public static void switchAppearance(JComponent anchor) {
-        Theme.install(Theme.appearance().other());
+        Theme.install(Theme.appearance().next());
         Theme.refresh(rootOf(anchor));
     }
 
     private static void zoom(JComponent anchor, int steps) {
+        zoomTo(anchor, steps == 0 ? 1 : Theme.zoomed(steps));
+    }
+
+    /** Gives the anchor's window another zoom, and a size that fits it. */
+    static void zoomTo(JComponent anchor, double zoom) {
         double before = Theme.zoom();
-        if (steps == 0) {
-            Theme.zoomTo(1);
-        } else {
-            Theme.zoomBy(steps);
-        }
+        Theme.zoomTo(zoom);
         Window window = SwingUtilities.getWindowAncestor(anchor);
         Theme.refresh(rootOf(anchor));
         if (window != null) {

@@ -1,0 +1,123 @@
+package simgsm.ui.window;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import simgsm.console.TextBundle;
+import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/** Language, colours and size of a window, and what is remembered of them. */
+final class SettingsPanel extends JPanel {
+    private static final List<Integer> ZOOMS = List.of(75, 100, 125, 150, 175, 200, 250, 300);
+    private static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("es"));
+
+    /**
+     * What the settings change.
+     *
+     * @param language shows the window in another language; empty where its program has a setting of its own
+     */
+    record Acts(
+            Optional<Consumer<Locale>> language,
+            Consumer<Appearance> appearance,
+            Consumer<Integer> zoomPercent,
+            Optional<WindowMemory> memory) {
+        /** The same, with an act before another language is shown. */
+        Acts beforeLanguage(Runnable first) {
+            Optional<Consumer<Locale>> both = language.map(speak -> chosen -> {
+                first.run();
+                speak.accept(chosen);
+            });
+            return new Acts(both, appearance, zoomPercent, memory);
+        }
+    }
+
+    SettingsPanel(Locale language, TextBundle texts, Acts acts) {
+        super(new BorderLayout());
+        setBorder(Theme.padding(12));
+        setBackground(Theme.color(Ink.SURFACE));
+        JPanel column = Arrange.column(
+                Theme.GRID,
+                acts.language().isPresent()
+                        ? choice(
+                                "settings.language",
+                                texts,
+                                LANGUAGES,
+                                Locale.forLanguageTag(language.getLanguage()),
+                                each -> each.getDisplayLanguage(each),
+                                acts.language().get())
+                        : note("settings.language.own", texts),
+                choice(
+                        "settings.theme",
+                        texts,
+                        List.of(Appearance.values()),
+                        Theme.appearance(),
+                        each -> texts.of("theme." + each.word()),
+                        acts.appearance()),
+                choice(
+                        "settings.zoom",
+                        texts,
+                        zooms(),
+                        (int) Math.round(Theme.zoom() * 100),
+                        each -> each + " %",
+                        acts.zoomPercent()),
+                memory(texts, acts.memory()),
+                Arrange.growing(new JPanel()));
+        add(column);
+    }
+
+    private static List<Integer> zooms() {
+        int now = (int) Math.round(Theme.zoom() * 100);
+        return Stream.concat(ZOOMS.stream(), Stream.of(now)).distinct().sorted().toList();
+    }
+
+    private static <T> Component choice(
+            String key, TextBundle texts, List<T> values, T now, Function<T, String> word, Consumer<T> chosen) {
+        JComboBox<String> box = new JComboBox<>();
+        values.forEach(value -> box.addItem(word.apply(value)));
+        box.setSelectedIndex(values.indexOf(now));
+        box.addActionListener(event -> {
+            if (box.getSelectedIndex() >= 0) {
+                chosen.accept(values.get(box.getSelectedIndex()));
+            }
+        });
+        ComponentNames.name(box, key, texts.of(key));
+        return Arrange.row(
+                Theme.GRID, Arrange.growing(Theme.label(texts.of(key), Theme::base, Ink.TEXT)), Arrange.growing(box));
+    }
+
+    private static Component memory(TextBundle texts, Optional<WindowMemory> memory) {
+        if (memory.isEmpty()) {
+            return note("settings.fresh", texts);
+        }
+        UserAction forget = new UserAction("settings.forget", texts.of("settings.forget"), memory.get()::forget);
+        JButton button = ComponentNames.name(new JButton(forget), forget.id(), forget.name());
+        return Arrange.row(
+                Theme.GRID,
+                Arrange.growing(note("settings.remembered", texts, memory.get().folder())),
+                button);
+    }
+
+    private static JTextArea note(String key, TextBundle texts, Object... values) {
+        JTextArea note = new JTextArea(texts.of(key, values));
+        note.setEditable(false);
+        note.setLineWrap(true);
+        note.setWrapStyleWord(true);
+        note.setFont(Theme.base());
+        note.setOpaque(false);
+        return ComponentNames.name(note, key, note.getText());
+    }
+}

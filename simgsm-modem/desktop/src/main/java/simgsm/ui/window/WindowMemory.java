@@ -1,0 +1,189 @@
+package simgsm.ui.window;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import simgsm.console.Arguments;
+import simgsm.draw.Appearance;
+import simgsm.ui.Theme;
+
+/**
+ * What windows remember from one run to the next: each its place, size and zoom, and all together theme and language. It
+ * lies in small files in the user's folder of settings, as values of the options {@code --window}, {@code --zoom},
+ * {@code --theme} and {@code --lang}, which are read where the command line does not have them. A value that does not fit is
+ * left out. Nothing is remembered without a display, with {@code --headless} or with {@code --fresh}.
+ */
+public final class WindowMemory {
+    private static final System.Logger LOG = System.getLogger(WindowMemory.class.getName());
+
+    /** The option that names the window's file; its value is added by {@link #recall}. */
+    private static final String NAME = "remember-as";
+
+    private static final String ALL_WINDOWS = "all";
+    private static final String SCREEN = "screen";
+    private static final String ENDING = ".properties";
+    private static final String OURS = "simgsm";
+
+    private final Path folder;
+
+    WindowMemory(Path folder) {
+        this.folder = folder;
+    }
+
+    private static WindowMemory ofUser() {
+        return new WindowMemory(folder(System.getenv(), System.getProperties()));
+    }
+
+    /** {@code $XDG_CONFIG_HOME/simgsm} if that is set to an absolute path, else the platform's usual folder. */
+    static Path folder(Map<String, String> environment, Properties system) {
+        Path home = Path.of(system.getProperty("user.home"));
+        String os = system.getProperty("os.name", "");
+        Path usual = home.resolve(".config");
+        if (os.startsWith("Windows")) {
+            usual = absolute(environment.get("APPDATA"))
+                    .orElse(home.resolve("AppData").resolve("Roaming"));
+        } else if (os.startsWith("Mac")) {
+            usual = home.resolve("Library").resolve("Preferences");
+        }
+        return absolute(environment.get("XDG_CONFIG_HOME")).orElse(usual).resolve(OURS);
+    }
+
+    private static Optional<Path> absolute(String text) {
+        return Optional.ofNullable(text).map(Path::of).filter(Path::isAbsolute);
+    }
+
+    /**
+     * The command line with what was remembered in place of options that it lacks.
+     *
+     * @param window the name under which the window's own values are kept, unless {@code --remember-as} gives another
+     */
+    public static Arguments recall(Arguments arguments, String window) {
+        if (arguments.has("headless") || arguments.has("fresh") || !Display.isAvailable()) {
+            return arguments;
+        }
+        return ofUser().recall(arguments, window, Display.screens());
+    }
+
+    Arguments recall(Arguments arguments, String window, List<WindowPlace> screens) {
+        String name = arguments.text(NAME).orElse(window);
+        Map<String, String> values = new TreeMap<>(read(ALL_WINDOWS));
+        values.putAll(read(name));
+        String screen = values.remove(SCREEN);
+        if (!String.valueOf(screens).equals(screen) || arguments.has("zoom")) {
+            values.remove("window");
+        }
+        values.entrySet().removeIf(value -> !isGood(value.getKey(), value.getValue()));
+        values.put(NAME, name);
+        return arguments.or(values);
+    }
+
+    /** The place that a window of this name was left at on the present screens. */
+    public static Optional<WindowPlace> place(Arguments arguments, String window) {
+        return arguments.has(NAME)
+                ? ofUser().recall(arguments.without(NAME, "window", "zoom"), window, Display.screens())
+                        .text("window")
+                        .map(WindowPlace::parse)
+                : Optional.empty();
+    }
+
+    private static boolean isGood(String option, String value) {
+        try {
+            return switch (option) {
+                case "lang" -> List.of("en", "es").contains(value);
+                case "theme" -> Appearance.parse(value) != null;
+                case "zoom" ->
+                    Integer.parseInt(value) >= Theme.ZOOM_MIN * 100 && Integer.parseInt(value) <= Theme.ZOOM_MAX * 100;
+                case "window" -> WindowPlace.parse(value) != null;
+                default -> false;
+            };
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+    }
+
+    /** The memory that {@link #recall} has read for a window; empty where nothing is remembered. */
+    static Optional<WindowMemory> of(Arguments arguments) {
+        return arguments.has(NAME) && !arguments.has("fresh") ? Optional.of(ofUser()) : Optional.empty();
+    }
+
+    static String nameOf(Arguments arguments) {
+        return arguments.text(NAME).orElseThrow();
+    }
+
+    /** Keeps a window's place and zoom. */
+    void keep(String window, WindowPlace place, int zoomPercent, List<WindowPlace> screens) {
+        write(
+                window,
+                Map.of(
+                        "window",
+                        place.toString(),
+                        SCREEN,
+                        String.valueOf(screens),
+                        "zoom",
+                        Integer.toString(zoomPercent)));
+    }
+
+    /** Keeps a value of all windows, such as {@code theme}. */
+    void keep(String option, String value) {
+        Map<String, String> values = new TreeMap<>(read(ALL_WINDOWS));
+        values.put(option, value);
+        write(ALL_WINDOWS, values);
+    }
+
+    /** Removes all that was remembered. */
+    void forget() {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file :
+                    files.filter(each -> each.toString().endsWith(ENDING)).toList()) {
+                Files.delete(file);
+            }
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "nothing to forget in {0}", folder);
+        }
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    private Path file(String name) {
+        return folder.resolve(name.replaceAll("[^A-Za-z0-9-]", "_") + ENDING);
+    }
+
+    private Map<String, String> read(String name) {
+        Properties read = new Properties();
+        try (InputStream in = Files.newInputStream(file(name))) {
+            read.load(in);
+        } catch (IOException | IllegalArgumentException e) {
+            return Map.of(); // nothing was kept, or something else wrote the file
+        }
+        Map<String, String> values = new TreeMap<>();
+        read.stringPropertyNames().forEach(key -> values.put(key, read.getProperty(key)));
+        return values;
+    }
+
+    /** Replaces the file in one step. Where it cannot be written, nothing is remembered. */
+    private void write(String name, Map<String, String> values) {
+        Properties written = new Properties();
+        written.putAll(values);
+        try {
+            Files.createDirectories(folder);
+            Path next = Files.createTempFile(folder, name, ".next");
+            try (OutputStream out = Files.newOutputStream(next)) {
+                written.store(out, null);
+            }
+            Files.move(next, file(name), StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "cannot remember the window: {0}", e.getMessage());
+        }
+    }
+}
