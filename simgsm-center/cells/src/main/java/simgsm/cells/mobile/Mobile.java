@@ -112,9 +112,8 @@ public final class Mobile {
 
         @Override
         public void channelLost(TowerChannel lost) {
-            if (lost == channel) {
-                machine.fire(MobileRadioEvent.CHANNEL_LOST);
-            } else {
+            // The mobile notices the loss of its own channel by the radio link counter only.
+            if (lost != channel) {
                 change.lost(lost);
             }
         }
@@ -409,6 +408,7 @@ public final class Mobile {
 
     private boolean isReachable() {
         return machine.state() == MobileRadioState.DEDICATED
+                && channel.isActive()
                 && ReceptionQuality.blockErasureRate(reception.errorRate(serving())) < UNUSABLE;
     }
 
@@ -442,7 +442,7 @@ public final class Mobile {
             measureQuality();
             report();
             passHeld();
-        } else if (channel == null) {
+        } else if (channel == null && identity.number().isPresent()) {
             chooseCell(now);
         }
         tellCell();
@@ -484,8 +484,8 @@ public final class Mobile {
     private void report() {
         recent.add(reception.levelsDbm());
         double lost = ReceptionQuality.blockErasureRate(reception.errorRate(serving()));
-        boolean isUplinkGood = !isLost(lost) && channel.tower().isInService();
-        boolean isDownlinkGood = !isLost(lost) && channel.tower().isInService();
+        boolean isUplinkGood = !isLost(lost) && channel.isActive();
+        boolean isDownlinkGood = !isLost(lost) && channel.isActive();
         sendReport(isUplinkGood);
         if (uplinkCounter.block(isUplinkGood)) {
             channel.forsake(true);

@@ -79,6 +79,11 @@ public final class TowerChannel {
         return number.kind().isSpeech();
     }
 
+    /** False once the channel is released or its tower is off. */
+    public boolean isActive() {
+        return !isClosed;
+    }
+
     /** Whether a mobile is on the channel. */
     public boolean isUsed() {
         return user != null;
