@@ -174,7 +174,7 @@ final class HelpDialog {
                 Theme.label(texts.of("window.help.version", version), Theme::small, Ink.QUIET));
         JPanel content = new JPanel(new BorderLayout());
         content.setBorder(Theme.padding(12));
-        content.setBackground(Theme.color(Ink.SURFACE));
+        Theme.styled(content, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         content.add(column);
         return content;
     }

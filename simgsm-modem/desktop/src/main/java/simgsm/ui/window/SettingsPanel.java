@@ -12,6 +12,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
@@ -48,7 +49,7 @@ final class SettingsPanel extends JPanel {
     SettingsPanel(Locale language, TextBundle texts, Acts acts) {
         super(new BorderLayout());
         setBorder(Theme.padding(12));
-        setBackground(Theme.color(Ink.SURFACE));
+        Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         JPanel column = Arrange.column(
                 Theme.GRID,
                 acts.language().isPresent()
@@ -75,7 +76,7 @@ final class SettingsPanel extends JPanel {
                         each -> each + " %",
                         acts.zoomPercent()),
                 memory(texts, acts.memory()),
-                Arrange.growing(new JPanel()));
+                Arrange.spring());
         add(column);
     }
 
@@ -91,7 +92,9 @@ final class SettingsPanel extends JPanel {
         box.setSelectedIndex(values.indexOf(now));
         box.addActionListener(event -> {
             if (box.getSelectedIndex() >= 0) {
-                chosen.accept(values.get(box.getSelectedIndex()));
+                T value = values.get(box.getSelectedIndex());
+                // The box is painted anew by the choice, so it takes effect after the event.
+                SwingUtilities.invokeLater(() -> chosen.accept(value));
             }
         });
         ComponentNames.name(box, key, texts.of(key));
