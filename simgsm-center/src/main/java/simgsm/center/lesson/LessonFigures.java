@@ -1,8 +1,14 @@
 package simgsm.center.lesson;
 
 import java.util.List;
+import java.util.Optional;
+import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.lesson.LessonFunctions;
+import simgsm.sms.SmsAddress;
+import simgsm.sms.SubmitTpdu;
+import simgsm.sms.TpduCodec;
+import simgsm.sms.UserData;
 
 /** The functions of {@code let} in lessons. */
 final class LessonFigures implements LessonFunctions {
@@ -16,6 +22,10 @@ final class LessonFigures implements LessonFunctions {
             case "high" -> Long.toString(Math.round(key(first).columnHertz()));
             case "xor" -> xor(first);
             case "swapped" -> swapped(first);
+            case "half-heard" -> Double.toString(ToneLimits.halfHeardDecibels(Long.parseLong(first)));
+            case "most-twist" -> Double.toString(ToneLimits.mostTwistDecibels());
+            case "shortest" -> Integer.toString(ToneLimits.shortestMillis());
+            case "submit" -> submit(first, arguments.get(1));
             case "text" -> String.join(" ", arguments);
             default -> throw new IllegalArgumentException("unknown function " + function);
         };
@@ -23,6 +33,20 @@ final class LessonFigures implements LessonFunctions {
 
     private static DtmfKey key(String text) {
         return DtmfKey.sequence(text).get(0);
+    }
+
+    /** A SUBMIT without a status report and with the centre's validity, in hexadecimal. */
+    private static String submit(String number, String text) {
+        return TpduCodec.encode(new SubmitTpdu(
+                        false,
+                        false,
+                        false,
+                        0,
+                        SmsAddress.of(new Msisdn(number)),
+                        0,
+                        Optional.empty(),
+                        UserData.of(text)))
+                .toString();
     }
 
     /** The two halves of 16 hexadecimal digits, combined bit by bit: SRES from RES (TS 33.102, conversion function c2). */

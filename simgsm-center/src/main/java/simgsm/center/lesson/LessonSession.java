@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.ProcessBuilder.Redirect;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -138,12 +139,44 @@ final class LessonSession implements AutoCloseable {
                 case "stop" -> stop(rest);
                 case "tool" -> events.add("tool", tools.tool(words(rest)));
                 case "java" -> events.add("tool", tools.source(words(rest)));
+                case "drive" -> drive(words(rest));
+                case "capture" -> capture();
+                case "give" -> give(rest);
+                case "use" -> throw new LessonFailure("use: expected in a solution's file");
                 case "at", "submit" -> at(parts[0], rest);
                 case "act" -> act(rest);
                 default -> command(parts[0], rest);
             }
         } catch (IOException | IllegalArgumentException e) {
             throw new LessonFailure(line + ": " + e.getMessage());
+        }
+    }
+
+    /** {@code drive PROCESS WORLD}; the process is in a file of the lesson's folder. */
+    private void drive(List<String> words) throws LessonFailure, IOException, InterruptedException {
+        if (words.size() != 2) {
+            throw new LessonFailure("expected drive PROCESS WORLD");
+        }
+        Event event = WallRun.run(tools, folder, words.get(0), words.get(1));
+        events.add("tool", event);
+        if (!event.fields().get("status").equals("0")) {
+            throw new LessonFailure(event.fields().get("output"));
+        }
+    }
+
+    private void capture() throws LessonFailure, IOException {
+        events.add(
+                "tool",
+                CapturedMessage.setup(folder.resolve(LessonNetwork.CAPTURE))
+                        .orElseThrow(() -> new LessonFailure("the capture holds no SETUP of a telephone yet")));
+    }
+
+    /** {@code give FILE}: copies a file that the student has chosen into the lesson's folder. */
+    private void give(String file) throws IOException {
+        Path from = Path.of(file);
+        Path to = folder.resolve(from.getFileName());
+        if (!from.toAbsolutePath().equals(to.toAbsolutePath())) {
+            Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 
@@ -199,9 +232,10 @@ final class LessonSession implements AutoCloseable {
         LessonAction action = run.lesson()
                 .action(parts[0])
                 .orElseThrow(() -> new LessonFailure("expected an action of the lesson, found " + parts[0]));
-        String input = parts.length == 2 ? parts[1] : "";
+        String input = parts.length == 2 ? parts[1].replace('\\', '/') : "";
+        String name = input.substring(input.lastIndexOf('/') + 1).replaceFirst("[.][a-z]+$", "");
         for (String line : action.lines()) {
-            perform(replaced(line.replace("{input}", input), true));
+            perform(replaced(line.replace("{input}", input).replace("{name}", name), true));
         }
     }
 

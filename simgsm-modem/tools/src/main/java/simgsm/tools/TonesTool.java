@@ -4,7 +4,6 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.Random;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
@@ -12,6 +11,7 @@ import simgsm.console.UsageException;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneLevel;
+import simgsm.dtmf.ToneNoise;
 import simgsm.dtmf.ToneShape;
 import simgsm.speech.WavWriter;
 
@@ -68,23 +68,10 @@ final class TonesTool {
         short[] samples = sound(keys(rest.get(0)), shape);
         Optional<Double> noise = arguments.value("noise", text -> decibels(text, LEAST_NOISE, MOST_NOISE));
         if (noise.isPresent()) {
-            addNoise(samples, shape, noise.get(), arguments.integer("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
+            ToneNoise.add(samples, shape, noise.get(), arguments.integer("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
         }
         WavWriter.write(Path.of(rest.get(1)), samples);
         return ExitStatus.OK;
-    }
-
-    /** White noise in the whole band of speech, as the tone scope's fader adds it. */
-    private static void addNoise(short[] samples, ToneShape shape, double decibels, long seed) {
-        double row = ToneLevel.amplitude(shape.rowDbm0());
-        double column = ToneLevel.amplitude(shape.columnDbm0());
-        double power = (row * row + column * column) / 2;
-        double deviation = Math.sqrt(power / Math.pow(10, decibels / 10));
-        Random random = new Random(seed);
-        for (int i = 0; i < samples.length; i++) {
-            double value = samples[i] + deviation * random.nextGaussian();
-            samples[i] = (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.rint(value)));
-        }
     }
 
     private static double decibels(String text, double least, double most) {
