@@ -89,8 +89,8 @@ final class RuntimeImage {
     }
 
     private void play(Path lists, String option) throws IOException, InterruptedException {
-        ProcessBuilder demo =
-                new ProcessBuilder(java(), "-m", "simgsm.center", "--demo", "--port", "0", "--no-sound", "--fresh", option);
+        ProcessBuilder demo = new ProcessBuilder(
+                java(), "-m", "simgsm.center", "--demo", "--port", "0", "--no-sound", "--fresh", option);
         // The demo's children inherit it; each writes a list of its own.
         demo.environment().put("JDK_JAVA_OPTIONS", "-XX:DumpLoadedClassList=" + lists.resolve("%p.lst"));
         Path log = lists.resolveSibling("demo" + option + ".log");

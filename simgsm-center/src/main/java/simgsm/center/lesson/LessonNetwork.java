@@ -34,7 +34,8 @@ final class LessonNetwork {
 
     /** Opens the centre of a lesson; nothing is started. */
     static DemoPrograms open(Lesson lesson, Path folder, Arguments arguments) throws IOException, UsageException {
-        Arguments own = arguments;
+        // The seed is that of the student's numbers; with it all phones would be one equipment.
+        Arguments own = arguments.without("seed");
         if (!lesson.closed().isEmpty()) {
             Set<Msisdn> numbers = new LinkedHashSet<>();
             lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));

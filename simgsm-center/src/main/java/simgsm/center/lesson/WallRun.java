@@ -15,6 +15,8 @@ final class WallRun {
     /** Until then the robot looks for a wall. */
     private static final double BEGIN_SECONDS = 15;
 
+    private static final double NEAR_METERS = 0.4;
+    private static final double FAR_METERS = 0.8;
     private static final double MILLI = 1e-3;
     private static final double PERCENT = 100;
 
@@ -103,8 +105,8 @@ final class WallRun {
                         .min()
                         .orElse(Double.POSITIVE_INFINITY);
                 counted++;
-                near += distance < 0.4 ? 1 : 0;
-                far += distance > 0.8 ? 1 : 0;
+                near += distance < NEAR_METERS ? 1 : 0;
+                far += distance > FAR_METERS ? 1 : 0;
             }
         }
         return event.with("travelled", String.format(Locale.ROOT, "%.2f", travelled))
