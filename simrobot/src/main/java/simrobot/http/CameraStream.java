@@ -1,11 +1,13 @@
 package simrobot.http;
 
+import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
-import simgsm.web.WebResponse;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
@@ -14,42 +16,60 @@ import simrobot.simulation.SimulationSnapshot;
  * an unchanged picture is sent once a second to detect a closed connection. Ends when the client closes the connection or the
  * robot is removed.
  */
-final class CameraStream implements WebResponse.Stream {
+final class CameraStream implements Runnable {
     static final String BOUNDARY = "simrobot-frame";
 
+    private static final Logger LOG = System.getLogger(CameraStream.class.getName());
     private static final long SAME_AGAIN_NANOS = 1_000_000_000;
 
+    private final HttpExchange exchange;
     private final String robot;
     private final long periodNanos;
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
-    private final Runnable ended;
+    private final Thread thread;
+    private Runnable whenEnded = () -> {};
     private byte[] sent = {};
     private long sentNanos;
 
-    /** @param ended called at the end */
     CameraStream(
-            String robot, double picturesPerSecond, SceneCache scenes, CameraPictureCache cameras, Runnable ended) {
+            HttpExchange exchange,
+            String robot,
+            double picturesPerSecond,
+            SceneCache scenes,
+            CameraPictureCache cameras) {
+        this.exchange = exchange;
         this.robot = robot;
         periodNanos = Math.round(1e9 / picturesPerSecond);
         this.scenes = scenes;
         this.cameras = cameras;
-        this.ended = ended;
+        thread = new Thread(this, "camera stream of " + robot);
+        thread.setDaemon(true);
+    }
+
+    /** Begins to send. @param ended called at the end */
+    void start(Runnable ended) {
+        whenEnded = ended;
+        thread.start();
     }
 
     @Override
-    public void writeTo(OutputStream body) throws IOException, InterruptedException {
-        write(body, ascii("--" + BOUNDARY + "\r\n"));
-        long next = System.nanoTime();
-        while (sendPicture(body)) {
-            next = Math.max(next + periodNanos, System.nanoTime());
-            pauseUntil(next);
+    public void run() {
+        try (exchange;
+                OutputStream body = exchange.getResponseBody()) {
+            write(body, ascii("--" + BOUNDARY + "\r\n"));
+            long next = System.nanoTime();
+            while (sendPicture(body)) {
+                next = Math.max(next + periodNanos, System.nanoTime());
+                pauseUntil(next);
+            }
+        } catch (IOException | IllegalStateException ended) {
+            LOG.log(Level.DEBUG, "a stream of {0} ends: {1}", robot, ended.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            whenEnded.run();
         }
-    }
-
-    @Override
-    public void close() {
-        ended.run();
     }
 
     private static void pauseUntil(long nanos) throws InterruptedException {
@@ -89,5 +109,10 @@ final class CameraStream implements WebResponse.Stream {
 
     private static byte[] ascii(String text) {
         return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
+    /** Interrupts the thread that runs the stream: the JDK's server closes a connection whose write is interrupted. */
+    void close() {
+        thread.interrupt();
     }
 }

@@ -1,15 +1,19 @@
 package simrobot.http;
 
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.web.RequestException;
-import simgsm.web.WebRequest;
 import simgsm.web.WebResponse;
 
-/** The camera streams of all clients, at most 16. */
-final class CameraStreams {
+/** The camera streams of all clients, at most 16, each on its own thread, so that a slow client does not delay others. */
+final class CameraStreams implements AutoCloseable {
     static final int MOST = 16;
 
     /** Pictures per second without {@code ?fps=N}. */
@@ -21,6 +25,7 @@ final class CameraStreams {
     private final SceneCache scenes;
     private final CameraPictureCache cameras;
     private final Semaphore places = new Semaphore(MOST);
+    private final Set<CameraStream> running = ConcurrentHashMap.newKeySet();
 
     CameraStreams(SceneCache scenes, CameraPictureCache cameras) {
         this.scenes = scenes;
@@ -28,22 +33,51 @@ final class CameraStreams {
     }
 
     /** Answers GET with a stream, HEAD with the headers only. */
-    WebResponse begin(WebRequest request, String robot) throws RequestException {
-        double rate = rate(request.query());
-        boolean isWatched = !request.isHead();
-        if (isWatched && !places.tryAcquire()) {
-            return WebResponse.error(WebResponse.UNAVAILABLE, "all " + MOST + " streams are taken, expected later")
-                    .with("Retry-After", "5");
+    void begin(HttpExchange exchange, String robot) throws IOException, RequestException {
+        double rate = rate(exchange.getRequestURI().getRawQuery());
+        boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
+        if (!headersOnly && !places.tryAcquire()) {
+            exchange.getResponseHeaders().set("Retry-After", "5");
+            throw new RequestException(WebResponse.UNAVAILABLE, "all " + MOST + " streams are taken, expected later");
         }
-        Runnable ended = isWatched ? places::release : () -> {};
-        return WebResponse.stream(
-                "multipart/x-mixed-replace; boundary=" + CameraStream.BOUNDARY,
-                new CameraStream(robot, rate, scenes, cameras, ended));
+        Headers headers = exchange.getResponseHeaders();
+        headers.set("Content-Type", "multipart/x-mixed-replace; boundary=" + CameraStream.BOUNDARY);
+        headers.set("Cache-Control", "no-store");
+        headers.set("X-Content-Type-Options", "nosniff");
+        if (headersOnly) {
+            exchange.sendResponseHeaders(WebResponse.OK, -1);
+            exchange.close();
+        } else {
+            watch(exchange, robot, rate);
+        }
+    }
+
+    private void watch(HttpExchange exchange, String robot, double rate) throws IOException {
+        try {
+            sendHeaders(exchange);
+        } catch (IOException | RuntimeException failure) {
+            places.release();
+            throw failure;
+        }
+        CameraStream stream = new CameraStream(exchange, robot, rate, scenes, cameras);
+        running.add(stream);
+        stream.start(() -> {
+            running.remove(stream);
+            places.release();
+        });
+    }
+
+    /** The length is unknown, so the connection ends with the stream. */
+    private static void sendHeaders(HttpExchange exchange) throws IOException {
+        exchange.getResponseHeaders().set("Connection", "close");
+        exchange.sendResponseHeaders(WebResponse.OK, 0);
     }
 
     private static double rate(String query) throws RequestException {
-        Optional<String> wanted =
-                Optional.of(query).map(RATE::matcher).filter(Matcher::matches).map(m -> m.group(1));
+        Optional<String> wanted = Optional.ofNullable(query)
+                .map(RATE::matcher)
+                .filter(Matcher::matches)
+                .map(m -> m.group(1));
         if (wanted.isEmpty()) {
             return USUAL_RATE;
         }
@@ -53,5 +87,10 @@ final class CameraStreams {
         }
         throw new RequestException(
                 WebResponse.BAD_REQUEST, "fps: expected a whole number of 1 to " + MOST_RATE + ", found " + text);
+    }
+
+    @Override
+    public void close() {
+        running.forEach(CameraStream::close);
     }
 }

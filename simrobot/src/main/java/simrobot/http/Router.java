@@ -1,11 +1,12 @@
 package simrobot.http;
 
+import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import simgsm.web.RequestException;
 import simgsm.web.WebPages;
-import simgsm.web.WebRequest;
 import simgsm.web.WebResponse;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
@@ -32,12 +33,25 @@ final class Router extends WebPages {
     }
 
     @Override
-    protected WebResponse answer(WebRequest request, List<String> parts)
+    protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
+            throws IOException, InterruptedException, RequestException {
+        boolean isStream = parts.size() == 3
+                && parts.get(0).equals("robots")
+                && parts.get(2).equals(STREAM);
+        if (parts.isEmpty()) {
+            return Optional.of(page.of(scenes.now(), source).answer(exchange));
+        }
+        if (!isStream) {
+            return Optional.of(answer(parts, path));
+        }
+        RobotSnapshot robot = withCamera(robot(scenes.now(), parts.get(1)));
+        streams.begin(exchange, robot.name());
+        return Optional.empty();
+    }
+
+    private WebResponse answer(List<String> parts, String path)
             throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
-        if (parts.isEmpty()) {
-            return page.of(scene, source).answer(request);
-        }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
                 return WebResponse.json(StatusJson.all(scene, source));
@@ -49,12 +63,9 @@ final class Router extends WebPages {
             if (parts.get(2).equals(CAMERA)) {
                 return WebResponse.jpeg(cameras.shot(scene, withCamera(robot)).jpeg());
             }
-            if (parts.get(2).equals(STREAM)) {
-                return streams.begin(request, withCamera(robot).name());
-            }
         }
         throw RequestException.notFound(
-                request.path(), "/, /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
+                path, "/, /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
     }
 
     private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RequestException {

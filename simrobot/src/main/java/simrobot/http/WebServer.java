@@ -12,6 +12,7 @@ public final class WebServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebServer.class.getName());
 
     private final WebPort port;
+    private final CameraStreams streams;
 
     /**
      * Opens the port; requests are answered after {@link #start}.
@@ -27,7 +28,7 @@ public final class WebServer implements AutoCloseable {
             throws IOException {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
-        CameraStreams streams = new CameraStreams(scenes, cameras);
+        streams = new CameraStreams(scenes, cameras);
         this.port = new WebPort(
                 address, port, new Router(source, scenes, cameras, streams, new Page(language)), writeLimitNanos);
     }
@@ -43,6 +44,7 @@ public final class WebServer implements AutoCloseable {
 
     @Override
     public void close() {
+        streams.close();
         port.close();
     }
 }

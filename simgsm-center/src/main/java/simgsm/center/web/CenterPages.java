@@ -1,12 +1,13 @@
 package simgsm.center.web;
 
+import com.sun.net.httpserver.HttpExchange;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.IntSupplier;
 import simgsm.center.msc.Exchange;
 import simgsm.web.RequestException;
 import simgsm.web.WebPages;
-import simgsm.web.WebRequest;
 import simgsm.web.WebResponse;
 
 /** The centre's answers by path; each is a question to the exchange's thread. */
@@ -36,7 +37,12 @@ public final class CenterPages extends WebPages {
     }
 
     @Override
-    protected WebResponse answer(WebRequest request, List<String> parts) throws RequestException {
+    protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
+            throws RequestException {
+        return Optional.of(answer(parts, path));
+    }
+
+    private WebResponse answer(List<String> parts, String path) throws RequestException {
         if (parts.size() == 2 && parts.get(0).equals("messages")) {
             return message(parts.get(1));
         }
@@ -45,7 +51,7 @@ public final class CenterPages extends WebPages {
             case "subscribers" -> WebResponse.json(questions.ask(reports::subscribers));
             case "calls" -> WebResponse.json(questions.ask(reports::calls));
             case "queue" -> WebResponse.json(questions.ask(reports::queue));
-            default -> throw RequestException.notFound(request.path(), EXPECTED);
+            default -> throw RequestException.notFound(path, EXPECTED);
         };
     }
 

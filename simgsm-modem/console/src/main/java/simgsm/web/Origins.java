@@ -1,5 +1,7 @@
 package simgsm.web;
 
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.regex.Pattern;
@@ -29,10 +31,11 @@ final class Origins {
     }
 
     /** @throws RequestException if the request names another host */
-    static void requireOwnHost(WebRequest request) throws RequestException {
+    static void requireOwnHost(Headers asked) throws RequestException {
+        String host = asked.getFirst("Host");
         // without a name no browser sent it
-        String host = request.field("Host").orElse("localhost");
-        if (!ADDRESS.matcher(host).matches()
+        if (host != null
+                && !ADDRESS.matcher(host).matches()
                 && !host.replaceFirst(":[0-9]+$", "").equalsIgnoreCase(OWN_NAME)) {
             throw new RequestException(
                     WebResponse.FORBIDDEN,
@@ -41,12 +44,11 @@ final class Origins {
     }
 
     /** Lets a page of this machine read the answer. */
-    static WebResponse admit(WebRequest request, WebResponse answer) {
-        String vary = answer.fields().get("Vary");
-        WebResponse varying = answer.with("Vary", vary == null ? "Origin" : "Origin, " + vary);
-        return request.field("Origin")
-                .filter(origin -> LOCAL_PAGE.matcher(origin).matches())
-                .map(origin -> varying.with("Access-Control-Allow-Origin", origin))
-                .orElse(varying);
+    static void admit(HttpExchange exchange) {
+        String origin = exchange.getRequestHeaders().getFirst("Origin");
+        exchange.getResponseHeaders().add("Vary", "Origin");
+        if (origin != null && LOCAL_PAGE.matcher(origin).matches()) {
+            exchange.getResponseHeaders().set("Access-Control-Allow-Origin", origin);
+        }
     }
 }

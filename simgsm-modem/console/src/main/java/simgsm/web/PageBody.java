@@ -1,11 +1,13 @@
 package simgsm.web;
 
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.Objects;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
@@ -15,6 +17,7 @@ public final class PageBody {
     /** RFC 1952, 2.3: deflated, no time, no name, unknown system. */
     private static final byte[] GZIP_HEAD = {0x1f, (byte) 0x8b, 8, 0, 0, 0, 0, 0, 0, (byte) 0xff};
 
+    private static final String TYPE = "text/html; charset=utf-8";
     private static final Pattern ACCEPTS_GZIP =
             Pattern.compile("(^|[ ,])(gzip|\\*)($|[ ,]|;(?!\\s*q=0(\\.0*)?\\s*($|,)))");
 
@@ -85,17 +88,20 @@ public final class PageBody {
     }
 
     /** The answer to a request: nothing if the client has this page already, else compressed if it takes that. */
-    public WebResponse answer(WebRequest request) {
-        boolean isKnown = request.field("If-None-Match").equals(Optional.of(tag()));
-        boolean isGzip = !isKnown
-                && ACCEPTS_GZIP
-                        .matcher(request.field("Accept-Encoding").orElse(""))
-                        .find();
-        WebResponse answer = isKnown
-                ? WebResponse.page(WebResponse.NOT_MODIFIED, new byte[0])
-                : WebResponse.page(WebResponse.OK, isGzip ? gzipped() : octets());
-        WebResponse tagged = answer.with("ETag", tag()).with("Vary", "Accept-Encoding");
-        return isGzip ? tagged.with("Content-Encoding", "gzip") : tagged;
+    public WebResponse answer(HttpExchange exchange) {
+        Headers asked = exchange.getRequestHeaders();
+        Headers headers = exchange.getResponseHeaders();
+        headers.set("ETag", tag());
+        headers.add("Vary", "Accept-Encoding");
+        if (tag().equals(asked.getFirst("If-None-Match"))) {
+            return new WebResponse(WebResponse.NOT_MODIFIED, TYPE, new byte[0]);
+        }
+        String encodings = Objects.requireNonNullElse(asked.getFirst("Accept-Encoding"), "");
+        if (!ACCEPTS_GZIP.matcher(encodings).find()) {
+            return new WebResponse(WebResponse.OK, TYPE, octets());
+        }
+        headers.set("Content-Encoding", "gzip");
+        return new WebResponse(WebResponse.OK, TYPE, gzipped());
     }
 
     private static byte[] joined(byte[]... parts) {

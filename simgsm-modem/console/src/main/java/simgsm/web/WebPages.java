@@ -1,17 +1,22 @@
 package simgsm.web;
 
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpHandler;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Answers GET and HEAD requests to this machine by their path, every other one with 405; pages of this machine may read the
- * answers. Every error is answered with its reason as JSON; one of our own is logged, too.
+ * answers; an error is answered with its reason as JSON, an error
+ * of our own closes the connection and is logged.
  */
-public abstract class WebPages {
+public abstract class WebPages implements HttpHandler {
     private static final Logger LOG = System.getLogger(WebPages.class.getName());
 
     private final String policy;
@@ -25,62 +30,70 @@ public abstract class WebPages {
      * The answer to a request.
      *
      * @param parts the segments of the path, decoded
+     * @param path as requested, for error texts
+     * @return empty if the exchange was taken over, for a stream
      * @throws RequestException for anything but a success
      * @throws IllegalStateException if the program does not answer: status 503
      */
-    protected abstract WebResponse answer(WebRequest request, List<String> parts)
+    protected abstract Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
             throws IOException, InterruptedException, RequestException;
 
-    /** The whole answer to a request. */
-    final WebResponse handle(WebRequest request) throws InterruptedException {
+    @Override
+    public final void handle(HttpExchange exchange) throws IOException {
+        String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
-            requireGetOrHead(request);
-            Origins.requireOwnHost(request);
+            requireGetOrHead(exchange);
+            Origins.requireOwnHost(exchange.getRequestHeaders());
+            Origins.admit(exchange);
+            Optional<WebResponse> answer = answer(exchange, UrlPaths.parts(path), path);
+            if (answer.isPresent()) {
+                send(exchange, answer.get());
+            }
         } catch (RequestException refusal) {
-            return completed(refusal.answer());
-        }
-        return completed(Origins.admit(request, answered(request)));
-    }
-
-    private WebResponse answered(WebRequest request) throws InterruptedException {
-        try {
-            return answer(request, parts(request.path()));
-        } catch (RequestException refusal) {
-            return refusal.answer();
+            send(exchange, refusal.answer());
         } catch (IllegalStateException noAnswer) {
-            return WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage());
-        } catch (IOException | RuntimeException fault) {
-            LOG.log(Level.ERROR, "answering " + RequestException.shortened(request.path()) + " failed", fault);
-            return WebResponse.error(WebResponse.FAULT, "the request cannot be answered; the log has the reason");
-        }
-    }
-
-    private static List<String> parts(String path) throws RequestException {
-        try {
-            return UrlPaths.parts(path);
+            send(exchange, WebResponse.error(WebResponse.UNAVAILABLE, noAnswer.getMessage()));
         } catch (IllegalArgumentException malformed) {
-            throw new RequestException(
-                    WebResponse.BAD_REQUEST, "malformed path " + RequestException.shortened(path) + ", expected %XX");
+            send(
+                    exchange,
+                    WebResponse.error(WebResponse.BAD_REQUEST, "malformed path " + RequestException.shortened(path)));
+        } catch (InterruptedException e) {
+            exchange.close();
+            Thread.currentThread().interrupt();
+        } catch (RuntimeException fault) {
+            LOG.log(Level.ERROR, "answering " + path + " failed", fault);
+            exchange.close();
         }
     }
 
-    private static void requireGetOrHead(WebRequest request) throws RequestException {
-        if (!request.method().equals("GET") && !request.isHead()) {
+    private static void requireGetOrHead(HttpExchange exchange) throws RequestException {
+        String method = exchange.getRequestMethod();
+        if (!method.equals("GET") && !method.equals("HEAD")) {
+            exchange.getResponseHeaders().set("Allow", "GET, HEAD");
             throw new RequestException(
-                    WebResponse.METHOD_NOT_ALLOWED,
-                    "method " + RequestException.shortened(request.method()) + " is not allowed, expected GET or HEAD");
+                    WebResponse.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
         }
     }
 
-    /** With the header fields that all answers have. */
-    final WebResponse completed(WebResponse answer) {
-        Map<String, String> fields = new HashMap<>(answer.fields());
-        fields.put("Cache-Control", fields.containsKey("ETag") ? "no-cache" : "no-store");
-        fields.put("X-Content-Type-Options", "nosniff");
-        fields.put("Content-Security-Policy", policy);
-        if (answer.status() == WebResponse.METHOD_NOT_ALLOWED) {
-            fields.put("Allow", "GET, HEAD");
+    private void send(HttpExchange exchange, WebResponse answer) throws IOException {
+        boolean headersOnly = exchange.getRequestMethod().equals("HEAD");
+        Headers headers = exchange.getResponseHeaders();
+        headers.set("Content-Type", answer.type());
+        headers.set("Cache-Control", headers.containsKey("ETag") ? "no-cache" : "no-store");
+        headers.set("X-Content-Type-Options", "nosniff");
+        headers.set("Content-Security-Policy", policy);
+        try (exchange) {
+            if (answer.status() == WebResponse.NOT_MODIFIED) {
+                exchange.sendResponseHeaders(answer.status(), -1);
+            } else if (headersOnly) {
+                headers.set("Content-Length", Integer.toString(answer.body().length));
+                exchange.sendResponseHeaders(answer.status(), -1);
+            } else {
+                exchange.sendResponseHeaders(answer.status(), answer.body().length);
+                try (OutputStream body = exchange.getResponseBody()) {
+                    body.write(answer.body());
+                }
+            }
         }
-        return new WebResponse(answer.status(), fields, answer.octets(), answer.stream());
     }
 }

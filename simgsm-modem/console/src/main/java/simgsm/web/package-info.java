@@ -1,5 +1,4 @@
 /**
- * A read-only web server for HTTP/1.1 (RFC 9112), which all programs share: {@link simgsm.web.WebPort} accepts, a connection
- * reads requests, {@link simgsm.web.WebPages} answers them.
+ * A read-only web server on the JDK's HTTP server, which all programs share. Read first {@link simgsm.web.WebPort}.
  */
 package simgsm.web;
