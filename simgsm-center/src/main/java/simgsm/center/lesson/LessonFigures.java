@@ -2,7 +2,6 @@ package simgsm.center.lesson;
 
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.lesson.LessonFunctions;
 import simgsm.sms.SmsAddress;
@@ -13,6 +12,7 @@ import simgsm.sms.UserData;
 /** The functions of {@code let} in lessons. */
 final class LessonFigures implements LessonFunctions {
     private static final int WORD_LENGTH = 8;
+    private static final int TELEPHONE_PLAN = 1;
 
     @Override
     public String apply(String function, List<String> arguments) {
@@ -42,7 +42,7 @@ final class LessonFigures implements LessonFunctions {
                         false,
                         false,
                         0,
-                        SmsAddress.of(new Msisdn(number)),
+                        new SmsAddress(SmsAddress.UNKNOWN, TELEPHONE_PLAN, number),
                         0,
                         Optional.empty(),
                         UserData.of(text)))

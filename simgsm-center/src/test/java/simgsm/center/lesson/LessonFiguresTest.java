@@ -30,11 +30,11 @@ class LessonFiguresTest {
         assertEquals("2143", of("swapped", "1234"));
     }
 
-    /** Nine characters in eight octets; the first two are both 2a, which packs to aa. */
+    /** Nine characters in eight octets; 2a and 2a and 23 pack to 2a, d5 ... */
     @Test
     void aSubmitIsWrittenAsTs23040HasIt() {
         String hex = of("submit", "5550200", "**#**35**");
-        assertEquals("01000781550502f0000009aa", hex.substring(0, 24));
+        assertEquals("01000781550502f00000092ad5", hex.substring(0, 26));
         assertEquals(2 * (2 + 6 + 3 + 8), hex.length());
     }
 
