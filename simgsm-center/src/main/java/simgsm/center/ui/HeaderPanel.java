@@ -2,9 +2,11 @@ package simgsm.center.ui;
 
 import java.awt.BorderLayout;
 import java.util.Locale;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JToggleButton;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
@@ -30,7 +32,8 @@ final class HeaderPanel extends JPanel {
     private final RatesLabel rateLabel = new RatesLabel();
     private final Rates rates = new Rates();
 
-    HeaderPanel(TextBundle texts, CenterActions operator) {
+    /** @param folding told whether the fields below the header are shown */
+    HeaderPanel(TextBundle texts, CenterActions operator, Consumer<Boolean> folding) {
         super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
@@ -46,6 +49,14 @@ final class HeaderPanel extends JPanel {
         UserAction appearance = new UserAction("window.appearance", "", () -> WindowKeys.switchAppearance(this))
                 .described(texts.of("window.appearance.why"))
                 .with(Symbol.SUN_MOON.icon());
+        JToggleButton fold = new JToggleButton();
+        fold.setAction(new UserAction("window.fold", "", () -> {
+                    fold.setIcon((fold.isSelected() ? Symbol.UP : Symbol.DOWN).icon());
+                    folding.accept(fold.isSelected());
+                })
+                .described(texts.of("window.fold.why"))
+                .with(Symbol.UP.icon()));
+        fold.setSelected(true);
         UserAction quit = new UserAction("window.quit", texts.of("window.quit"), operator::quit)
                 .described(texts.of("window.quit.why"));
         add(
@@ -60,6 +71,7 @@ final class HeaderPanel extends JPanel {
                         waiting,
                         Arrange.row(
                                 8,
+                                ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
                                 ComponentNames.name(
                                         new JButton(appearance),
                                         "window.appearance",

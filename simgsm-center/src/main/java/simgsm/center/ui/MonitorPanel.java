@@ -60,8 +60,9 @@ public final class MonitorPanel extends JPanel {
         super(new BorderLayout());
         this.texts = texts;
         this.background = background;
-        header = new HeaderPanel(texts, operator);
         passing = new PassingPanel(texts, operator.port());
+        Card passingCard = new Card(passing);
+        header = new HeaderPanel(texts, operator, passingCard::setVisible);
         ladder = new LadderPanel(texts);
         subscribers = Tables.subscribers(texts)
                 .onChoice(row -> ladder.choose(row.number().digits()));
@@ -77,7 +78,7 @@ public final class MonitorPanel extends JPanel {
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
-        add(Arrange.column(MARGIN_UNITS, header, new Card(passing), Arrange.growing(split)), BorderLayout.CENTER);
+        add(Arrange.column(MARGIN_UNITS, header, passingCard, Arrange.growing(split)), BorderLayout.CENTER);
         dress();
     }
 

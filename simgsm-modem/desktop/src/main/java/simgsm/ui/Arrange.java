@@ -35,6 +35,12 @@ public final class Arrange {
         return component;
     }
 
+    /** Marks a component, or takes its mark away. */
+    static void setGrowing(JComponent component, boolean grows) {
+        component.putClientProperty(GROWS, grows ? true : null);
+        component.revalidate();
+    }
+
     /** Empty space that grows. */
     public static JComponent spring() {
         JPanel spring = new JPanel(null);
@@ -52,7 +58,7 @@ public final class Arrange {
         return panel;
     }
 
-    private static boolean grows(Component component) {
+    static boolean grows(Component component) {
         return component instanceof JComponent c && c.getClientProperty(GROWS) != null;
     }
 

@@ -85,9 +85,10 @@ final class Inspector extends JPanel {
         wheels = new OdometryCard(texts);
         sonar = new SonarRose(texts);
         camera = new CameraView(texts);
-        Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn, battery));
-        Card rose = new Card(texts.of("sonar.title"), sonar);
-        Card picture = new Card(texts.of("camera.title"), camera);
+        Card pose = new Card(texts.of("pose.title"), Arrange.column(0, x, y, heading, speed, turn, battery))
+                .folding("fold.pose");
+        Card rose = new Card(texts.of("sonar.title"), sonar).folding("fold.sonar");
+        Card picture = new Card(texts.of("camera.title"), camera).folding("fold.camera");
         sheet.setOpaque(false);
         JScrollPane state = scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels));
         sheet.add(ComponentNames.name(state, "inspector", texts.of("tab.robot")), ROBOT);

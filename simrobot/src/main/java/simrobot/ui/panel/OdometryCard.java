@@ -24,7 +24,8 @@ final class OdometryCard extends JPanel {
         heading = new ValueRow("odometry.heading", texts.of("pose.heading"), "\u00b0");
         error = new ValueRow("odometry.error", texts.of("odometry.error"), "m");
         turned = new ValueRow("odometry.turned", texts.of("odometry.turned"), "\u00b0");
-        add(new Card(texts.of("odometry.title"), Arrange.column(0, x, y, heading, error, turned)));
+        add(new Card(texts.of("odometry.title"), Arrange.column(0, x, y, heading, error, turned))
+                .folding("fold.odometry"));
     }
 
     void show(RobotSnapshot robot) {
