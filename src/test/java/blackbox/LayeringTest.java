@@ -116,7 +116,7 @@ class LayeringTest {
             simrobot.simulation      : vericommand simrobot.process simrobot.route simrobot.world simrobot.robot
             simrobot.camera          : vericommand simrobot.world simrobot.robot simrobot.simulation
             simrobot.p2os            : simgsm.octets simgsm.net simgsm.state vericommand simrobot.robot simrobot.simulation
-            simrobot.pioneer         : simgsm.net vericommand simrobot.process simrobot.robot simrobot.simulation simrobot.p2os
+            simrobot.pioneer         : simgsm.net vericommand simrobot.behaviour simrobot.process simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing

@@ -159,4 +159,29 @@ class RealPioneersTest {
             phone.expectNext("tone", "key", "3");
         }
     }
+
+    @ParameterizedTest
+    @EnumSource
+    void aProcessIsStartedByTelephoneAndGoToReachesItsPlace(Kind kind) throws Exception {
+        try (Scenario scenario = new Scenario("processes, " + kind)) {
+            scenario.center();
+            Robot robot = Robot.start(scenario, kind);
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            robot.place("0 0 0");
+            scenario.call(phone);
+            phone.say("press **#*1**");
+            phone.expectNext("tone", "key", "6");
+            robot.called().expect("behaviour", "value", "wander");
+            phone.say("press **###**");
+            phone.expectNext("tone", "key", "3");
+            robot.called().expect("behaviour", "value", "none");
+            phone.say("hangup");
+            robot.called().expect("released");
+            robot.place("0 0 0");
+            robot.called().say("goto 1 1");
+            ConsoleEvent arrived = robot.called().expect("arrived");
+            assertEquals(1, arrived.number("x"), 0.05);
+            assertEquals(1, robot.pose().number("y"), 0.05);
+        }
+    }
 }

@@ -12,7 +12,6 @@ import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
-import simrobot.robot.SimulatedRobot;
 import simrobot.source.BehaviourFolder;
 
 /** The processes that a command line asks for: {@code --behaviours DIR} and {@code --behaviour NAME}. */
@@ -115,9 +114,8 @@ public final class RequestedBehaviours implements AutoCloseable {
         public void loaded(BehaviourKind kind) {
             out.accept(Event.of("behaviour-loaded").with("name", kind.text()));
             simRobot.simulation()
-                    .withSimulation(owned -> owned.robots().stream()
-                            .map(SimulatedRobot::autonomy)
-                            .forEach(autonomy -> autonomy.renew(kind)));
+                    .withSimulation(owned -> simRobot.robots()
+                            .forEach(robot -> robot.robot().autonomy().renew(kind)));
         }
 
         @Override

@@ -82,7 +82,11 @@ public final class RequestedRobots {
             if (robots.size() > 1) {
                 throw new UsageException("--pioneer: expected one robot, found " + robots.size());
             }
-            for (String option : List.of("p2os", "behaviour", "behaviours", "noise")) {
+            if (arguments.has("behaviour")) {
+                throw new UsageException("--behaviour: a real robot (--pioneer) does not start to drive by itself,"
+                        + " expected the command behaviour NAME");
+            }
+            for (String option : List.of("p2os", "noise")) {
                 if (arguments.has(option)) {
                     throw new UsageException("--" + option + ": a real robot (--pioneer) has none of that");
                 }

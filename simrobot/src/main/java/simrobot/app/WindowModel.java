@@ -263,11 +263,11 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void setBehaviour(String robot, BehaviourKind kind) {
-        simulation.withSimulation(here -> here.robot(robot).ifPresent(owned -> {
+        act(robot, owned -> {
             if (!owned.autonomy().begin(kind)) {
                 tell(refusals.process(robot, kind, owned.status()));
             }
-        }));
+        });
     }
 
     @Override

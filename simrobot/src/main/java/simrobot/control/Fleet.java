@@ -1,6 +1,7 @@
 package simrobot.control;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
@@ -18,11 +19,13 @@ import simrobot.pioneer.PioneerCall;
 import simrobot.pioneer.RealPioneer;
 import simrobot.pioneer.RobotParameters;
 import simrobot.process.BehaviourKind;
+import simrobot.process.Surroundings;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
+import simrobot.world.World;
 import vericommand.Pose;
 
 /** Creates the robots of a run, from the command line and later, all with the same settings. */
@@ -30,6 +33,24 @@ public final class Fleet {
     /** Supplies the recorder of a robot's calls. */
     public interface Recording {
         CallAudioListener of(String robot) throws IOException;
+    }
+
+    /** What a process of a real robot may know: the world by the map, and no other robots. */
+    private record Alone(Simulation simulation) implements Surroundings {
+        @Override
+        public int robotNumber() {
+            return 0;
+        }
+
+        @Override
+        public World world() {
+            return simulation.world();
+        }
+
+        @Override
+        public List<Position> otherRobots() {
+            return List.of();
+        }
     }
 
     /** Supplies the SIM card of a modem; none in an open network. */
@@ -121,7 +142,8 @@ public final class Fleet {
                 .map(home -> new Pose(
                         home.position().xMeters(), home.position().yMeters(), Math.toDegrees(home.headingRadians())))
                 .orElse(new Pose(0, 0, 0));
-        RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors(), parameters);
+        RealPioneer robot = new RealPioneer(name.name(), call, start, kit.motors(), parameters, new Alone(simulation));
+        robot.autonomy().setChoice(simulation.behaviours());
         Supplier<RobotSnapshot> guest = robot::snapshot;
         simulation.addGuest(guest);
         TelephoneRobot added = modem.isPresent() ? join(robot, name, modem.get()) : join(robot, name);

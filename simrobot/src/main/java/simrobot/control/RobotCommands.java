@@ -136,19 +136,18 @@ final class RobotCommands {
 
     /** Prints an unchanged or queried process; a change is printed by the robot's own event. */
     void behaviour(ConsoleCommand command) throws CommandException {
-        SimulatedRobot simulated = simulated(command);
         if (command.rest().isEmpty()) {
             onSimulation(() ->
-                    answer(new RobotEvent.BehaviourChanged(simulated.autonomy().kind())));
+                    answer(new RobotEvent.BehaviourChanged(robot.autonomy().kind())));
             return;
         }
         BehaviourKind kind = kind(command.text());
-        onSimulation(() -> begin(command, simulated, kind));
+        onSimulation(() -> begin(command, kind));
     }
 
-    private void begin(ConsoleCommand command, SimulatedRobot simulated, BehaviourKind kind) throws CommandException {
-        BehaviourKind before = simulated.autonomy().kind();
-        if (!simulated.autonomy().begin(kind)) {
+    private void begin(ConsoleCommand command, BehaviourKind kind) throws CommandException {
+        BehaviourKind before = robot.autonomy().kind();
+        if (!robot.autonomy().begin(kind)) {
             throw new CommandException(command.name() + " " + command.rest() + ": not possible in "
                     + robot.status().text());
         }
@@ -157,16 +156,8 @@ final class RobotCommands {
         }
     }
 
-    private SimulatedRobot simulated(ConsoleCommand command) throws CommandException {
-        return telephone
-                .simulated()
-                .orElseThrow(() ->
-                        new CommandException(command.name() + ": " + robot.name() + " is a real robot and runs none"));
-    }
-
     /** Drives to a named place or to coordinates. */
     void goTo(ConsoleCommand command) throws CommandException {
-        SimulatedRobot simulated = simulated(command);
         String place = command.text();
         List<String> words = List.of(place.split(" +"));
         boolean isPlace = words.size() == 2
@@ -182,7 +173,7 @@ final class RobotCommands {
             BehaviourKind kind = isPlace
                     ? destinations.to(place, there)
                     : destinations.to(owned.world(), place).orElseThrow(() -> noPlace(owned.world(), place));
-            begin(command, simulated, kind);
+            begin(command, kind);
         });
     }
 

@@ -9,7 +9,6 @@ import java.util.function.LongSupplier;
 import simrobot.process.BehaviourKind;
 import simrobot.process.Decision;
 import simrobot.robot.Pioneer;
-import simrobot.robot.SimulatedRobot;
 import vericommand.Instruction;
 import vericommand.ProcessEnding;
 import vericommand.Reply;
@@ -48,10 +47,8 @@ final class RobotControl {
         snapshot = veriCommand.snapshot();
         robot.addStatusListener(this::statusChanged);
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
-        if (robot instanceof SimulatedRobot simulated) {
-            simulated.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
-            simulated.autonomy().addEndListener(this::processEnded);
-        }
+        robot.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
+        robot.autonomy().addEndListener(this::processEnded);
     }
 
     /** Returns the first tone for a caller, by the newest status; callable on any thread. */

@@ -8,18 +8,21 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import simrobot.behaviour.Steering;
 import simrobot.p2os.InformationPacket;
 import simrobot.p2os.P2osCommandCodec;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacketReader;
-import simrobot.process.BehaviourKind;
+import simrobot.process.Surroundings;
+import simrobot.robot.Autonomy;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
 import simrobot.robot.Condition;
-import simrobot.robot.Pioneer;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.Placement;
+import simrobot.robot.ProcessSenses;
 import simrobot.robot.SonarRing;
+import simrobot.robot.SteeredRobot;
 import simrobot.robot.Trail;
 import simrobot.simulation.RobotSnapshot;
 import vericommand.Instruction;
@@ -34,7 +37,7 @@ import vericommand.StatusRules;
  * A Pioneer controlled over P2OS. Its status follows its information packets, ten per second: no connection is
  * Disconnected, motors off is No motors, a stall is Collision. Owned by the simulation's thread.
  */
-public final class RealPioneer implements Pioneer {
+public final class RealPioneer implements SteeredRobot {
     private static final Logger LOG = System.getLogger(RealPioneer.class.getName());
 
     /** An information packet that has not come by then is not waited for. */
@@ -63,6 +66,9 @@ public final class RealPioneer implements Pioneer {
     private final int[] sonars = new int[SonarRing.COUNT];
     private InformationPacket newest;
     private VelocityLoop travel;
+    private final Autonomy autonomy;
+    /** What a process wants, commanded with every information packet; null while none steers. */
+    private Steering steering;
 
     /** Whether the newest command makes the robot turn. */
     private boolean turns;
@@ -84,9 +90,16 @@ public final class RealPioneer implements Pioneer {
      *
      * @param motors whether its motors are switched on when it connects
      * @param parameters of the robot, for a type that is not built in
+     * @param surroundings what its processes may know
      */
     public RealPioneer(
-            String name, PioneerLine line, Pose start, boolean motors, Optional<RobotParameters> parameters) {
+            String name,
+            PioneerLine line,
+            Pose start,
+            boolean motors,
+            Optional<RobotParameters> parameters,
+            Surroundings surroundings) {
+        autonomy = new Autonomy(this, surroundings);
         this.name = Objects.requireNonNull(name);
         this.line = Objects.requireNonNull(line);
         place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
@@ -129,6 +142,10 @@ public final class RealPioneer implements Pioneer {
         conversation.tick(nanos);
         if (travel != null && nanos - measuredNanos > LATE_NANOS) {
             steer(travel);
+        } else if (steering != null && nanos - measuredNanos > BLIND_NANOS) {
+            // the next information packet makes the process go on
+            steering = null;
+            stop();
         }
     }
 
@@ -138,7 +155,7 @@ public final class RealPioneer implements Pioneer {
 
     private void lose() {
         newest = null;
-        lostUnderWay |= travel != null;
+        lostUnderWay |= travel != null || autonomy.isActive();
         if (isPowered()) {
             cut(StatusEvent.POWER_OFF);
         }
@@ -183,6 +200,7 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void take(InformationPacket information) {
+        long passedNanos = newest == null ? 0 : nanos - measuredNanos;
         newest = information;
         measuredNanos = nanos;
         Optional<RobotKind> kind = conversation.kind();
@@ -197,8 +215,12 @@ public final class RealPioneer implements Pioneer {
         settled |= !information.isMoving();
         if (travel != null) {
             follow(travel, information);
-        } else if (settled) {
+        } else if (settled || autonomy.isActive()) {
             followOthers(information);
+        }
+        autonomy.step(passedNanos);
+        if (steering != null) {
+            drive(steering);
         }
     }
 
@@ -288,16 +310,74 @@ public final class RealPioneer implements Pioneer {
         over.end(kind, atGoal);
     }
 
-    /** Follows motion that no instruction caused: by hand or joystick. */
+    // ---- processes -----------------------------------------------------------------------------------------------
+
+    @Override
+    public Autonomy autonomy() {
+        return autonomy;
+    }
+
+    @Override
+    public boolean isUnderOrder() {
+        return travel != null || autonomy.isAwaited();
+    }
+
+    @Override
+    public void steer(Steering wanted) {
+        steering = wanted;
+    }
+
+    private void drive(Steering wanted) {
+        tell(P2osCommandNumber.VEL, (int) Math.round(wanted.metersPerSecond() * 1000));
+        tell(P2osCommandNumber.RVEL, (int) Math.round(Math.toDegrees(wanted.radiansPerSecond())));
+    }
+
+    @Override
+    public void stopSteering() {
+        steering = null;
+        stop();
+    }
+
+    @Override
+    public void countAsMoving() {
+        change(StatusEvent.MOTION_STARTED);
+    }
+
+    @Override
+    public ProcessSenses newSenses() {
+        return new RealSenses(this);
+    }
+
+    double sonarMeters(int sonar) {
+        return sonars[sonar] / 1000.0;
+    }
+
+    /** Anticlockwise, in (-pi, pi]. */
+    double headingRadians() {
+        return Math.atan2(Math.sin(place.headingRadians()), Math.cos(place.headingRadians()));
+    }
+
+    double metersPerSecond() {
+        double factor = conversation.kind().map(RobotKind::wheelSpeedFactor).orElse(0.0) / 1000;
+        return newest == null ? 0 : (newest.leftWheel() + newest.rightWheel()) * factor / 2;
+    }
+
+    Bumpers bumpers() {
+        return newest == null ? new Bumpers(0, 0) : new Bumpers(newest.frontBumpers(), newest.rearBumpers());
+    }
+
+    /** Follows motion that no instruction caused: by a process, by hand or joystick. */
     private void followOthers(InformationPacket information) {
         boolean moves = information.isMoving();
         if (status() == RobotStatus.MOVING) {
             if (information.stalled()) {
+                steering = null;
+                stop();
                 change(StatusEvent.TOUCHED);
-            } else if (!moves) {
+            } else if (!moves && !autonomy.isUnfinished()) {
                 change(StatusEvent.MOTION_ENDED);
             }
-        } else if (moves && machine.accepts(StatusEvent.MOTION_STARTED)) {
+        } else if (moves && !information.stalled() && machine.accepts(StatusEvent.MOTION_STARTED)) {
             change(StatusEvent.MOTION_STARTED);
         }
     }
@@ -308,6 +388,7 @@ public final class RealPioneer implements Pioneer {
         if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }
+        autonomy.end();
         travel = new VelocityLoop(
                 motion,
                 ended,
@@ -321,6 +402,7 @@ public final class RealPioneer implements Pioneer {
 
     @Override
     public void brake() {
+        autonomy.end();
         if (travel != null) {
             travel.brake(nanos);
         }
@@ -354,6 +436,7 @@ public final class RealPioneer implements Pioneer {
     }
 
     private void cut(StatusEvent event) {
+        autonomy.end();
         VelocityLoop cutShort = travel;
         travel = null;
         change(event);
@@ -423,7 +506,6 @@ public final class RealPioneer implements Pioneer {
         double left = known ? newest.leftWheel() * factor : 0;
         double right = known ? newest.rightWheel() * factor : 0;
         double volts = known ? newest.batteryDecivolts() / 10.0 : 0;
-        Bumpers bumpers = known ? new Bumpers(newest.frontBumpers(), newest.rearBumpers()) : new Bumpers(0, 0);
         return new RobotSnapshot(
                 name,
                 status(),
@@ -442,12 +524,12 @@ public final class RealPioneer implements Pioneer {
                         volts,
                         known && volts < Battery.LOW_VOLTS,
                         known && newest.stalled(),
-                        bumpers,
+                        bumpers(),
                         pose(),
                         new Pose(0, 0, 0)),
                 trail.points(),
-                BehaviourKind.NONE,
-                List.of(),
+                autonomy.kind(),
+                autonomy.path(),
                 false);
     }
 }

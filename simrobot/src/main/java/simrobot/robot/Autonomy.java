@@ -5,16 +5,13 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.behaviour.Steering;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.Decision;
 import simrobot.process.RobotProcess;
 import simrobot.process.Surroundings;
 import simrobot.world.Position;
-import simrobot.world.World;
 import vericommand.RobotStatus;
-import vericommand.StatusEvent;
 
 /**
  * The autonomous process in a robot: it sets the drive's speeds at the process's period until it ends by itself or is ended
@@ -31,7 +28,7 @@ public final class Autonomy {
         void ended(BehaviourKind kind, Decision.End how);
     }
 
-    private final SimulatedRobot robot;
+    private final SteeredRobot robot;
     private final Surroundings surroundings;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
@@ -39,7 +36,7 @@ public final class Autonomy {
     /** Null if none runs. */
     private RobotProcess process;
 
-    private RobotSenses senses;
+    private ProcessSenses senses;
     /** Of a process that has ended by itself, until the robot stands; else null. */
     private Decision.End ending;
 
@@ -52,24 +49,10 @@ public final class Autonomy {
     /** Called once the robot stands; null if no order waits for that. */
     private Runnable standListener;
 
-    Autonomy(SimulatedRobot robot, Floor floor) {
+    /** The process of a robot, none at first. */
+    public Autonomy(SteeredRobot robot, Surroundings surroundings) {
         this.robot = robot;
-        surroundings = new Surroundings() {
-            @Override
-            public int robotNumber() {
-                return robot.number();
-            }
-
-            @Override
-            public World world() {
-                return floor.world();
-            }
-
-            @Override
-            public List<Position> otherRobots() {
-                return floor.others(robot);
-            }
-        };
+        this.surroundings = surroundings;
     }
 
     public BehaviourKind kind() {
@@ -81,7 +64,7 @@ public final class Autonomy {
     }
 
     /** Whether the robot counts as Moving although it may stand. */
-    boolean isUnfinished() {
+    public boolean isUnfinished() {
         return process != null && ending == null;
     }
 
@@ -91,7 +74,7 @@ public final class Autonomy {
     }
 
     /** The names of the processes that orders can start, by number. */
-    SortedMap<Integer, String> processes() {
+    public SortedMap<Integer, String> processes() {
         SortedMap<Integer, String> names = new TreeMap<>();
         announced = choice.kinds();
         for (int i = 0; i < Math.min(announced.size(), BehaviourList.MAX_NUMBER); i++) {
@@ -104,7 +87,7 @@ public final class Autonomy {
      * Begins the process that had this number when {@link #processes} was last called, in status Stopped: the list may have
      * changed since, on another thread.
      */
-    void begin(int number) {
+    public void begin(int number) {
         if (!begin(announced.get(number - 1))) {
             throw new IllegalStateException("process " + number + " is not possible in "
                     + robot.status().text());
@@ -160,7 +143,7 @@ public final class Autonomy {
     }
 
     private void prepare() {
-        senses = new RobotSenses(robot);
+        senses = robot.newSenses();
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
@@ -176,19 +159,20 @@ public final class Autonomy {
     /** Ends the process, if one runs; the robot slows down until it stands. */
     public void end() {
         if (isActive()) {
-            robot.drive().stop();
+            robot.stopSteering();
             change(BehaviourKind.NONE, null, new Decision.Replaced());
         }
     }
 
     /** Ends the process for an order. @param listener called once the robot stands */
-    void endFor(Runnable listener) {
+    public void endFor(Runnable listener) {
         end();
         standListener = listener;
         notifyIfStanding();
     }
 
-    boolean isAwaited() {
+    /** Whether an order waits until the robot stands. */
+    public boolean isAwaited() {
         return standListener != null;
     }
 
@@ -220,12 +204,12 @@ public final class Autonomy {
 
     private void countAsMoving() {
         if (robot.status() == RobotStatus.STOPPED) {
-            robot.change(StatusEvent.MOTION_STARTED);
+            robot.countAsMoving();
         }
     }
 
     /** A step of time, before the robot moves through it. */
-    void step(long nanos) {
+    public void step(long nanos) {
         notifyIfStanding();
         if (ending != null) {
             concludeIfStanding();
@@ -240,19 +224,18 @@ public final class Autonomy {
         if (inCollisionNanos > COLLISION_NANOS) {
             perform(new Decision.Collided());
         } else if (sinceDecisionNanos >= process.periodNanos()) {
-            sinceDecisionNanos -= process.periodNanos();
+            // a real robot is heard of less often than some processes decide
+            sinceDecisionNanos = Math.min(sinceDecisionNanos - process.periodNanos(), process.periodNanos());
             perform(process.decide(senses));
         }
     }
 
     private void perform(Decision decision) {
         if (decision instanceof Decision.Go go) {
-            Steering steering = go.steering();
-            robot.drive().setSpeed(steering.metersPerSecond());
-            robot.drive().setTurnSpeed(steering.radiansPerSecond());
+            robot.steer(go.steering());
         } else {
             ending = (Decision.End) decision;
-            robot.drive().stop();
+            robot.stopSteering();
             concludeIfStanding();
         }
     }

@@ -1,5 +1,6 @@
 package simrobot.robot;
 
+import java.util.SortedMap;
 import java.util.function.Consumer;
 import vericommand.Robot;
 import vericommand.RobotStatus;
@@ -33,6 +34,29 @@ public interface Pioneer extends Robot {
 
     /** Moves the robot there by hand; of a real robot, tells that it has been moved there. */
     Placement place(double xMeters, double yMeters, double headingRadians);
+
+    /** Its autonomous process. */
+    Autonomy autonomy();
+
+    @Override
+    default SortedMap<Integer, String> processes() {
+        return autonomy().processes();
+    }
+
+    @Override
+    default void startProcess(int number) {
+        autonomy().begin(number);
+    }
+
+    @Override
+    default boolean isAutonomous() {
+        return autonomy().isActive();
+    }
+
+    @Override
+    default void endAutonomy(Runnable stands) {
+        autonomy().endFor(stands);
+    }
 
     /** The ranges of the sixteen sonars, 100 to 5000 mm, sonar 0 first. */
     int[] sonarRangesMillimeters();

@@ -1,19 +1,13 @@
 package simrobot.robot;
 
-import simrobot.behaviour.Senses;
 import vericommand.RobotStatus;
 
 /** The senses of a simulated robot, measured when they are asked for. */
-final class RobotSenses implements Senses {
+final class RobotSenses extends ProcessSenses {
     private final SimulatedRobot robot;
-    private long nanos;
 
     RobotSenses(SimulatedRobot robot) {
         this.robot = robot;
-    }
-
-    void elapse(long stepNanos) {
-        nanos += stepNanos;
     }
 
     @Override
@@ -47,29 +41,12 @@ final class RobotSenses implements Senses {
     }
 
     @Override
-    public boolean isBlocked() {
-        return robot.status() == RobotStatus.COLLISION;
+    protected RobotStatus status() {
+        return robot.status();
     }
 
     @Override
-    public boolean isFrontBumperPressed(int bumper) {
-        return isPressed(robot.bumpers().front(), bumper);
-    }
-
-    @Override
-    public boolean isRearBumperPressed(int bumper) {
-        return isPressed(robot.bumpers().rear(), bumper);
-    }
-
-    private static boolean isPressed(int bits, int bumper) {
-        if (bumper < 0 || bumper >= Bumpers.COUNT_EACH) {
-            throw new IndexOutOfBoundsException("bumper " + bumper + ", expected 0 to " + (Bumpers.COUNT_EACH - 1));
-        }
-        return (bits >> bumper & 1) != 0;
-    }
-
-    @Override
-    public double seconds() {
-        return nanos * 1e-9;
+    protected Bumpers bumpers() {
+        return robot.bumpers();
     }
 }

@@ -3,11 +3,11 @@ package simrobot.robot;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.SortedMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import simrobot.behaviour.Senses;
+import simrobot.behaviour.Steering;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
@@ -22,7 +22,7 @@ import vericommand.StatusRules;
  * <p>A step takes the wheels' distance from the motion's profile and the belt's from the floor, sweeps the robot's circle along
  * their sum, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
  */
-public final class SimulatedRobot implements Pioneer {
+public final class SimulatedRobot implements SteeredRobot {
     /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
     private static final double FREE_PATH_METERS = 0.01;
 
@@ -69,7 +69,7 @@ public final class SimulatedRobot implements Pioneer {
         odometryZero = pose();
         ordered = new OrderedMotion(this, floor);
         driven = new DrivenMotion(this, floor);
-        autonomy = new Autonomy(this, floor);
+        autonomy = new Autonomy(this, new FloorSurroundings(this, floor));
         sonars = new Sonars(this, floor);
     }
 
@@ -150,6 +150,7 @@ public final class SimulatedRobot implements Pioneer {
     }
 
     /** True while it executes an instruction or slows down for one: its drive must not be used. */
+    @Override
     public boolean isUnderOrder() {
         return ordered.isUnderWay() || autonomy.isAwaited();
     }
@@ -159,29 +160,30 @@ public final class SimulatedRobot implements Pioneer {
         return driven.drive();
     }
 
-    /** Its autonomous process. */
+    @Override
     public Autonomy autonomy() {
         return autonomy;
     }
 
     @Override
-    public SortedMap<Integer, String> processes() {
-        return autonomy.processes();
+    public void steer(Steering steering) {
+        drive().setSpeed(steering.metersPerSecond());
+        drive().setTurnSpeed(steering.radiansPerSecond());
     }
 
     @Override
-    public void startProcess(int number) {
-        autonomy.begin(number);
+    public void stopSteering() {
+        drive().stop();
     }
 
     @Override
-    public boolean isAutonomous() {
-        return autonomy.isActive();
+    public void countAsMoving() {
+        change(StatusEvent.MOTION_STARTED);
     }
 
     @Override
-    public void endAutonomy(Runnable stands) {
-        autonomy.endFor(stands);
+    public ProcessSenses newSenses() {
+        return new RobotSenses(this);
     }
 
     /** Moves the robot through a step of simulated time. */

@@ -7,7 +7,9 @@ final class SensesSnapshot implements Senses {
     private static final int BUMPERS = 5;
 
     private final double[] sonars = new double[SONARS];
-    private final double[] laser = new double[LASER_READINGS];
+    /** Null if the robot has none. */
+    private final double[] laser;
+
     private final boolean[] front = new boolean[BUMPERS];
     private final boolean[] rear = new boolean[BUMPERS];
     private final double x;
@@ -22,9 +24,7 @@ final class SensesSnapshot implements Senses {
         for (int i = 0; i < sonars.length; i++) {
             sonars[i] = live.sonarMeters(i);
         }
-        for (int i = 0; i < laser.length; i++) {
-            laser[i] = live.laserMeters(i);
-        }
+        laser = laser(live);
         for (int i = 0; i < BUMPERS; i++) {
             front[i] = live.isFrontBumperPressed(i);
             rear[i] = live.isRearBumperPressed(i);
@@ -37,6 +37,18 @@ final class SensesSnapshot implements Senses {
         seconds = live.seconds();
     }
 
+    private static double[] laser(Senses live) {
+        double[] ranges = new double[LASER_READINGS];
+        try {
+            for (int i = 0; i < ranges.length; i++) {
+                ranges[i] = live.laserMeters(i);
+            }
+            return ranges;
+        } catch (UnsupportedOperationException none) {
+            return null;
+        }
+    }
+
     @Override
     public double sonarMeters(int sonar) {
         return sonars[sonar];
@@ -44,6 +56,9 @@ final class SensesSnapshot implements Senses {
 
     @Override
     public double laserMeters(int reading) {
+        if (laser == null) {
+            throw new UnsupportedOperationException("this robot has no laser, expected sonarMeters");
+        }
         return laser[reading];
     }
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacket;
+import simrobot.world.World;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
@@ -55,7 +56,7 @@ final class FakePioneer implements PioneerLine {
         this.subclass = subclass;
         this.kind = kind;
         this.manner = manner;
-        robot = new RealPioneer("robot", this, new Pose(0, 0, 0), true, parameters);
+        robot = new RealPioneer("robot", this, new Pose(0, 0, 0), true, parameters, new MapOnly(World.bare()));
         // the odometry begins shortly before it wraps
         x = 32.7 * kind.millimetersPerUnit();
         robot.connected(nanos);

@@ -27,6 +27,8 @@ final class LineBench {
     final List<byte[]> sent = new ArrayList<>();
     boolean wanted;
     int drops;
+    /** Whether what the robot sends is lost. */
+    boolean deaf;
 
     private final Simulation simulation;
     private final Deque<byte[]> toRobot = new ArrayDeque<>();
@@ -38,7 +40,7 @@ final class LineBench {
     LineBench(World world) {
         simulation = new Simulation(world, 1);
         body = simulation.addRobot("body", new Position(0, 0), 0);
-        robot = new RealPioneer("robot", new Ours(), new Pose(0, 0, 0), true, Optional.empty());
+        robot = new RealPioneer("robot", new Ours(), new Pose(0, 0, 0), true, Optional.empty(), new MapOnly(world));
         robot.addStatusListener(statuses::add);
     }
 
@@ -123,7 +125,10 @@ final class LineBench {
             session.tick(simulation.timeNanos(), nanos);
         }
         for (int i = toUs.size(); i > 0 && !toUs.isEmpty(); i--) {
-            robot.received(toUs.remove(), nanos);
+            byte[] packet = toUs.remove();
+            if (!deaf) {
+                robot.received(packet, nanos);
+            }
         }
         if (closedByRobot) {
             cutLine();

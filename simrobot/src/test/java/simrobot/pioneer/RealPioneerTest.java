@@ -311,7 +311,8 @@ class RealPioneerTest {
 
     /** The far end by hand. */
     private static final class Peer implements PioneerLine {
-        private final RealPioneer robot = new RealPioneer("robot", this, new Pose(0, 0, 0), true, Optional.empty());
+        private final RealPioneer robot =
+                new RealPioneer("robot", this, new Pose(0, 0, 0), true, Optional.empty(), new MapOnly(World.bare()));
         private final java.util.ArrayList<byte[]> said = new java.util.ArrayList<>();
         private final java.util.ArrayList<MotionOutcome> outcomes = new java.util.ArrayList<>();
         private long nanos = 5_000_000_000L;
