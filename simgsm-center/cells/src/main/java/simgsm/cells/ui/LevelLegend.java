@@ -26,7 +26,7 @@ final class LevelLegend {
             return;
         }
         g.ink(Ink.CARD, 0.85);
-        g.fill(Outline.round(left - g.px(8), top - g.px(18), LEVELS_DBM.length * box + g.px(16), g.px(36), g.px(4)));
+        g.fill(Outline.round(left - g.px(34), top - g.px(18), LEVELS_DBM.length * box + g.px(42), g.px(36), g.px(4)));
         for (int i = 0; i < LEVELS_DBM.length; i++) {
             g.ink(Ink.FLOOR);
             g.bar(left + i * box, top, box, g.px(HEIGHT_UNITS));
@@ -34,7 +34,7 @@ final class LevelLegend {
             g.bar(left + i * box, top, box, g.px(HEIGHT_UNITS));
         }
         g.ink(Ink.TEXT);
-        g.text(texts.of("map.levels"), Face.SMALL, left + box / 4, top - g.px(8));
+        g.text(texts.of("map.levels"), Face.SMALL, left - g.px(16), top + g.px(HEIGHT_UNITS / 2));
         for (int i = 1; i < LEVELS_DBM.length; i++) {
             int dbm = LEVELS_DBM[i] - CoverageImage.STEP_DECIBELS / 2;
             g.text(String.valueOf(dbm), Face.SMALL, left + i * box, top - g.px(8));

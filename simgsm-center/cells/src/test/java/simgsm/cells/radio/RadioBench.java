@@ -1,6 +1,5 @@
 package simgsm.cells.radio;
 
-import java.lang.management.ManagementFactory;
 import java.util.Random;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownReader;
@@ -22,12 +21,11 @@ final class RadioBench {
         double[] levels = new double[towers];
         Random random = new Random(2);
         double sum = 0;
-        var threads = ManagementFactory.getThreadMXBean();
         long before = 0;
         int rounds = (int) (seconds / PERIOD_SECONDS);
         for (int round = -20; round < rounds; round++) {
             if (round == 0) {
-                before = threads.getCurrentThreadCpuTime();
+                before = processorNanos();
             }
             for (int i = 0; i < mobiles; i++) {
                 field.levelsDbm(random.nextDouble(10_000), random.nextDouble(10_000), levels);
@@ -35,17 +33,22 @@ final class RadioBench {
                 sum += ReceptionQuality.frameErasureRate(errors) + ReceptionQuality.blockErasureRate(errors);
             }
         }
-        double used = (threads.getCurrentThreadCpuTime() - before) / 1e9;
+        double used = (processorNanos() - before) / 1e9;
         System.out.printf(
                 "%d mobiles, %d towers: %.3f s of processor time for %d s, %.1f %% of a core (%.1f)%n",
                 mobiles, towers, used, seconds, 100 * used / seconds, sum);
     }
 
+    /** Of the whole process. */
+    private static long processorNanos() {
+        return ProcessHandle.current().info().totalCpuDuration().orElseThrow().toNanos();
+    }
+
     private static Town town(int towers) throws Exception {
         StringBuilder text = new StringBuilder("shadow 7 50\nhill h 5000 5000 radius=900 height=60\n");
         for (int i = 0; i < 30; i++) {
-            text.append("building b%d %d %d %d %d loss=15%n"
-                    .formatted(i, 300 * i, 250 * i, 300 * i + 100, 250 * i + 80));
+            text.append(
+                    "building b%d %d %d %d %d loss=15%n".formatted(i, 300 * i, 250 * i, 300 * i + 100, 250 * i + 80));
         }
         Random random = new Random(1);
         for (int i = 0; i < towers; i++) {
