@@ -32,6 +32,16 @@ final class PhoneCommands implements Console.Commands {
                     "ends the call, or rejects the ringing one; drops keys that are not sent yet; else ends a USSD dialogue",
                     (phone, command) -> phone.perform(command, Handset::hangUp))
             .add(
+                    "hold",
+                    "",
+                    "holds the call, and takes the waiting or held one; without a call takes the held one",
+                    (phone, command) -> phone.perform(command, Handset::hold))
+            .add(
+                    "reject",
+                    "",
+                    "rejects the waiting call, or ends the held one",
+                    (phone, command) -> phone.perform(command, Handset::rejectSecond))
+            .add(
                     "press",
                     "KEYS",
                     "sends keys of 0-9*#ABCD in the call, 100 ms each; blanks are ignored",

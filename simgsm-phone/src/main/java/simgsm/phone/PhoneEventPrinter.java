@@ -60,6 +60,14 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
             console.emit(Event.of("ringing").with("from", digits(ringing.from())));
         } else if (event instanceof StationEvent.CallWaits waiting) {
             console.emit(Event.of("waiting").with("from", digits(waiting.from())));
+        } else if (event instanceof StationEvent.CallHeld held) {
+            console.emit(Event.of("held").with("number", digits(held.peer())));
+        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+            console.emit(Event.of("retrieved").with("number", digits(retrieved.peer())));
+        } else if (event instanceof StationEvent.HeldCallEnded ended) {
+            console.emit(Event.of("held-over").with("cause", ended.cause().code()));
+        } else if (event instanceof StationEvent.HoldRefused) {
+            console.error("hold: the network refuses");
         } else if (event instanceof StationEvent.WaitingCallEnded) {
             console.emit(Event.of("waiting-over"));
         } else if (event instanceof StationEvent.Connected connected) {

@@ -60,7 +60,12 @@ final class PhoneTerminal implements AtTerminal {
 
     @Override
     public boolean rejectWaiting() {
-        return station.rejectWaiting();
+        return handset.rejectSecond().isEmpty();
+    }
+
+    @Override
+    public boolean hold() {
+        return handset.hold().isEmpty();
     }
 
     @Override

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
@@ -20,7 +22,6 @@ import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
-import simgsm.station.call.SpeechSource;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.context.Uplink;
@@ -36,6 +37,11 @@ abstract class ThreePhones {
     final class Phone {
         final MobileStation station;
         final List<String> told = new ArrayList<>();
+        /** What is said into this phone, the same in every sample. */
+        short level;
+
+        int heardFrames;
+        boolean heardSound;
         final Deque<IpaFrame> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
         final Peer link;
@@ -46,7 +52,7 @@ abstract class ThreePhones {
                             new Msisdn(number), Imei.of("00101753", Integer.parseInt(number) % 1_000_000), "test"),
                     Sim.WITHOUT_KEY,
                     new StationOptions(SpeechCodec.Kind.A_LAW, CallAudioListener.NONE, takesWaiting),
-                    SpeechSource.SILENCE,
+                    frame -> Arrays.fill(frame, level),
                     this::note,
                     new SplittableRandom(1));
             link = exchange.linkOpened(
@@ -102,6 +108,18 @@ abstract class ThreePhones {
                                 .orElse(""));
             } else if (event instanceof StationEvent.UssdEnded end) {
                 told.add("refused " + end.error().map(error -> error.code()).orElse(-1));
+            } else if (event instanceof StationEvent.CallHeld held) {
+                told.add("held " + held.peer().orElseThrow());
+            } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+                told.add("retrieved " + retrieved.peer().orElseThrow());
+            } else if (event instanceof StationEvent.HeldCallEnded ended) {
+                told.add("held over " + ended.cause().code());
+            } else if (event instanceof StationEvent.HoldRefused) {
+                told.add("hold refused");
+            } else if (event instanceof StationEvent.SpeechReceived speech) {
+                heardFrames++;
+                heardSound |=
+                        IntStream.range(0, speech.samples().length).anyMatch(i -> Math.abs(speech.samples()[i]) > 100);
             } else if (event instanceof StationEvent.Released released) {
                 told.add("released " + released.cause().code());
             }
@@ -110,6 +128,13 @@ abstract class ThreePhones {
         void dial(String number) {
             station.dial(new Msisdn(number));
             settle();
+        }
+
+        /** Whether sound of the far end or of the network is heard within a second. */
+        boolean hears() {
+            heardSound = false;
+            seconds(1);
+            return heardSound;
         }
 
         /** Sends a service code. @return what the network answers */

@@ -105,6 +105,20 @@ public sealed interface CallControl extends Layer3Message {
 
     record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
 
+    /** The active call is to be held (TS 24.083, 2). */
+    record Hold(TransactionIdentifier transaction) implements CallControl {}
+
+    record HoldAcknowledge(TransactionIdentifier transaction) implements CallControl {}
+
+    record HoldReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+
+    /** The held call is to be active again. */
+    record Retrieve(TransactionIdentifier transaction) implements CallControl {}
+
+    record RetrieveAcknowledge(TransactionIdentifier transaction) implements CallControl {}
+
+    record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+
     record StatusEnquiry(TransactionIdentifier transaction) implements CallControl {}
 
     /** @param callState the sender's call state as coded in TS 24.008, 10.5.4.6 (0 to 28) */

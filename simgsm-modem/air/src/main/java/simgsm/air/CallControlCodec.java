@@ -43,6 +43,10 @@ final class CallControlCodec {
             out.octet(KEYPAD_FACILITY).octet(acknowledge.key());
         } else if (message instanceof CallControl.StartDtmfReject reject) {
             CauseElement.write(out, reject.cause());
+        } else if (message instanceof CallControl.HoldReject reject) {
+            CauseElement.write(out, reject.cause());
+        } else if (message instanceof CallControl.RetrieveReject reject) {
+            CauseElement.write(out, reject.cause());
         } else if (message instanceof CallControl.Alerting alerting) {
             writeInBand(out, alerting.inBand());
         } else if (message instanceof CallControl.Disconnect disconnect) {
@@ -90,6 +94,12 @@ final class CallControlCodec {
             case START_DTMF_REJECT -> new CallControl.StartDtmfReject(ti, CauseElement.read(in));
             case STOP_DTMF -> new CallControl.StopDtmf(ti);
             case STOP_DTMF_ACKNOWLEDGE -> new CallControl.StopDtmfAcknowledge(ti);
+            case HOLD -> new CallControl.Hold(ti);
+            case HOLD_ACKNOWLEDGE -> new CallControl.HoldAcknowledge(ti);
+            case HOLD_REJECT -> new CallControl.HoldReject(ti, CauseElement.read(in));
+            case RETRIEVE -> new CallControl.Retrieve(ti);
+            case RETRIEVE_ACKNOWLEDGE -> new CallControl.RetrieveAcknowledge(ti);
+            case RETRIEVE_REJECT -> new CallControl.RetrieveReject(ti, CauseElement.read(in));
             case DISCONNECT -> readDisconnect(ti, in);
             case RELEASE -> new CallControl.Release(ti, readOptionalCause(in));
             case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(ti, readOptionalCause(in));

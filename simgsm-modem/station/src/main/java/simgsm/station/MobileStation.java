@@ -238,7 +238,12 @@ public final class MobileStation implements StationCommands {
 
     @Override
     public boolean rejectWaiting() {
-        return settled(call.rejectWaiting());
+        return settled(call.clearSecond());
+    }
+
+    @Override
+    public boolean hold() {
+        return settled(call.hold());
     }
 
     @Override

@@ -65,8 +65,16 @@ public interface StationCommands {
      */
     int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter);
 
-    /** Rejects the waiting call with cause 17. @return false if there is none */
+    /** Rejects the waiting call with cause 17, or ends the held one. @return false if there is neither */
     boolean rejectWaiting();
+
+    /**
+     * Holds the active call; then the waiting call is answered, or the held one is active again. Without an active call the
+     * held one is.
+     *
+     * @return false if there is no such call, or the network has still to answer
+     */
+    boolean hold();
 
     /**
      * Whether there is room for received messages. Without room the network is refused (RP cause 22) and keeps them; once

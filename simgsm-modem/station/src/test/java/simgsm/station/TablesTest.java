@@ -37,7 +37,9 @@ class TablesTest {
     @Test
     void theEndOfACallIsToldExactlyOnceOnEveryWay() {
         forAllCallRows((state, event, row) -> {
-            boolean begins = !RELEASE_REPORTED.contains(state) && RELEASE_REPORTED.contains(row.next());
+            boolean begins = !RELEASE_REPORTED.contains(state)
+                    && RELEASE_REPORTED.contains(row.next())
+                    && event != MobileCallEvent.CALL_HELD;
             int told = Collections.frequency(row.actions(), MobileCallAction.REPORT_RELEASED);
             assertEquals(begins ? 1 : 0, told, state + " " + event);
         });
@@ -57,7 +59,8 @@ class TablesTest {
     void everyWayIntoNullGivesTheRadioBackUnlessItIsGone() {
         forAllCallRows((state, event, row) -> {
             boolean neverAsked = state == MobileCallState.MM_CONNECTION_PENDING && event == MobileCallEvent.RADIO_LOST;
-            if (row.next() == MobileCallState.NULL && state != MobileCallState.NULL && !neverAsked) {
+            boolean goesOn = event == MobileCallEvent.CALL_HELD;
+            if (row.next() == MobileCallState.NULL && state != MobileCallState.NULL && !neverAsked && !goesOn) {
                 assertTrue(row.actions().contains(MobileCallAction.RELEASE_CONNECTION), state + " " + event);
             }
         });

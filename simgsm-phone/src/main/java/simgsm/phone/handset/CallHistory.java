@@ -11,12 +11,22 @@ import simgsm.station.context.StationEvent;
 
 /** Writes each call of the station to the log when it ends. */
 final class CallHistory {
+    /** A call that has not ended. @param kind MISSED while it is not taken */
+    private record Begun(Kind kind, String number, Instant at) {
+        CallRecord ended(boolean isTaken, int seconds) {
+            return new CallRecord(kind == Kind.MISSED && isTaken ? Kind.RECEIVED : kind, number, at, seconds);
+        }
+    }
+
     private final CallLog log;
     private final InstantSource wallClock;
-    private Kind kind;
-    private String number = "";
-    private Instant at;
+    private Optional<Begun> current = Optional.empty();
     private boolean isTaken;
+    private Optional<Begun> held = Optional.empty();
+    private int heldSeconds;
+    /** The call that was held when another was put in its place: the two change places. */
+    private Optional<Begun> beside = Optional.empty();
+
     private Optional<String> waiting = Optional.empty();
     private Instant waitingAt;
 
@@ -30,32 +40,52 @@ final class CallHistory {
         isTaken = true;
     }
 
-    /** @param seconds of conversation so far */
+    /** @param seconds of conversation so far, in the current call */
     void accept(StationEvent.OfCall event, int seconds) {
         if (event instanceof StationEvent.Calling calling) {
             begin(Kind.DIALLED, calling.number().digits(), wallClock.instant());
         } else if (event instanceof StationEvent.Ringing ringing) {
-            boolean waited = waiting.isPresent();
-            begin(Kind.MISSED, digits(ringing.from()), waited ? waitingAt : wallClock.instant());
+            begin(Kind.MISSED, digits(ringing.from()), waiting.isPresent() ? waitingAt : wallClock.instant());
             waiting = Optional.empty();
         } else if (event instanceof StationEvent.Connected) {
+            // A waiting call that is answered does not ring first.
+            current = current.or(() -> waiting.map(caller -> new Begun(Kind.MISSED, caller, waitingAt)));
+            waiting = Optional.empty();
             isTaken = true;
-        } else if (event instanceof StationEvent.Released && kind != null) {
-            log.add(new CallRecord(kind == Kind.MISSED && isTaken ? Kind.RECEIVED : kind, number, at, seconds));
-            kind = null;
+        } else if (event instanceof StationEvent.Released) {
+            current.ifPresent(begun -> log.add(begun.ended(isTaken, seconds)));
+            current = Optional.empty();
         } else if (event instanceof StationEvent.CallWaits waits) {
             waiting = Optional.of(digits(waits.from()));
             waitingAt = wallClock.instant();
         } else if (event instanceof StationEvent.WaitingCallEnded) {
             waiting.ifPresent(caller -> log.add(new CallRecord(Kind.MISSED, caller, waitingAt, 0)));
             waiting = Optional.empty();
+        } else {
+            acceptHold(event, seconds);
+        }
+    }
+
+    private void acceptHold(StationEvent.OfCall event, int seconds) {
+        if (event instanceof StationEvent.CallHeld) {
+            beside = held;
+            held = current;
+            heldSeconds = seconds;
+            current = Optional.empty();
+        } else if (event instanceof StationEvent.CallRetrieved) {
+            boolean isSwap = beside.isPresent();
+            current = isSwap ? beside : held;
+            held = isSwap ? held : Optional.empty();
+            beside = Optional.empty();
+            isTaken = true;
+        } else if (event instanceof StationEvent.HeldCallEnded) {
+            held.ifPresent(begun -> log.add(begun.ended(true, heldSeconds)));
+            held = Optional.empty();
         }
     }
 
     private void begin(Kind newKind, String newNumber, Instant begun) {
-        kind = newKind;
-        number = newNumber;
-        at = begun;
+        current = Optional.of(new Begun(newKind, newNumber, begun));
         isTaken = false;
     }
 

@@ -14,6 +14,7 @@ import simgsm.phone.screen.CallPhase;
  * @param heard the keys received, newest last
  * @param ended the cause of the release, until the next key or call
  * @param waiting number of a second caller, empty text if unknown
+ * @param held number of the party whose call is held, empty text if unknown
  */
 public record CallSnapshot(
         CallPhase phase,
@@ -22,13 +23,14 @@ public record CallSnapshot(
         String keyed,
         String heard,
         Optional<Cause> ended,
-        Optional<String> waiting) {
+        Optional<String> waiting,
+        Optional<String> held) {
     private static final int MAX_KEYS = 200;
 
     static final CallSnapshot NONE = begun(CallPhase.NONE, "");
 
     static CallSnapshot begun(CallPhase phase, String number) {
-        return new CallSnapshot(phase, number, 0, "", "", Optional.empty(), Optional.empty());
+        return new CallSnapshot(phase, number, 0, "", "", Optional.empty(), Optional.empty(), Optional.empty());
     }
 
     /** The newest key from the far end. */
@@ -37,31 +39,36 @@ public record CallSnapshot(
     }
 
     CallSnapshot in(CallPhase next, String newNumber) {
-        return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting);
+        return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting, held);
     }
 
     CallSnapshot at(int newSeconds) {
-        return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting);
+        return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting, held);
     }
 
     CallSnapshot withKeyed(char key) {
-        return new CallSnapshot(phase, number, seconds, newest(keyed + key), heard, ended, waiting);
+        return new CallSnapshot(phase, number, seconds, newest(keyed + key), heard, ended, waiting, held);
     }
 
     CallSnapshot withHeard(char key) {
-        return new CallSnapshot(phase, number, seconds, keyed, newest(heard + key), ended, waiting);
+        return new CallSnapshot(phase, number, seconds, keyed, newest(heard + key), ended, waiting, held);
     }
 
     CallSnapshot ended(Cause cause) {
-        return new CallSnapshot(CallPhase.NONE, number, seconds, keyed, heard, Optional.of(cause), Optional.empty());
+        return new CallSnapshot(
+                CallPhase.NONE, number, seconds, keyed, heard, Optional.of(cause), Optional.empty(), held);
     }
 
     CallSnapshot withWaiting(Optional<String> caller) {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, caller);
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, caller, held);
+    }
+
+    CallSnapshot withHeld(Optional<String> party) {
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, waiting, party);
     }
 
     CallSnapshot withoutCause() {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, Optional.empty(), waiting);
+        return new CallSnapshot(phase, number, seconds, keyed, heard, Optional.empty(), waiting, held);
     }
 
     private static String newest(String keys) {

@@ -160,6 +160,16 @@ public final class Handset {
         return station.hangUp() || station.endUssd() ? Optional.empty() : Optional.of(Refusal.NO_CALL);
     }
 
+    /** Holds the active call and takes the waiting or held one; without an active call takes the held one. */
+    public Optional<Refusal> hold() {
+        return station.hold() ? Optional.empty() : Optional.of(Refusal.NOTHING_TO_HOLD);
+    }
+
+    /** Rejects the waiting call, or ends the held one. */
+    public Optional<Refusal> rejectSecond() {
+        return station.rejectWaiting() ? Optional.empty() : Optional.of(Refusal.NO_SECOND_CALL);
+    }
+
     /** Sends a USSD code, or the reply that the network waits for. */
     public Optional<Refusal> ussd(String text) {
         if (!isPowered()) {
@@ -301,7 +311,8 @@ public final class Handset {
             }
             return;
         }
-        if (key == PhoneKey.END && call.phase() != CallPhase.NONE) {
+        boolean hasHeld = call.snapshot().held().isPresent();
+        if (key == PhoneKey.END && (call.phase() != CallPhase.NONE || hasHeld && screens.isHome())) {
             screens.home();
             hangUp();
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
@@ -348,6 +359,8 @@ public final class Handset {
             case ANSWER -> answer();
             case HANG_UP -> hangUp();
             case SILENCE -> silence();
+            case HOLD -> hold();
+            case REJECT_SECOND -> rejectSecond();
             case END_USSD -> station.endUssd();
             case LOUDER -> set(settings.withVolume(settings.volume() + 1));
             case QUIETER -> set(settings.withVolume(settings.volume() - 1));
@@ -382,8 +395,14 @@ public final class Handset {
     }
 
     private HomeKeys.Situation situation() {
+        CallSnapshot now = call.snapshot();
         return new HomeKeys.Situation(
-                call.phase(), ringIsSilent, mailbox.unread(MessageFolder.INBOX), log.unseenMissed());
+                now.phase(),
+                ringIsSilent,
+                now.waiting().isPresent(),
+                now.held().isPresent(),
+                mailbox.unread(MessageFolder.INBOX),
+                log.unseenMissed());
     }
 
     private void dial(String text) {

@@ -89,6 +89,13 @@ final class HandsetAudio {
             earpiece.callEnded();
             supervisory.ended(released.cause());
             beginLocally();
+        } else if (event instanceof StationEvent.CallHeld) {
+            connected = false;
+            sender.drop();
+            earpiece.callEnded();
+            stopTones();
+        } else if (event instanceof StationEvent.CallRetrieved) {
+            connected();
         } else if (event instanceof StationEvent.NetworkPlaysTones tones) {
             setNetworkPlaysTones(tones.playing());
         }

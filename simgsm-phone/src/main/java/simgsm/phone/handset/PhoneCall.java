@@ -12,6 +12,10 @@ final class PhoneCall {
 
     private CallSnapshot call = CallSnapshot.NONE;
     private long frames;
+    /** Of the held call, and of the one that was held before it when the two change places. */
+    private long heldFrames;
+
+    private long formerlyHeldFrames;
 
     CallPhase phase() {
         return call.phase();
@@ -30,19 +34,48 @@ final class PhoneCall {
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
             call = call.in(CallPhase.ALERTING, call.number());
         } else if (event instanceof StationEvent.Connected connected) {
-            String number = connected.peer().map(Msisdn::digits).orElse(call.number());
-            call = call.in(CallPhase.CONNECTED, number);
+            connected(connected.peer().map(Msisdn::digits).orElse(call.number()));
         } else if (event instanceof StationEvent.CallWaits waiting) {
             call = call.withWaiting(Optional.of(digits(waiting.from())));
         } else if (event instanceof StationEvent.WaitingCallEnded) {
             call = call.withWaiting(Optional.empty());
+        } else if (event instanceof StationEvent.CallHeld held) {
+            park(digits(held.peer()));
+        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+            retrieve(digits(retrieved.peer()));
+        } else if (event instanceof StationEvent.HeldCallEnded) {
+            call = call.withHeld(Optional.empty());
         } else if (event instanceof StationEvent.Released released) {
             call = call.ended(released.cause());
         }
     }
 
+    /** A waiting call is answered without ringing first. */
+    private void connected(String number) {
+        if (phase() == CallPhase.NONE) {
+            begin(CallPhase.CONNECTED, number);
+        }
+        call = call.in(CallPhase.CONNECTED, number);
+    }
+
+    /** The current call is held; another may become the current one. */
+    private void park(String number) {
+        formerlyHeldFrames = heldFrames;
+        heldFrames = frames;
+        call = CallSnapshot.begun(CallPhase.NONE, "").withHeld(Optional.of(number));
+        frames = 0;
+    }
+
+    private void retrieve(String number) {
+        boolean isSwap = call.held().filter(held -> !held.equals(number)).isPresent();
+        long back = isSwap ? formerlyHeldFrames : heldFrames;
+        Optional<String> held = isSwap ? call.held() : Optional.empty();
+        call = CallSnapshot.begun(CallPhase.CONNECTED, number).withHeld(held);
+        frames = back;
+    }
+
     private void begin(CallPhase phase, String number) {
-        call = CallSnapshot.begun(phase, number);
+        call = CallSnapshot.begun(phase, number).withHeld(call.held());
         frames = 0;
     }
 

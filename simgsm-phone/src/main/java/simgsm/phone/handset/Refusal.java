@@ -7,6 +7,8 @@ public enum Refusal {
     NOTHING_RINGS("no call rings"),
     NOT_ANSWERED("the call is not answered; answer first"),
     SWITCHED_OFF("the phone is switched off; power on first"),
+    NOTHING_TO_HOLD("there is no active call and no held one, or the network has still to answer"),
+    NO_SECOND_CALL("no call waits or is held"),
     EMPTY_TEXT("the message has no text"),
     TEXT_TOO_LONG("the text needs more than 255 messages"),
     USSD_UNDER_WAY("a USSD dialogue is under way, and the network does not wait for a reply"),

@@ -10,7 +10,12 @@ import simgsm.phone.store.MessageFolder;
 /** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
 public final class HomeKeys {
     /** What the home screen tells, on which its keys depend. */
-    public record Situation(CallPhase phase, boolean ringIsSilent, int unread, int missed) {}
+    public record Situation(
+            CallPhase phase, boolean ringIsSilent, boolean waits, boolean holds, int unread, int missed) {
+        boolean isActive() {
+            return phase == CallPhase.CONNECTED;
+        }
+    }
 
     private static final int MAX_TYPED = 40;
     /** A key held this long does its second function: 1 opens the mailbox, 0 becomes a plus sign. */
@@ -66,9 +71,14 @@ public final class HomeKeys {
                 if (!typed.isEmpty()) {
                     yield new SoftKeys("soft.save", "soft.clear");
                 }
+                if (now.holds()) {
+                    yield new SoftKeys("soft.retrieve", "soft.names");
+                }
                 yield new SoftKeys(
                         now.unread() > 0 ? "soft.read" : now.missed() > 0 ? "soft.show" : "soft.menu", "soft.names");
             }
+            case CONNECTED ->
+                new SoftKeys("soft.options", now.waits() ? "soft.take" : now.holds() ? "soft.swap" : "soft.hold");
             default -> new SoftKeys("soft.menu", "soft.names");
         };
     }
@@ -107,6 +117,8 @@ public final class HomeKeys {
             case "soft.read" -> screens.open(MessageFolder.INBOX);
             case "soft.show" -> screens.open(CallRecord.Kind.MISSED);
             case "soft.names" -> screens.openNames();
+            case "soft.hold", "soft.swap", "soft.take", "soft.retrieve" -> Simple.HOLD;
+            case "soft.options" -> screens.openCallOptions(now);
             default -> screens.openMenu();
         };
     }
@@ -125,10 +137,16 @@ public final class HomeKeys {
         return typed.isEmpty() ? screens.openMenu() : call(now);
     }
 
-    /** Calls the number; without one the numbers dialled before are shown, the newest selected. */
+    /**
+     * Calls the number; without one the numbers dialled before are shown, the newest selected. With a second call it
+     * changes between the two.
+     */
     private KeyIntent call(Situation now) {
         if (now.phase() != CallPhase.NONE) {
-            return Simple.NOTHING;
+            return now.isActive() && (now.waits() || now.holds()) ? Simple.HOLD : Simple.NOTHING;
+        }
+        if (typed.isEmpty() && now.holds()) {
+            return Simple.HOLD;
         }
         return typed.isEmpty() ? screens.open(CallRecord.Kind.DIALLED) : new KeyIntent.DialText(typed());
     }

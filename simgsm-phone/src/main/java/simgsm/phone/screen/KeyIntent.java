@@ -14,6 +14,10 @@ public sealed interface KeyIntent {
         HANG_UP,
         /** The ring is not heard any more; the call goes on ringing. */
         SILENCE,
+        /** Holds the active call, or takes the held or waiting one. */
+        HOLD,
+        /** Rejects the waiting call, or ends the held one. */
+        REJECT_SECOND,
         END_USSD,
         LOUDER,
         QUIETER,

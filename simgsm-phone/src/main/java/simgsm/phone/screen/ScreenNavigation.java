@@ -1,5 +1,6 @@
 package simgsm.phone.screen;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
@@ -75,6 +76,21 @@ public final class ScreenNavigation {
                             stack.home();
                             return Simple.SWITCH_OFF;
                         }))));
+    }
+
+    /** What can be done in a call. */
+    KeyIntent openCallOptions(HomeKeys.Situation now) {
+        List<ListItem> items = new ArrayList<>();
+        ListPage page = ListPage.menu(stack, "soft.options", () -> items);
+        String hold = now.waits() ? "option.take" : now.holds() ? "option.swap" : "option.hold";
+        items.add(page.closing(hold, () -> Simple.HOLD));
+        if (now.waits() || now.holds()) {
+            items.add(page.closing(now.waits() ? "option.reject" : "option.end_held", () -> Simple.REJECT_SECOND));
+        }
+        items.add(page.closing("option.end", () -> Simple.HANG_UP));
+        items.add(page.closing("menu.names", names::list));
+        items.add(page.closing("key.menu", this::openMenu));
+        return stack.open(page);
     }
 
     private KeyIntent openAbout() {

@@ -47,6 +47,8 @@ final class LcdHome {
             call(pen, phone);
         } else if (!phone.typed().isEmpty()) {
             typed(pen, phone);
+        } else if (call.held().isPresent()) {
+            held(pen, phone);
         } else if (call.ended().isPresent()) {
             ended(pen, phone);
         } else {
@@ -122,6 +124,15 @@ final class LcdHome {
                 .orElseGet(() -> texts.of(phone.station().linkUp() ? "lcd.registering" : "lcd.nocenter"));
     }
 
+    /** There is only a call that is held. */
+    private void held(LcdPen pen, HandsetSnapshot phone) {
+        pen.left(texts.of("lcd.on_hold"), pen.sans(13, true), LcdPen.MARGIN, 53);
+        String number = phone.call().held().orElseThrow();
+        String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
+        pen.left(party, pen.sans(20, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        pen.hint(texts.of("lcd.hint.held"), HINT_BASELINE);
+    }
+
     private void typed(LcdPen pen, HandsetSnapshot phone) {
         LcdLine.paint(pen, phone.typed(), phone.caret(), 92, false);
         String name = phone.nameOf(phone.typed());
@@ -166,7 +177,9 @@ final class LcdHome {
             tone(pen, call.heard(), 143);
         }
         if (call.waiting().isPresent()) {
-            waiting(pen, phone, call.waiting().get());
+            second(pen, phone, "lcd.waiting", call.waiting().get());
+        } else if (call.held().isPresent()) {
+            second(pen, phone, "lcd.held", call.held().get());
         } else if (call.heard().isEmpty() || call.phase() != CallPhase.CONNECTED) {
             pen.hint(texts.of(hintKey(phone)), HINT_BASELINE);
         }
@@ -189,10 +202,10 @@ final class LcdHome {
         }
     }
 
-    /** A second caller, in inverse video over the keys. */
-    private void waiting(LcdPen pen, HandsetSnapshot phone, String number) {
-        String caller = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
-        pen.inverse(texts.of("lcd.waiting", caller), pen.sans(13, true), LcdPen.MARGIN, 151, 18);
+    /** The other party, in inverse video. @param key of the bundle: does it wait, or is it held? */
+    private void second(LcdPen pen, HandsetSnapshot phone, String key, String number) {
+        String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
+        pen.inverse(texts.of(key, party), pen.sans(13, true), LcdPen.MARGIN, 153, 17);
     }
 
     private static String hintKey(HandsetSnapshot phone) {

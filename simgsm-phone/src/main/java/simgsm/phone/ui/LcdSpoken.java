@@ -82,6 +82,11 @@ final class LcdSpoken {
 
     private String home(HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
+        if (call.phase() == CallPhase.NONE
+                && call.held().isPresent()
+                && phone.typed().isEmpty()) {
+            return texts.of("lcd.held", phone.nameOf(call.held().get()));
+        }
         if (call.phase() == CallPhase.NONE) {
             return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() + news(phone) : phone.typed();
         }
@@ -93,6 +98,9 @@ final class LcdSpoken {
         String waiting = call.waiting()
                 .map(number -> ", " + texts.of("lcd.waiting", phone.nameOf(number)))
                 .orElse("");
-        return name("lcd.call.", call.phase()) + " " + phone.nameOf(call.number()) + tone + meaning + waiting;
+        String held = call.held()
+                .map(number -> ", " + texts.of("lcd.held", phone.nameOf(number)))
+                .orElse("");
+        return name("lcd.call.", call.phase()) + " " + phone.nameOf(call.number()) + tone + meaning + waiting + held;
     }
 }

@@ -126,7 +126,14 @@ public final class FakeStation implements StationCommands {
 
     @Override
     public boolean rejectWaiting() {
-        return false;
+        asked.add("reject");
+        return true;
+    }
+
+    @Override
+    public boolean hold() {
+        asked.add("hold");
+        return true;
     }
 
     @Override

@@ -33,6 +33,7 @@ public final class CallLeg implements PagedTransaction {
     private final NetworkTones networkTones;
     private Timer guard;
     private boolean isReleaseRepeated;
+    private boolean isHeld;
     /** Why the leg is cleared, for the other leg. */
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     /** The cause in the clearing message to the mobile; empty if the mobile clears. */
@@ -133,12 +134,64 @@ public final class CallLeg implements PagedTransaction {
             keyTones().start(start.key());
         } else if (message instanceof CallControl.StopDtmf) {
             keyTones().stop();
+        } else if (message instanceof CallControl.Hold) {
+            hold();
+        } else if (message instanceof CallControl.Retrieve) {
+            retrieve();
         } else if (message instanceof CallControl.Status status) {
             if (status.callState() == NetworkCallState.NULL.code()) {
                 fire(NetworkCallEvent.STATUS_NULL_RECEIVED, status.cause(), Optional.empty());
             }
         } else if (!receiveForTable(message)) {
             sendStatus(Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+        }
+    }
+
+    /** Whether speech passes between the mobile and this leg. */
+    boolean speaks() {
+        return state().speaks() && !isHeld;
+    }
+
+    /** Whether the mobile holds the call (TS 24.083, 2). */
+    boolean isHeld() {
+        return isHeld;
+    }
+
+    private void hold() {
+        if (state() == NetworkCallState.ACTIVE && !isHeld) {
+            isHeld = true;
+            endKeys();
+            link.send(new CallControl.HoldAcknowledge(transaction));
+            call.holdChanged(this);
+        } else {
+            link.send(new CallControl.HoldReject(transaction, Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE));
+        }
+    }
+
+    /** Only while no other call is active. */
+    private void retrieve() {
+        boolean isFree = legs.live().stream().noneMatch(leg -> leg != this && !leg.isHeld);
+        if (isHeld && isFree) {
+            isHeld = false;
+            link.send(new CallControl.RetrieveAcknowledge(transaction));
+            call.holdChanged(this);
+        } else {
+            link.send(new CallControl.RetrieveReject(transaction, Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE));
+        }
+    }
+
+    /** The other party holds the call, or has taken it back: this mobile hears a tone meanwhile. */
+    void heldByOther(boolean nowHeld) {
+        if (nowHeld && state().speaks()) {
+            networkTones.playHold();
+        } else {
+            networkTones.stop();
+        }
+    }
+
+    private void endKeys() {
+        if (keyTones != null) {
+            keyTones.end();
         }
     }
 
@@ -192,8 +245,8 @@ public final class CallLeg implements PagedTransaction {
         announcesTone = announcesTone(before);
         networkTones.stop();
         restartGuard();
-        if (keyTones != null && !state().speaks()) {
-            keyTones.end();
+        if (!state().speaks()) {
+            endKeys();
         }
         legs.changed(this);
     }

@@ -70,7 +70,7 @@ final class LinkCalls {
     /** The leg whose state passes speech, or null. */
     CallLeg speakingLeg() {
         for (int i = 0; i < legs.size(); i++) {
-            if (legs.get(i).state().speaks()) {
+            if (legs.get(i).speaks()) {
                 return legs.get(i);
             }
         }

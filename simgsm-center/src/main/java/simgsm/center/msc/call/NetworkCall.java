@@ -131,7 +131,16 @@ public final class NetworkCall {
     /** The leg that hears this one; null if none does. */
     CallLeg listenerOf(CallLeg leg) {
         CallLeg other = other(leg);
-        return other != null && other.state().speaks() ? other : null;
+        return other != null && other.speaks() && leg.speaks() ? other : null;
+    }
+
+    /** A mobile holds the call or has taken it back; a party who is not holding hears a tone meanwhile. */
+    void holdChanged(CallLeg leg) {
+        CallLeg other = other(leg);
+        if (other != null) {
+            other.heldByOther(leg.isHeld() && !other.isHeld());
+            leg.heldByOther(!leg.isHeld() && other.isHeld());
+        }
     }
 
     void offered() {

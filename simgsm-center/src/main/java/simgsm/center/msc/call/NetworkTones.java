@@ -1,5 +1,6 @@
 package simgsm.center.msc.call;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import simgsm.abis.IpaFrame;
@@ -20,7 +21,13 @@ import simgsm.timer.Timer;
  */
 final class NetworkTones {
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    private static final int HOLD_DBM0 = -20;
     private static final long NANOS_PER_SAMPLE = 125_000;
+    private static final ToneCadence HOLD = new ToneCadence(List.of(
+            ToneCadence.burst(100, HOLD_DBM0, 425.0),
+            ToneCadence.pause(100),
+            ToneCadence.burst(100, HOLD_DBM0, 425.0),
+            ToneCadence.pause(4_700)));
     /** The RTP source: "prog". */
     private static final int SOURCE = 0x70726f67;
 
@@ -61,6 +68,13 @@ final class NetworkTones {
             player.start(cadence);
             frameDue();
         });
+    }
+
+    /** Plays the tone of a call that the other party holds, until {@link #stop}: two soft beeps every 5 s. */
+    void playHold() {
+        stop();
+        player.start(HOLD);
+        frameDue();
     }
 
     void stop() {

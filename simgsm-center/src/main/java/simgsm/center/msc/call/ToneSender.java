@@ -69,7 +69,7 @@ public final class ToneSender {
 
     /** START DTMF. */
     void start(char key) {
-        if (leg.listener() == null || !leg.state().speaks()) {
+        if (leg.listener() == null || !leg.speaks()) {
             reject(Cause.SERVICE_NOT_AVAILABLE);
         } else if (keys.size() == MAX_KEYS) {
             reject(Cause.RESOURCES_UNAVAILABLE);

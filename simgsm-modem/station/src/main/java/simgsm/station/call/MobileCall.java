@@ -1,5 +1,6 @@
 package simgsm.station.call;
 
+import java.util.Map;
 import java.util.Optional;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
@@ -8,21 +9,31 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.state.StateMachine;
+import simgsm.station.call.CallHoldTable.CallHoldAction;
+import simgsm.station.call.CallHoldTable.CallHoldEvent;
+import simgsm.station.call.CallHoldTable.CallHoldState;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
 import simgsm.station.mobility.ServiceRequests;
 
-/** The one call of a station; runs by {@link MobileCallTable}. */
+/** The current call of a station, which runs by {@link MobileCallTable}, and the one beside it. */
 public final class MobileCall implements ServiceRequests.ServiceUser {
     private static final int TRANSACTIONS = 7;
+
+    private static final Map<Class<? extends CallControl>, CallHoldEvent> HOLD_ANSWERS = Map.of(
+            CallControl.HoldAcknowledge.class, CallHoldEvent.HOLD_ACKNOWLEDGE,
+            CallControl.HoldReject.class, CallHoldEvent.HOLD_REJECT,
+            CallControl.RetrieveAcknowledge.class, CallHoldEvent.RETRIEVE_ACKNOWLEDGE,
+            CallControl.RetrieveReject.class, CallHoldEvent.RETRIEVE_REJECT);
 
     private final StationContext context;
     private final ServiceRequests services;
     private final SpeechPath speech;
     private final KeySignalling keys;
     private final boolean callWaiting;
-    private final WaitingCall waiting;
+    private final SecondCall second;
+    private final StateMachine<CallHoldState, CallHoldEvent, CallHoldAction> hold;
     private final StateMachine<MobileCallState, MobileCallEvent, MobileCallAction> machine;
     /** As in the messages sent; null in state NULL. */
     private TransactionIdentifier transaction;
@@ -39,6 +50,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private boolean networkPlaysTones;
 
+    /** Whether the held call follows the one that is being cleared. */
+    private boolean retrievesNext;
+
     /** Dialled while the previous call was being cleared. */
     private Optional<Msisdn> next = Optional.empty();
 
@@ -54,7 +68,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         this.speech = speech;
         this.keys = keys;
         this.callWaiting = callWaiting;
-        this.waiting = new WaitingCall(context);
+        this.second = new SecondCall(context, this::heldEnded);
+        hold = new StateMachine<>(CallHoldTable.TABLE, context.identity().number(), this::perform);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
     }
 
@@ -80,14 +95,19 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private boolean begin(Msisdn number) {
         peer = Optional.of(number);
-        transaction = new TransactionIdentifier(nextTransaction, false);
-        nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
+        transaction = freeTransaction();
         fire(MobileCallEvent.DIAL);
         if (!services.isAvailable()) {
             context.timers().start(StationTimer.CALL_WAIT, () -> refused(RejectCause.NETWORK_FAILURE));
             checkService();
         }
         return true;
+    }
+
+    private TransactionIdentifier freeTransaction() {
+        TransactionIdentifier free = new TransactionIdentifier(nextTransaction, false);
+        nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
+        return second.has(free.answered()) ? freeTransaction() : free;
     }
 
     /** Lets a call that waits for service go on or end once registration has succeeded or was refused. */
@@ -132,6 +152,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             cancelNext(reported);
             return true;
         }
+        if (state() == MobileCallState.NULL && second.isHeld()) {
+            return second.clear();
+        }
         return machine.accepts(MobileCallEvent.CLEAR) && fire(MobileCallEvent.CLEAR, sent, reported);
     }
 
@@ -141,16 +164,86 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         next = Optional.empty();
     }
 
-    /** Rejects the waiting call. @return false if there is none */
-    public boolean rejectWaiting() {
-        return waiting.reject();
+    /** Rejects the waiting call, or ends the held one. @return false if there is neither */
+    public boolean clearSecond() {
+        return second.clear();
+    }
+
+    /**
+     * Holds the active call; the waiting call is then answered, the held one is given back. While the current call is being
+     * cleared, the held one is given back after it.
+     *
+     * @return false if there is neither an active call nor a held one, or the network has still to answer
+     */
+    public boolean hold() {
+        if (state() == MobileCallState.ACTIVE) {
+            return fireHold(second.isHeld() ? CallHoldEvent.USER_SWAPS : CallHoldEvent.USER_HOLDS);
+        }
+        if (MobileCallTable.CLEARING.contains(state()) && second.isHeld()) {
+            retrievesNext = true;
+            return true;
+        }
+        return state() == MobileCallState.NULL && second.isHeld() && fireHold(CallHoldEvent.USER_RETRIEVES);
+    }
+
+    private boolean fireHold(CallHoldEvent event) {
+        return hold.accepts(event) && hold.fire(event);
+    }
+
+    /** A message has arrived. @return whether it answers HOLD or RETRIEVE */
+    boolean holdAnswered(CallControl message) {
+        CallHoldEvent event = HOLD_ANSWERS.get(message.getClass());
+        if (event != null) {
+            hold.fire(event);
+        }
+        return event != null;
+    }
+
+    private void perform(CallHoldAction action) {
+        switch (action) {
+            case SEND_HOLD -> send(new CallControl.Hold(transaction));
+            case SEND_RETRIEVE -> send(new CallControl.Retrieve(second.transaction()));
+            case START_TIMER -> context.timers().start(StationTimer.CALL_HOLD, () -> hold.fire(CallHoldEvent.EXPIRED));
+            case STOP_TIMER -> context.timers().stop(StationTimer.CALL_HOLD);
+            case PARK, EXCHANGE -> park();
+            case RESUME -> second.take().ifPresent(this::resume);
+            case CLEAR_HELD -> second.clear();
+            case REPORT_REFUSED -> report(new StationEvent.HoldRefused());
+        }
+    }
+
+    /** The active call becomes the held one; the one beside it, if there is one, becomes the current call. */
+    private void park() {
+        TransactionIdentifier held = transaction;
+        Optional<Msisdn> number = peer;
+        Optional<SecondCall.Party> other = second.take();
+        fire(MobileCallEvent.CALL_HELD);
+        second.hold(held, number);
+        other.ifPresent(this::resume);
+    }
+
+    private void resume(SecondCall.Party party) {
+        transaction = party.received().answered();
+        peer = party.number();
+        fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
+    }
+
+    /** Without a held and a current call the connection is not needed. */
+    private void heldEnded() {
+        hold.fire(CallHoldEvent.HELD_ENDED);
+        if (state() == MobileCallState.NULL) {
+            services.release(ServiceType.MOBILE_ORIGINATED_CALL);
+        }
     }
 
     public void powerOff() {
         if (next.isPresent()) {
             cancelNext(Cause.NORMAL_CALL_CLEARING);
         }
-        waiting.end();
+        if (second.isHeld()) {
+            second.clear();
+        }
+        second.end(Cause.NORMAL_CALL_CLEARING);
         fire(MobileCallEvent.POWER_OFF);
     }
 
@@ -177,7 +270,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             services.request(ServiceType.MOBILE_ORIGINATED_CALL);
             return;
         }
-        waiting.end();
+        second.end(Cause.TEMPORARY_FAILURE);
         fire(MobileCallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
     }
 
@@ -235,7 +328,10 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             keys.end();
             transaction = null;
             peer = Optional.empty();
-            beginNext();
+            if (event != MobileCallEvent.CALL_HELD) {
+                hold.fire(CallHoldEvent.ACTIVE_ENDED);
+                beginNext();
+            }
         }
         return accepted;
     }
@@ -245,23 +341,26 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         next = Optional.empty();
         if (number.isPresent()) {
             begin(number.get());
-        } else {
-            waiting.take().ifPresent(call -> ring(call.received(), call.caller(), MobileCallEvent.TAKE_WAITING));
+        } else if (second.isWaiting()) {
+            second.take().ifPresent(call -> ring(call.received(), call.number(), MobileCallEvent.TAKE_WAITING));
+        } else if (retrievesNext && second.isHeld()) {
+            fireHold(CallHoldEvent.USER_RETRIEVES);
         }
+        retrievesNext = false;
     }
 
-    WaitingCall waiting() {
-        return waiting;
+    SecondCall second() {
+        return second;
     }
 
     boolean acceptsWaitingCall() {
-        return callWaiting && state() == MobileCallState.ACTIVE && !waiting.isPresent();
+        return callWaiting && state() == MobileCallState.ACTIVE && !second.isPresent();
     }
 
     private void perform(MobileCallAction action) {
         switch (action) {
             case REQUEST_CONNECTION -> services.request(ServiceType.MOBILE_ORIGINATED_CALL);
-            case RELEASE_CONNECTION -> services.release(ServiceType.MOBILE_ORIGINATED_CALL);
+            case RELEASE_CONNECTION -> releaseConnection();
             case SEND_SETUP -> send(new CallControl.Setup(transaction, Optional.empty(), peer));
             case SEND_CALL_CONFIRMED -> send(new CallControl.CallConfirmed(transaction));
             case SEND_ALERTING -> send(new CallControl.Alerting(transaction));
@@ -284,6 +383,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             case REPORT_ALERTED -> report(new StationEvent.CalledPartyAlerted());
             case REPORT_RINGING -> report(new StationEvent.Ringing(peer));
             case REPORT_CONNECTED -> report(new StationEvent.Connected(peer));
+            case REPORT_HELD -> report(new StationEvent.CallHeld(peer));
+            case REPORT_RETRIEVED -> report(new StationEvent.CallRetrieved(peer));
             case REPORT_RELEASED -> report(new StationEvent.Released(reportedCause));
             case CHECK_COMPATIBILITY -> fire(MobileCallEvent.COMPATIBLE);
             case ALERT_USER -> fire(MobileCallEvent.USER_ALERTED);
@@ -291,6 +392,15 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
                 fire(
                         tonesAnnounced ? MobileCallEvent.TONES_ANNOUNCED : MobileCallEvent.NO_TONES_ANNOUNCED,
                         reportedCause);
+        }
+    }
+
+    /** A held call goes on using it. */
+    private void releaseConnection() {
+        if (second.isHeld()) {
+            services.withdraw(ServiceType.MOBILE_ORIGINATED_CALL);
+        } else {
+            services.release(ServiceType.MOBILE_ORIGINATED_CALL);
         }
     }
 

@@ -14,6 +14,12 @@ public enum MobileCallEvent {
     SETUP,
     /** A waiting call, already alerted, becomes the call. */
     TAKE_WAITING,
+    /** A waiting call becomes the call and is answered at once. */
+    ANSWER_WAITING,
+    /** The network holds the active call: another one may be the current one now. */
+    CALL_HELD,
+    /** The network gives the held call back. */
+    CALL_RETRIEVED,
     /** The offered call is for speech, as all are here. */
     COMPATIBLE,
     /** The terminal rings. */

@@ -38,13 +38,19 @@ public final class MobileCallMessages {
     public void arrived(CallControl message) {
         if (message instanceof CallControl.Setup setup) {
             offered(setup);
+        } else if (isKnown(message) && call.holdAnswered(message)) {
+            context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
             arrivedInCall(message);
-        } else if (call.waiting().has(message.transaction())) {
-            call.waiting().arrived(message);
+        } else if (call.second().has(message.transaction())) {
+            call.second().arrived(message);
         } else {
             arrivedOutsideCall(message);
         }
+    }
+
+    private boolean isKnown(CallControl message) {
+        return call.has(message.transaction()) || call.second().has(message.transaction());
     }
 
     /** A message that cannot be decoded (TS 24.008, 8): a clearing message clears, any other is answered. */
@@ -74,10 +80,10 @@ public final class MobileCallMessages {
     private void offered(CallControl.Setup setup) {
         if (setup.transaction().fromOtherSide()
                 || call.has(setup.transaction())
-                || call.waiting().has(setup.transaction())) {
+                || call.second().has(setup.transaction())) {
             context.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");
         } else if (call.acceptsWaitingCall()) {
-            call.waiting().offered(setup);
+            call.second().offered(setup);
         } else if (call.state() != MobileCallState.NULL) {
             refuse(setup.transaction(), Cause.USER_BUSY);
         } else {

@@ -30,6 +30,7 @@ public final class MobileCallTable {
     static {
         originating();
         terminating();
+        hold();
         clearingByMobile();
         clearingByNetwork();
         suddenEnds();
@@ -61,6 +62,13 @@ public final class MobileCallTable {
                 .on(MT_CALL_CONFIRMED, USER_ALERTED, CALL_RECEIVED, SEND_ALERTING, REPORT_RINGING)
                 .on(CALL_RECEIVED, ANSWER, CONNECT_REQUEST, STOP_TIMERS, SEND_CONNECT, START_T313)
                 .on(CONNECT_REQUEST, CONNECT_ACKNOWLEDGE, ACTIVE, STOP_TIMERS, REPORT_CONNECTED, START_SPEECH);
+    }
+
+    /** TS 24.083, 1 and 2: the held call waits elsewhere, see {@link CallHoldTable}. */
+    private static void hold() {
+        TABLE.on(ACTIVE, CALL_HELD, NULL, STOP_TIMERS, STOP_SPEECH, REPORT_HELD)
+                .on(NULL, CALL_RETRIEVED, ACTIVE, REPORT_RETRIEVED, START_SPEECH)
+                .on(NULL, ANSWER_WAITING, CONNECT_REQUEST, SEND_CONNECT, START_T313);
     }
 
     /** 5.4.3. */

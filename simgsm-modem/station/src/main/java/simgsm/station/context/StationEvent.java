@@ -55,6 +55,18 @@ public sealed interface StationEvent {
     /** A second call waits; {@link Ringing} follows when the first has ended. */
     record CallWaits(Optional<Msisdn> from) implements OfCall {}
 
+    /** The active call is held; there is no current call for now. */
+    record CallHeld(Optional<Msisdn> peer) implements OfCall {}
+
+    /** The held call is the current one, and active again. */
+    record CallRetrieved(Optional<Msisdn> peer) implements OfCall {}
+
+    /** The held call has ended. */
+    record HeldCallEnded(Cause cause) implements OfCall {}
+
+    /** The network does not hold the call, or does not give it back. */
+    record HoldRefused() implements OfCall {}
+
     /** The waiting call has ended before the first. */
     record WaitingCallEnded() implements OfCall {}
 

@@ -26,6 +26,8 @@ public enum StationTimer {
     T310(30_000),
     /** CONNECT is acknowledged. */
     T313(30_000),
+    /** HOLD or RETRIEVE is answered; the standard leaves the value open (TS 24.083, 2.1). */
+    CALL_HOLD(10_000),
     /** START DTMF is answered. */
     T336(10_000),
     /** STOP DTMF is acknowledged. */

@@ -75,6 +75,12 @@ public final class ServiceRequests {
         }
     }
 
+    /** Withdraws a request; a connection of this kind stays. */
+    public void withdraw(ServiceType service) {
+        waiting.remove(service);
+        pendingReleased |= service == pending;
+    }
+
     private void abort() {
         clearPending();
         if (context.radio().isOpen()) {

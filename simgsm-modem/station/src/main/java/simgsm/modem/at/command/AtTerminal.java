@@ -30,8 +30,13 @@ public interface AtTerminal {
     /** Ends the call, or rejects the ringing one. @return false if there is none */
     boolean hangUp();
 
-    /** Rejects the waiting call. @return false if there is none */
+    /** Rejects the waiting call, or ends the held one. @return false if there is neither */
     boolean rejectWaiting();
+
+    /** As in {@link simgsm.station.StationCommands#hold}. */
+    default boolean hold() {
+        return false;
+    }
 
     /** Whether a second call may wait. */
     boolean hasCallWaiting();

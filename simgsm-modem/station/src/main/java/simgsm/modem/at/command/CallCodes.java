@@ -22,6 +22,8 @@ final class CallCodes {
     /** Voice, in +CLCC and +CCWA. */
     private static final int VOICE = 1;
 
+    private record HeldParty(String number, boolean isIncoming) {}
+
     private final AtModem modem;
     private boolean isPresent;
     private boolean isIncoming;
@@ -31,6 +33,13 @@ final class CallCodes {
 
     private Optional<StationEvent.CallWaits> waiting = Optional.empty();
     private boolean answersWaiting;
+    /** The held call; it comes back when the active one has ended, if +CHLD=1 asked for that. */
+    private Optional<HeldParty> held = Optional.empty();
+
+    /** The call that was held when another was parked: the two change places. */
+    private Optional<HeldParty> beingRetrieved = Optional.empty();
+
+    private boolean retrieves;
     private Timer ringTimer;
     private int rings;
     private Optional<Cause> lastCause = Optional.empty();
@@ -75,11 +84,15 @@ final class CallCodes {
 
     /** +CHLD. @return false if it is not possible now */
     boolean supplementary(int operation, AtClient client) {
-        if (operation == 0 && waiting.isPresent()) {
+        if (operation == 0 && (waiting.isPresent() || held.isPresent())) {
             return modem.terminal().rejectWaiting();
+        }
+        if (operation == 2) {
+            return modem.terminal().hold();
         }
         if (operation == 1 && isPresent) {
             answersWaiting = waiting.isPresent();
+            retrieves = held.isPresent();
             hangUp(client);
             return true;
         }
@@ -115,6 +128,7 @@ final class CallCodes {
     List<String> list() {
         List<String> calls = new ArrayList<>();
         state().ifPresent(state -> calls.add("1," + (isIncoming ? 1 : 0) + "," + state + ",0,0" + address(number)));
+        held.ifPresent(call -> calls.add("2," + (call.isIncoming ? 1 : 0) + ",1,0,0" + address(call.number)));
         waiting.ifPresent(call -> calls.add("2,1,5,0,0" + address(international(call.from()))));
         return calls;
     }
@@ -171,7 +185,44 @@ final class CallCodes {
             reportWaiting(waits);
         } else if (event instanceof StationEvent.WaitingCallEnded) {
             waiting = Optional.empty();
+        } else if (event instanceof StationEvent.CallHeld) {
+            held();
+        } else if (event instanceof StationEvent.CallRetrieved) {
+            retrieved();
+        } else if (event instanceof StationEvent.HeldCallEnded) {
+            held = Optional.empty();
+            modem.clients().stream()
+                    .filter(client -> client != hangingUp)
+                    .forEach(client -> client.report(AtResult.NO_CARRIER));
         }
+    }
+
+    /** A waiting call is answered next: it is the current one from now on. */
+    private void held() {
+        HeldParty parked = new HeldParty(number, isIncoming);
+        beingRetrieved = held;
+        held = Optional.of(parked);
+        isPresent = waiting.isPresent();
+        isConnected = false;
+        modem.keys().callEnded();
+        waiting.ifPresent(call -> {
+            number = international(call.from());
+            isIncoming = true;
+        });
+        waiting = Optional.empty();
+    }
+
+    private void retrieved() {
+        HeldParty back = beingRetrieved.or(() -> held).orElse(new HeldParty("", true));
+        if (beingRetrieved.isEmpty()) {
+            held = Optional.empty();
+        }
+        beingRetrieved = Optional.empty();
+        number = back.number();
+        isIncoming = back.isIncoming();
+        isPresent = true;
+        isConnected = true;
+        modem.keys().reset();
     }
 
     private void begin(boolean incoming, String digits) {
@@ -249,6 +300,10 @@ final class CallCodes {
             if (client != hangingUp) {
                 client.report(code == AtResult.BUSY && client.settings().callProgress < 3 ? AtResult.NO_CARRIER : code);
             }
+        }
+        if (retrieves) {
+            retrieves = false;
+            modem.terminal().hold();
         }
     }
 

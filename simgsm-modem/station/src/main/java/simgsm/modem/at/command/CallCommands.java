@@ -43,8 +43,12 @@ final class CallCommands {
         });
         table.add("+CHUP", "", "the same")
                 .execute((client, request) -> client.modem().calls().hangUp(client));
-        table.add("+CHLD", "0|1", "rejects the waiting call; ends the call and takes the waiting one")
-                .test("(0,1)")
+        table.add(
+                        "+CHLD",
+                        "0|1|2",
+                        "rejects the waiting call or ends the held one; ends the call and takes the other one; holds the call and takes the other one")
+                .testWith((client, request) ->
+                        request.answer(client.modem().terminal().hasCallWaiting() ? "(0,1,2)" : "(0,1)"))
                 .set(CallCommands::supplementary);
         table.add("+CLCC", "", "lists the calls: index, direction, state, mode, conference, number, type")
                 .execute((client, request) -> client.modem().calls().list().forEach(request::answer));
