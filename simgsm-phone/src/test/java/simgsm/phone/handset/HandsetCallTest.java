@@ -200,4 +200,67 @@ class HandsetCallTest {
         bench.tap(PhoneKey.END);
         assertEquals(true, bench.snapshot().station().powered());
     }
+
+    private static Bench twoCalls() {
+        Bench bench = Bench.connected();
+        bench.speechMillis(5_000);
+        bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(ROBOT)));
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+        return bench;
+    }
+
+    @Test
+    void theRightKeyHoldsACallAndTakesTheWaitingOne() {
+        Bench bench = Bench.connected();
+        assertEquals("soft.hold", bench.snapshot().softKeys().right());
+        bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
+        assertEquals("soft.take", bench.snapshot().softKeys().right());
+        bench.tap(PhoneKey.SOFT_RIGHT, PhoneKey.CALL);
+        bench.tap(PhoneKey.SOFT_LEFT, PhoneKey.TWO);
+        assertEquals(List.of("dial 5550200", "hold", "hold", "reject"), bench.station.asked);
+    }
+
+    @Test
+    void theHeldPartyIsShownBesideTheCallAndEachCallKeepsItsTime() {
+        Bench bench = twoCalls();
+        bench.speechMillis(2_000);
+        assertEquals(Optional.of("5550200"), bench.snapshot().call().held());
+        assertEquals("5550101", bench.snapshot().call().number());
+        assertEquals("soft.swap", bench.snapshot().softKeys().right());
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550101"))));
+        bench.handset.accept(new StationEvent.CallRetrieved(Optional.of(ROBOT)));
+        assertEquals("5550200", bench.snapshot().call().number());
+        assertEquals(5, bench.snapshot().call().seconds());
+        assertEquals(Optional.of("5550101"), bench.snapshot().call().held());
+        bench.station.release(Cause.NORMAL_CALL_CLEARING);
+        assertEquals("soft.retrieve", bench.snapshot().softKeys().left());
+        bench.handset.accept(new StationEvent.CallRetrieved(Optional.of(new Msisdn("5550101"))));
+        assertEquals(2, bench.snapshot().call().seconds());
+        assertEquals(Optional.empty(), bench.snapshot().call().held());
+    }
+
+    @Test
+    void bothCallsComeToTheLogWithTheirTimes() {
+        Bench bench = twoCalls();
+        bench.speechMillis(2_000);
+        bench.handset.accept(new StationEvent.HeldCallEnded(Cause.NORMAL_CALL_CLEARING));
+        bench.station.release(Cause.NORMAL_CALL_CLEARING);
+        bench.tap(PhoneKey.END, PhoneKey.MENU, PhoneKey.THREE, PhoneKey.THREE, PhoneKey.OK);
+        assertEquals(
+                List.of("00:05"),
+                ((Screen.Details) bench.snapshot().screen()).lines().get(2).arguments());
+        bench.tap(PhoneKey.END, PhoneKey.MENU, PhoneKey.THREE, PhoneKey.TWO, PhoneKey.OK);
+        assertEquals(
+                List.of("00:02"),
+                ((Screen.Details) bench.snapshot().screen()).lines().get(2).arguments());
+    }
+
+    @Test
+    void theRedKeyEndsACallThatIsHeldAlone() {
+        Bench bench = Bench.connected();
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(ROBOT)));
+        bench.tap(PhoneKey.END);
+        assertEquals(List.of("dial 5550200", "hangUp"), bench.station.asked);
+    }
 }

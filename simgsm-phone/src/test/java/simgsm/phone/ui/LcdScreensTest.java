@@ -26,6 +26,9 @@ import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.sim.SimPhoneBook;
 import simgsm.speech.SpeechCodec;
+import simgsm.ss.ServiceStatus;
+import simgsm.ss.SsCode;
+import simgsm.ss.SsOperation;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.Theme;
 
@@ -125,6 +128,23 @@ class LcdScreensTest {
             bench.station.ring("5550200");
             bench.tap(PhoneKey.CALL);
             bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
+        }));
+        screens.put("connected, another is held", with(bench -> {
+            held(bench);
+            bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+        }));
+        screens.put("held", with(LcdScreensTest::held));
+        screens.put("what to do in a call", with(bench -> {
+            held(bench);
+            bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+            bench.tap(PhoneKey.SOFT_LEFT);
+        }));
+        screens.put("how a forwarding stands", with(bench -> {
+            contacts(bench);
+            bench.handset.ussd("*#21#");
+            bench.handset.accept(new StationEvent.ServiceAnswered(
+                    SsOperation.INTERROGATE_SS,
+                    new ServiceStatus(SsCode.FORWARDING_UNCONDITIONAL, 7, Optional.of("+5550101"))));
         }));
         screens.put("missed", with(LcdScreensTest::missed));
         screens.put("missed calls", with(bench -> {
@@ -231,6 +251,13 @@ class LcdScreensTest {
         bench.phoneBook.write(2, new SimPhoneBook.Entry("+5550101", "Ada"));
         bench.phoneBook.write(3, new SimPhoneBook.Entry("5550300", "Laboratory of Robots"));
         bench.handset.accept(new StationEvent.StationChanged());
+    }
+
+    private static void held(Bench bench) {
+        contacts(bench);
+        bench.handset.dial(new Msisdn("5550200"));
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550200"))));
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550200"))));
     }
 
     private static void missed(Bench bench) {

@@ -187,7 +187,7 @@ final class CallCommands {
 
     private static void supplementary(AtClient client, AtRequest request) throws AtException {
         int operation = request.parameters().atMost(1).number(0, 0, 4);
-        if (operation > 1) {
+        if (operation > 2) {
             throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
         }
         if (!client.modem().calls().supplementary(operation, client)) {
