@@ -2,6 +2,7 @@ package simgsm.cells.ui;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -16,6 +17,12 @@ import simgsm.ui.Theme;
 /** What passes between the chosen mobile, its towers and the controller: the newest at the right. */
 final class PassingStrip extends PaintedComponent {
     private static final int HEIGHT_UNITS = 30;
+
+    /** Of a run of reports the newest are shown each, those before them as one. */
+    private static final int REPORTS_EACH = 3;
+
+    /** A box of the strip. */
+    private record Box(Passing.Kind kind, String words) {}
 
     private final TextBundle texts;
     private transient List<Passing> shown = List.of();
@@ -47,6 +54,36 @@ final class PassingStrip extends PaintedComponent {
                 String.valueOf(step.figure()),
                 step.from(),
                 step.to());
+    }
+
+    /** The words of the boxes, the newest last. */
+    List<String> words() {
+        return boxes().stream().map(Box::words).toList();
+    }
+
+    private List<Box> boxes() {
+        List<Box> boxes = new ArrayList<>();
+        int at = 0;
+        while (at < shown.size()) {
+            int end = at;
+            while (end < shown.size() && shown.get(end).kind() == Passing.Kind.REPORT) {
+                end++;
+            }
+            if (end - at > REPORTS_EACH + 1) {
+                int last = end - REPORTS_EACH - 1;
+                boxes.add(new Box(
+                        Passing.Kind.REPORT,
+                        texts.of(
+                                "passing.reports",
+                                String.valueOf(shown.get(at).figure()),
+                                String.valueOf(shown.get(last).figure()))));
+                at = last + 1;
+            } else {
+                boxes.add(new Box(shown.get(at).kind(), words(texts, shown.get(at))));
+                at++;
+            }
+        }
+        return boxes;
     }
 
     private static Ink ink(Passing.Kind kind) {
@@ -84,16 +121,18 @@ final class PassingStrip extends PaintedComponent {
             g.setColor(Theme.color(Ink.QUIET));
             g.drawString(texts.of("strip.none"), 0, (float) (height / 2 + Drawing.capHeight(g, Theme.base()) / 2));
         }
-        for (int i = shown.size() - 1; i >= 0 && right > 0; i--) {
-            String words = words(texts, shown.get(i));
-            boolean isPlain = ink(shown.get(i).kind()) == Ink.CONTROL_LINE;
+        List<Box> boxes = boxes();
+        for (int i = boxes.size() - 1; i >= 0 && right > 0; i--) {
+            String words = boxes.get(i).words();
+            Ink ink = ink(boxes.get(i).kind());
+            boolean isPlain = ink == Ink.CONTROL_LINE;
             var font = isPlain ? Theme.small() : Theme.strong();
             double wide = Drawing.width(font, words) + Theme.exact(16);
             double left = right - wide;
             var box = Drawing.round(left + 0.5, top + 0.5, wide - 1, tall - 1, Theme.exact(Theme.CONTROL_RADIUS));
-            g.setColor(Theme.color(isPlain ? Ink.CARD : ink(shown.get(i).kind())));
+            g.setColor(Theme.color(isPlain ? Ink.CARD : ink));
             g.fill(box);
-            g.setColor(Theme.color(ink(shown.get(i).kind())));
+            g.setColor(Theme.color(ink));
             g.setStroke(Theme.hairline());
             g.draw(box);
             g.setColor(Theme.color(isPlain ? Ink.TEXT : Ink.ON_SIGNAL));

@@ -316,6 +316,20 @@ class TownPanelTest {
                         .toList());
     }
 
+    @Test
+    void aRunOfReportsIsOneBoxAndItsLastThree() {
+        for (int report = 4; report <= 17; report++) {
+            town.pass(Passing.Kind.REPORT, report);
+        }
+        town.pass(Passing.Kind.HANDOVER_COMMAND, 0);
+        town.pass(Passing.Kind.REPORT, 0);
+        show();
+
+        assertEquals(
+                List.of("reports 4 to 14", "report 15", "report 16", "report 17", "Handover Command east", "report 0"),
+                find("strip", PassingStrip.class).words());
+    }
+
     private void handover() {
         town.pass(Passing.Kind.REPORT, 16);
         town.pass(Passing.Kind.REPORT, 17);
