@@ -27,6 +27,11 @@ have Xvfb || packages+=(xvfb)
 have openbox || packages+=(openbox)
 have xdotool || packages+=(xdotool)
 have xwininfo || packages+=(x11-utils)
+for program in stp hlr mgw msc bsc; do
+    have "osmo-$program" || packages+=("osmo-$program")
+done
+have osmo-bts-omldummy || packages+=(osmo-bts)
+have ip || packages+=(iproute2)
 have cc || packages+=(gcc libc6-dev)
 have python3 || packages+=(python3)
 python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)

@@ -99,4 +99,10 @@ while read -r site; do
 done <"$run/sites"
 listens 3003
 
+# Until controller and exchange have found each other, every registration fails.
+for _ in $(seq 200); do
+    grep -q "BSSMAP assocation is up" "$run/osmo-bsc.log" && break
+    sleep 0.1
+done
+
 sh -c "$command"

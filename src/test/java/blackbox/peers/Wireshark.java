@@ -28,6 +28,11 @@ final class Wireshark {
         assertEquals(List.of(), tshark(file, "-Y", "_ws.malformed || _ws.expert.severity >= 0x600000"));
     }
 
+    /** The lines of the frames that pass a filter where tshark reads a port by another protocol, as "tcp.port==3013,gsm_ipa". */
+    static List<String> decoded(Path file, String decoding, String filter) throws IOException {
+        return tshark(file, "-d", decoding, "-Y", filter);
+    }
+
     /** The values of one field in all frames that pass the filter. */
     static List<String> fields(Path file, String filter, String field) throws IOException {
         return tshark(file, "-Y", filter, "-T", "fields", "-e", field);

@@ -45,14 +45,19 @@ final class ChannelRequests implements AccessUser {
         this.outcome = outcome;
     }
 
-    /** Begins. @param firstMessage of layer 3, whose kind gives the establishment cause */
-    void begin(BaseStation cell, int timingAdvance, OctetString firstMessage) {
+    /**
+     * Begins.
+     *
+     * @param firstMessage of layer 3, whose kind gives the establishment cause
+     * @param delayNanos until the mobile may send
+     */
+    void begin(BaseStation cell, int timingAdvance, OctetString firstMessage, long delayNanos) {
         end();
         tower = cell;
         cause = EstablishmentCause.of(firstMessage);
         delay = timingAdvance;
         left = 1 + parameters().attempts();
-        schedule(spread(parameters().spreadSlots()));
+        schedule(delayNanos + spread(parameters().spreadSlots()));
     }
 
     boolean isUnderWay() {

@@ -39,6 +39,9 @@ public final class Mobile {
     /** Messages that wait in one direction at most; the terminal's own time-outs end the transaction long before. */
     private static final int MOST_HELD = 1_000;
 
+    /** After a channel the mobile needs this long to leave its link layer and to find the common channels again. */
+    private static final long RETURN_NANOS = 500_000_000L;
+
     private static final int ABNORMAL_RELEASE = 1;
     private static final int POWER_LEVEL = 5;
 
@@ -73,6 +76,8 @@ public final class Mobile {
     private boolean isGone;
 
     private long measuredNanos;
+    /** When the mobile is in idle mode again after its last channel. */
+    private long idleNanos;
 
     /** Answers of the tower. */
     private final class Receiver implements ChannelUser, ChannelRequests.Outcome {
@@ -311,7 +316,11 @@ public final class Mobile {
             return;
         }
         passed(Passing.Kind.CHANNEL_REQUEST, cell(), "", 0);
-        requests.begin(network.towers().get(tower), reception.timingAdvance(tower, walker.place()), firstMessage);
+        requests.begin(
+                network.towers().get(tower),
+                reception.timingAdvance(tower, walker.place()),
+                firstMessage,
+                Math.max(0, idleNanos - timers.nowNanos()));
     }
 
     private void establish() {
@@ -379,6 +388,9 @@ public final class Mobile {
     private void forget() {
         change.end();
         int last = serving();
+        if (channel != null) {
+            idleNanos = timers.nowNanos() + RETURN_NANOS;
+        }
         channel = null;
         speech.callEnded();
         granted = null;

@@ -1,0 +1,156 @@
+package blackbox.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import blackbox.RunningProgram;
+import blackbox.Scenario;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A phone and a robot on a real Osmocom core, over two towers of the village. {@link OsmocomTest} starts it beside that core.
+ * It prints what it does, and its exit status is 0 only if everything went as it should.
+ */
+final class OsmocomSession extends Scenario {
+    private static final long CAPTURE_MILLIS = 1_500;
+
+    private final Path capture;
+    private RunningProgram cells;
+    private String cellsAddress;
+
+    private OsmocomSession(Path capture) {
+        super("a phone and a robot on osmo-bsc, osmo-msc, osmo-hlr and osmo-mgw");
+        this.capture = capture;
+    }
+
+    /** @param args what to play, session or crowd, and the capture to write */
+    public static void main(String[] args) throws Exception {
+        try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
+            if (args[0].equals("crowd")) {
+                session.crowd();
+            } else {
+                session.play();
+            }
+        }
+    }
+
+    private void play() throws IOException, InterruptedException {
+        Process tshark = Peer.TSHARK
+                .process("-q", "-i", "lo", "-s", "0", "-w", capture.toString())
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        // tshark prints nothing that says when it captures.
+        Thread.sleep(CAPTURE_MILLIS);
+        try {
+            openCells("village.town");
+            RunningProgram phone = terminal("phone", "simgsm-phone", PHONE);
+            RunningProgram robot = terminal(
+                    "robot", "simrobot", ROBOT, "--world", world("empty.map").toString(), "--answer-after", "1500");
+            order(phone, robot);
+            handover(phone, robot);
+            phone.say("hangup");
+            phone.expect("released", "cause", "16");
+            robot.expect("released", "cause", "16");
+            assertEquals(0, phone.quit());
+            assertEquals(0, robot.quit());
+            assertEquals(0, cells.quit());
+        } finally {
+            tshark.destroy();
+            tshark.waitFor(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS);
+        }
+        String port = cellsAddress.substring(cellsAddress.indexOf(':') + 1);
+        soundAs("osmo-bsc's side", "tcp.port==3003,gsm_ipa");
+        soundAs("the terminals' side", "tcp.port==" + port + ",gsm_ipa");
+    }
+
+    private void openCells(String town) {
+        cells = start(
+                "cells",
+                "simgsm-cells",
+                "--headless",
+                "--town",
+                world(town).toString(),
+                "--controller",
+                "osmo-bsc",
+                "--center",
+                "127.0.0.1:3003",
+                "--port",
+                "0");
+        cellsAddress = "127.0.0.1:" + cells.expect("ready").field("port");
+    }
+
+    private RunningProgram terminal(String name, String program, String number, String... more) {
+        List<String> arguments = new java.util.ArrayList<>(
+                List.of("--headless", "--lang", "en", "--no-sound", "--center", cellsAddress, "--number", number));
+        arguments.addAll(List.of(more));
+        RunningProgram terminal = start(name, program, arguments.toArray(String[]::new));
+        terminal.expect("registered", "number", number);
+        tell(name + " " + number + " is registered");
+        return terminal;
+    }
+
+    /** An order by short message, with delivery report and reply; then one by tones. */
+    private void order(RunningProgram phone, RunningProgram robot) {
+        phone.say("sms " + ROBOT + " ** #**20 **");
+        phone.expect("sms-sent", "to", ROBOT);
+        robot.expect("sms", "from", PHONE);
+        robot.expect("pose", "x", "0.2000", "y", "0.0000");
+        phone.expect("sms", "from", ROBOT);
+        phone.said("sms-delivered");
+        tell("an order by short message was done, reported and answered");
+
+        awaitIdle();
+        call(phone);
+        phone.say("press **#**20**");
+        phone.expect("tone", "key", "6");
+        phone.expect("tone", "key", "3");
+        robot.expect("pose", "x", "0.4000", "y", "0.0000");
+        tell("an order by tones was done");
+    }
+
+    /**
+     * Waits until the phone has left its channel. osmo-msc 1.9 refuses a service for 5 s that was asked for on a connection
+     * which it had begun to release.
+     */
+    private void awaitIdle() {
+        String state;
+        do {
+            cells.say("mobiles");
+            state = cells.expect("mobile", "number", PHONE).field("state");
+            cells.expect("end");
+        } while (!state.equals("idle"));
+    }
+
+    /** The phone is carried to the other tower while the robot executes an order, and gives another one from there. */
+    private void handover(RunningProgram phone, RunningProgram robot) {
+        phone.say("press **#**400**");
+        phone.expect("tone", "key", "6");
+        cells.say("place " + PHONE + " 3700 0");
+        cells.expect("handover", "number", PHONE, "from", "west", "to", "east", "result", "success");
+        int gap = Integer.parseInt(cells.expect("speech-gap", "number", PHONE).field("millis"));
+        assertTrue(gap <= 200, "speech gap of " + gap + " ms");
+        phone.expect("tone", "key", "3");
+        robot.expect("pose", "x", "4.4000", "y", "0.0000");
+        phone.say("press **#*#90**");
+        phone.expect("tone", "key", "3");
+        robot.expect("pose", "heading", "270.00");
+        tell("handed over in the middle of an order; speech gap " + gap + " ms; the next order was done");
+    }
+
+    /** A hundred phones register, send each other messages and hold ten calls. */
+    private void crowd() throws IOException, InterruptedException {
+        openCells("crowd.town");
+    }
+
+    /** Requires that tshark finds nothing malformed where it reads a port so. */
+    private void soundAs(String side, String decoding) throws IOException {
+        List<String> faults = Wireshark.decoded(capture, decoding, "_ws.malformed || _ws.expert.severity >= 0x800000");
+        List<String> rsl = Wireshark.decoded(capture, decoding, "gsm_abis_rsl");
+        assertTrue(rsl.size() > 100, side + ": " + rsl.size() + " RSL frames");
+        assertEquals(List.of(), faults, side);
+        tell(side + ": " + rsl.size() + " RSL frames, none malformed");
+    }
+}

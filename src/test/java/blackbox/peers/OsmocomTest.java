@@ -1,0 +1,78 @@
+package blackbox.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import blackbox.Dist;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+
+/** Phones and robots on a real Osmocom core: the cells speak RSL to osmo-bsc. */
+@Tag("peer")
+@Isolated("a whole network on two cores")
+class OsmocomTest {
+    private static final long PATIENCE_MINUTES = 5;
+
+    @BeforeEach
+    void thePeersAreThere() {
+        for (Peer peer : List.of(
+                Peer.OSMO_STP,
+                Peer.OSMO_HLR,
+                Peer.OSMO_MGW,
+                Peer.OSMO_MSC,
+                Peer.OSMO_BSC,
+                Peer.OSMO_BTS,
+                Peer.TSHARK,
+                Peer.BASH)) {
+            peer.require();
+        }
+    }
+
+    @Test
+    void anOrderGoesOnAcrossAHandoverBetweenTwoTowers(@TempDir Path folder) throws Exception {
+        String told = session(folder, "session", "village.town", "5550100,5550200");
+        assertTrue(told.contains("handed over in the middle of an order"), told);
+    }
+
+    /** Runs {@link OsmocomSession} beside a core for a town's towers. */
+    private static String session(Path folder, String kind, String town, String numbers)
+            throws IOException, InterruptedException {
+        String command = String.join(
+                " ",
+                quoted(Path.of(System.getProperty("java.home"), "bin", "java").toString()),
+                "-Dsimgsm.root=" + quoted(Dist.root().toString()),
+                "-Dsimgsm.dist=" + quoted(System.getProperty("simgsm.dist")),
+                "-cp " + quoted(System.getProperty("java.class.path")),
+                OsmocomSession.class.getName(),
+                kind,
+                quoted(folder.resolve("osmocom.pcapng").toString()));
+        ProcessBuilder core = Peer.BASH.process(
+                Peer.source("osmocom/core.sh"),
+                Dist.root().resolve("worlds").resolve(town).toString(),
+                numbers,
+                command);
+        core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
+        core.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        Path output = folder.resolve("told.txt");
+        Process process = core.redirectOutput(output.toFile()).start();
+        boolean hasEnded = process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES);
+        process.destroy();
+        String told = java.nio.file.Files.readString(output, StandardCharsets.UTF_8);
+        System.out.println(told);
+        assertTrue(hasEnded, told);
+        assertEquals(0, process.exitValue(), told);
+        return told;
+    }
+
+    private static String quoted(String word) {
+        return "'" + word.replace("'", "'\\''") + "'";
+    }
+}
