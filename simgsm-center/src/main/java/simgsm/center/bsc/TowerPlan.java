@@ -14,7 +14,7 @@ import simgsm.air.LocationArea;
  *
  * @param cell ARFCN of its one carrier, and BSIC
  * @param cellIdentity 0 to 65535
- * @param trafficChannels timeslots for speech, from 1 on
+ * @param trafficChannels timeslots for speech, the last ones
  * @param radioLinkTimeout SACCH blocks, 4 to 64 in steps of 4
  * @param accessMinimum RXLEV_ACCESS_MIN, 0 to 63
  */
@@ -27,7 +27,7 @@ record TowerPlan(
         int radioLinkTimeout,
         int accessMinimum,
         int hysteresisDecibels) {
-    private static final int SIGNALLING_TIMESLOT = 0;
+    private static final int TIMESLOTS = 8;
 
     /** The plan of a tower. @param position of the tower among those connected, from 0 */
     static TowerPlan of(CcmMessage.IdentityResponse identity, int position) {
@@ -43,16 +43,27 @@ record TowerPlan(
                 tower.hysteresisDecibels());
     }
 
-    /** The dedicated channels in the order in which they are given out: SDCCH/4 beside the common channels, then TCH/F. */
+    /**
+     * The dedicated channels in the order in which they are given out: SDCCH/4 beside the common channels in timeslot 0, traffic
+     * channels in the last timeslots, SDCCH/8 in those between.
+     */
     List<ChannelNumber> channels() {
         List<ChannelNumber> channels = new ArrayList<>();
-        for (int i = 0; i < ChannelNumber.Kind.SDCCH_4.subchannels(); i++) {
-            channels.add(new ChannelNumber(ChannelNumber.Kind.SDCCH_4, i, SIGNALLING_TIMESLOT));
-        }
-        for (int timeslot = 1; timeslot <= trafficChannels; timeslot++) {
-            channels.add(ChannelNumber.of(ChannelNumber.Kind.TCH_F, timeslot));
+        addSignalling(channels, ChannelNumber.Kind.SDCCH_4, 0);
+        for (int timeslot = 1; timeslot < TIMESLOTS; timeslot++) {
+            if (timeslot < TIMESLOTS - trafficChannels) {
+                addSignalling(channels, ChannelNumber.Kind.SDCCH_8, timeslot);
+            } else {
+                channels.add(ChannelNumber.of(ChannelNumber.Kind.TCH_F, timeslot));
+            }
         }
         return channels;
+    }
+
+    private static void addSignalling(List<ChannelNumber> channels, ChannelNumber.Kind kind, int timeslot) {
+        for (int i = 0; i < kind.subchannels(); i++) {
+            channels.add(new ChannelNumber(kind, i, timeslot));
+        }
     }
 
     /** The base station's colour code is the training sequence of all its channels. */

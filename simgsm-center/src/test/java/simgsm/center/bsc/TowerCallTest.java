@@ -1,0 +1,296 @@
+package simgsm.center.bsc;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.abis.RtpPacket;
+import simgsm.abis.rsl.RslType;
+import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.msc.call.CallProgress;
+
+/** Calls over towers: assignment, speech, handover, congestion, loss; octets as osmo-bsc 1.9 has them. */
+class TowerCallTest {
+    private final TowerStage stage = new TowerStage();
+    private TestTower west;
+    private TestTower east;
+    private String caller;
+    private String called;
+
+    @BeforeEach
+    void register() {
+        west = stage.west();
+        east = stage.east();
+        caller = west.register("5550100", TowerStage.IMEI);
+        called = east.register("5550200", TowerStage.OTHER_IMEI);
+    }
+
+    private static final String SETUP = "0345 0406600402000581 5e0581550502f0";
+
+    /** Up to SETUP on the SDCCH. */
+    private String dial(TestTower tower) {
+        String channel = tower.access("e1", "0524 71 03331981 05f4" + caller);
+        assertEquals("0521", tower.nextLayer3());
+        tower.received.clear();
+        tower.tell(channel, SETUP);
+        return channel;
+    }
+
+    /** The called mobile answers paging and SETUP. @return its traffic channel */
+    private String answer() {
+        east.next(RslType.PAGING_COMMAND);
+        String channel = east.access("91", "0627 07 03331981 05f4" + called);
+        assertEquals("0305", east.nextLayer3().substring(0, 4));
+        east.tell(channel, "8308");
+        String traffic = east.followAssignment(channel);
+        east.tell(traffic, "8341");
+        east.tell(traffic, "8307");
+        return traffic;
+    }
+
+    private String[] activeCall() {
+        String signalling = dial(west);
+        String callerChannel = west.followAssignment(signalling);
+        String calledChannel = answer();
+        west.tell(callerChannel, "030f");
+        assertEquals(CallProgress.ACTIVE, progress());
+        stage.passMillis(2_000);
+        west.up("0833 01" + signalling);
+        west.received.clear();
+        east.received.clear();
+        return new String[] {callerChannel, calledChannel};
+    }
+
+    private CallProgress progress() {
+        List<CallProgress> states = new ArrayList<>();
+        for (ExchangeEvent event : stage.events) {
+            if (event instanceof ExchangeEvent.CallChanged changed) {
+                states.add(changed.state());
+            }
+        }
+        return states.get(states.size() - 1);
+    }
+
+    private static byte[] rtp(int sequence) {
+        return new RtpPacket(RtpPacket.A_LAW, sequence, 160L * sequence, 7, new byte[160]).encode();
+    }
+
+    /** A measurement result without bad bursts and with one neighbour: frequency index 0, BSIC 11. */
+    private static void measure(TestTower tower, String channel, int number, int level, int neighbour) {
+        String serving = String.format("%02x%02x", level, level);
+        String one = String.format("%02x", 0x40 | neighbour) + "0160";
+        tower.up("0828 01" + channel + "1b" + String.format("%02x", number) + "1903" + serving
+                + "00 0400 0a0000 0b0012 0615" + serving + "00" + one + "00".repeat(10));
+    }
+
+    @Test
+    void aCallGetsItsTrafficChannelByAssignment() {
+        String channel = dial(west);
+        west.down(
+                "0821 0109 0301 0604 00010801 0506 64094064 7200 0400 0d0e 1800 1f00",
+                "0301 01" + channel + "0200 0b0002 8302",
+                "0c15 0190 0e00 0c05 f4" + called + "2800");
+        west.up("0822 0109 08 0000");
+        west.down("0301 01" + channel + "0200 0b0008 062e0940640e6301", "7e70 0109 f410 f203");
+        west.up("7e71 0109 f80001 f57f000001 f34e20");
+        west.down("7e73 0109 f80001 f07f000001 f14e20 f400 f203");
+        west.up("7e74 0109 f80001");
+        west.up("0206 0109 0200");
+        west.up("0302 0109 0200 0b0003 062900");
+        west.down("0825 01" + channel);
+        stage.passMillis(2_000);
+        west.down("082e 01" + channel);
+    }
+
+    @Test
+    void speechPassesBetweenTheTowersUnchangedAndTheCallEndsInOrder() {
+        String[] channels = activeCall();
+
+        west.media.get(0).speak(rtp(1));
+        east.media.get(0).speak(rtp(9));
+
+        assertArrayEquals(rtp(1), east.media.get(0).heard.get(0));
+        assertArrayEquals(rtp(9), west.media.get(0).heard.get(0));
+        west.tell(channels[0], "0365 02e090");
+        assertEquals("832d", west.nextLayer3().substring(0, 4));
+        west.tell(channels[0], "032a");
+        assertEquals("060d00", west.nextLayer3());
+        west.leave(channels[0]);
+        assertFalse(west.media.get(0).isOpen);
+        assertEquals(CallProgress.RELEASED, progress());
+    }
+
+    @Test
+    void layer3WaitsWhileAnAssignmentRuns() {
+        dial(west);
+        west.up("0822 0109 08 0000");
+        answer();
+        west.received.clear();
+
+        west.up("0206 0109 0200");
+        west.quiet();
+        west.up("0302 0109 0200 0b0003 062900");
+
+        assertEquals("8301", west.nextLayer3());
+        assertTrue(west.nextLayer3().startsWith("8307"));
+    }
+
+    @Test
+    void aMobileThatComesBackFromAnAssignmentLosesItsCallWithCause34() {
+        String signalling = dial(west);
+        west.up("0822 0109 08 0000");
+        west.received.clear();
+
+        west.tell(signalling, "062f6f");
+
+        west.down("0825 0109", "082e 0109");
+        assertEquals("832502e0a2", west.nextLayer3());
+    }
+
+    @Test
+    void withoutAFreeTrafficChannelACallWaits5SecondsAndEndsWithCause34() {
+        occupyTrafficChannels();
+        String signalling = dial(west);
+        west.down("0301 01" + signalling + "0200 0b0002 8302");
+        stage.passMillis(4_999);
+        while (!west.received.isEmpty()) {
+            assertTrue(west.received.remove().toString().startsWith("0c"), "only common channels meanwhile");
+        }
+        stage.passMillis(1);
+
+        assertEquals("832502e0a2", west.nextLayer3());
+    }
+
+    @Test
+    void aCallThatWaitsGetsTheTrafficChannelThatBecomesFree() {
+        List<String> occupied = occupyTrafficChannels();
+        dial(west);
+        stage.passMillis(2_000);
+        west.received.clear();
+
+        west.up("0823 01" + occupied.get(0) + "1a0100");
+        west.up("0833 01" + occupied.get(0));
+
+        assertEquals(occupied.get(0), TestTower.channelOf(west.next(RslType.CHANNEL_ACTIVATION)));
+    }
+
+    /** Channel requests without a mobile: four take the SDCCHs, seven the traffic channels, which are never activated. */
+    private List<String> occupyTrafficChannels() {
+        stage.passMillis(10_000);
+        for (int i = 0; i < 3; i++) {
+            west.up("0c13 0188 13 05 1234 1100");
+        }
+        List<String> channels = new ArrayList<>();
+        String last = null;
+        west.received.clear();
+        for (int i = 0; i < 8; i++) {
+            west.up("0c13 0188 13 05 1234 1100");
+            String channel = TestTower.channelOf(west.next(RslType.CHANNEL_ACTIVATION));
+            if (i == 0) {
+                last = channel;
+            } else {
+                channels.add(channel);
+            }
+        }
+        west.received.clear();
+        west.up("0c13 0188 13 05 1234 1100");
+        west.down("0c16 0190 2b17 4d063a03 0512340a 0512340a 0512340a 0512340a 2b2b2b");
+        // One SDCCH comes back.
+        west.up("0823 01" + last + "1a0100");
+        west.up("0833 01" + last);
+        west.received.clear();
+        return channels;
+    }
+
+    @Test
+    void aCallIsHandedOverToTheBetterCellAndGoesOnThere() {
+        String[] channels = activeCall();
+        for (int number = 0; number < 17; number++) {
+            measure(west, channels[0], number, 50 - 2 * number, 15 + 2 * number);
+        }
+        west.quiet();
+        east.quiet();
+
+        measure(west, channels[0], 17, 16, 49);
+
+        east.down("0821 010a 0302 0604 00010801 0506 640a606e 7200 0901 0400 0d0e 1f00");
+        east.up("0822 010a 08 0000");
+        west.down("0301 01" + channels[0] + "0200 0b000b 062b0b6e0a606e010e6301");
+        east.down("7e70 010a f410 f203");
+        east.up("7e71 010a f80001 f57f000001 f34e22");
+        east.next(RslType.MODIFY_CONNECTION);
+        // Until the mobile is detected, it is still in the old cell.
+        east.media.get(0).speak(rtp(1));
+        assertEquals(1, west.media.get(0).heard.size());
+        east.up("0827 010a 1100");
+        east.media.get(0).speak(rtp(2));
+        assertArrayEquals(rtp(2), east.media.get(1).heard.get(0));
+        east.up("0206 010a 0200");
+        east.up("0302 010a 0200 0b0003 062c00");
+        west.down("0825 01" + channels[0]);
+        east.media.get(1).speak(rtp(3));
+        assertEquals(1, east.media.get(0).heard.size());
+
+        stage.passMillis(2_000);
+        west.down("082e 01" + channels[0]);
+        east.tell("0a", "0365 02e090");
+        assertEquals("832d", east.nextLayer3().substring(0, 4));
+    }
+
+    @Test
+    void aMobileThatComesBackFromAHandoverKeepsItsOldChannel() {
+        String[] channels = activeCall();
+        measure(west, channels[0], 5, 20, 40);
+        east.up("0822 010a 08 0000");
+        west.received.clear();
+        east.received.clear();
+
+        west.tell(channels[0], "06286f");
+
+        east.down("0825 010a", "082e 010a");
+        west.quiet();
+        east.media.get(0).speak(rtp(1));
+        assertEquals(1, west.media.get(0).heard.size());
+        assertEquals(CallProgress.ACTIVE, progress());
+    }
+
+    @Test
+    void aMobileThatIsLostInAHandoverIsClearedAfterT3103() {
+        String[] channels = activeCall();
+        measure(west, channels[0], 5, 20, 40);
+        east.up("0822 010a 08 0000");
+        stage.passMillis(4_999);
+        assertEquals(CallProgress.ACTIVE, progress());
+
+        stage.passMillis(1);
+
+        assertEquals(CallProgress.RELEASED, progress());
+    }
+
+    @Test
+    void aTowerThatIsKilledInMidCallEndsTheCallOfItsMobile() {
+        String[] channels = activeCall();
+
+        west.vanish();
+
+        assertEquals(CallProgress.RELEASED, progress());
+        assertEquals("032502e0a9", east.nextLayer3());
+        assertTrue(channels[1].startsWith("0"));
+        assertFalse(west.media.get(0).isOpen);
+    }
+
+    @Test
+    void aRadioLinkFailureEndsTheCall() {
+        String[] channels = activeCall();
+
+        west.up("0824 01" + channels[0] + "1a0101");
+
+        west.down("0825 01" + channels[0], "082e 01" + channels[0]);
+        assertEquals(CallProgress.RELEASED, progress());
+    }
+}
