@@ -8,8 +8,10 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -44,6 +46,7 @@ final class LessonSession implements AutoCloseable {
     private final Path folder;
     private final Function<LessonProgram, List<String>> manner;
     private final Map<String, ChildConsole> consoles = new ConcurrentHashMap<>();
+    private final Queue<String> told = new ConcurrentLinkedQueue<>();
     private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
 
     /**
@@ -137,8 +140,8 @@ final class LessonSession implements AutoCloseable {
                 case "answer" -> answer(rest);
                 case "start" -> launch(program(rest));
                 case "stop" -> stop(rest);
-                case "tool" -> events.add("tool", tools.tool(words(rest)));
-                case "java" -> events.add("tool", tools.source(words(rest)));
+                case "tool" -> tell(tools.tool(words(rest)));
+                case "java" -> tell(tools.source(words(rest)));
                 case "drive" -> drive(words(rest));
                 case "capture" -> capture();
                 case "give" -> give(rest);
@@ -158,7 +161,7 @@ final class LessonSession implements AutoCloseable {
             throw new LessonFailure("expected drive PROCESS WORLD");
         }
         Event event = WallRun.run(tools, folder, words.get(0), words.get(1));
-        events.add("tool", event);
+        tell(event);
         if (!event.fields().get("status").equals("0")) {
             throw new LessonFailure(event.fields().get("output"));
         }
@@ -178,6 +181,31 @@ final class LessonSession implements AutoCloseable {
         if (!from.toAbsolutePath().equals(to.toAbsolutePath())) {
             Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);
         }
+    }
+
+    /** What a tool has found, for the student and for the conditions. */
+    private void tell(Event event) {
+        boolean isWordy = event.name().equals("pdu")
+                || !event.fields().getOrDefault("status", "0").equals("0");
+        StringBuilder line = new StringBuilder(event.name());
+        event.fields().forEach((key, value) -> {
+            if (isWordy ? key.equals("output") : !key.equals("output") && !key.equals("status")) {
+                line.append(isWordy ? ": " : " " + key + " ").append(value);
+            }
+        });
+        if (line.length() > event.name().length()) {
+            told.add(line.toString());
+        }
+        events.add("tool", event);
+    }
+
+    /** What tools have told since the last call, a line each. */
+    String told() {
+        List<String> lines = new ArrayList<>();
+        for (String line = told.poll(); line != null; line = told.poll()) {
+            lines.add(line);
+        }
+        return String.join("\n\n", lines);
     }
 
     private void answer(String rest) {
@@ -223,7 +251,9 @@ final class LessonSession implements AutoCloseable {
             throw new LessonFailure("expected a program with --at and a text, found " + rest);
         }
         try (AtLine line = new AtLine(port)) {
-            events.add(parts[0], verb.equals("at") ? line.command(parts[1]) : line.submit(parts[1].replace(" ", "")));
+            Event answer = verb.equals("at") ? line.command(parts[1]) : line.submit(parts[1].replace(" ", ""));
+            told.add(answer.fields().get("command") + ": " + answer.fields().get("answer"));
+            events.add(parts[0], answer);
         }
     }
 

@@ -31,6 +31,7 @@ import simgsm.ui.lesson.LessonPanel;
 import simgsm.ui.lesson.LessonView;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
@@ -40,7 +41,8 @@ public final class WindowedLesson implements LessonActs {
     private static final int LEAST_WIDTH = 270;
     private static final int MOST_WIDTH = 460;
     private static final int MOST_RANDOM_SEED = 10_000;
-    private static final int SECOND_PHONE_STEP = 40;
+    private static final int STEP = 40;
+    private static final int PERCENT = 100;
 
     private final Lesson lesson;
     private final Locale language;
@@ -89,7 +91,7 @@ public final class WindowedLesson implements LessonActs {
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
             LessonSession session =
-                    new LessonSession(run, programs, folder, program -> options(program, lesson, layout));
+                    new LessonSession(run, programs, folder, program -> options(program, lesson, layout, screen));
             WindowedLesson opened = new WindowedLesson(lesson, arguments.language(), run, session, window);
             Optional<String> chosen = CenterWindow.run(
                     programs.center(),
@@ -110,18 +112,22 @@ public final class WindowedLesson implements LessonActs {
         return new WindowPlace(screen.x() + screen.width() - width, screen.y(), width, screen.height());
     }
 
-    /** The windows of further programs stand a little below and beside the first of their kind. */
-    private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout) {
+    /** A second phone stands at the bottom, so that the display of the first and the robot stay in view. */
+    private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout, WindowPlace screen) {
         int before = (int) lesson.programs().stream()
                 .takeWhile(each -> !each.equals(program))
                 .filter(each -> each.jar().equals(program.jar()))
                 .count();
         boolean isPhone = program.jar().equals("simgsm-phone");
-        WindowPlace first = isPhone ? layout.phone() : layout.robot();
-        int step = before * SECOND_PHONE_STEP;
-        WindowPlace place = new WindowPlace(first.x() + step, first.y() + step, first.width(), first.height());
-        String zoom = String.valueOf(layout.zoomPercent());
-        List<String> options = List.of("--console", "--zoom", zoom, "--window", place.toString());
+        WindowPlace place = isPhone ? layout.phone() : layout.robot();
+        if (before > 0) {
+            int height = SuiteWindow.PHONE.heightUnits() * layout.zoomPercent() / PERCENT;
+            int y = Math.max(screen.y(), screen.y() + screen.height() - height);
+            place = new WindowPlace(
+                    place.x() + (before - 1) * STEP, y - (before - 1) * STEP, place.width(), place.height());
+        }
+        List<String> options =
+                List.of("--console", "--zoom", String.valueOf(layout.zoomPercent()), "--window", place.toString());
         return isPhone
                 ? options
                 : Stream.concat(options.stream(), Stream.of("--no-sound")).toList();
@@ -182,7 +188,10 @@ public final class WindowedLesson implements LessonActs {
     }
 
     private void line(String line) {
-        perform(() -> session.perform(line));
+        perform(() -> {
+            session.perform(line);
+            notice = session.told();
+        });
     }
 
     @Override

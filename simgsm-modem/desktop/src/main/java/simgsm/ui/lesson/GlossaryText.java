@@ -2,6 +2,7 @@ package simgsm.ui.lesson;
 
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Insets;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JEditorPane;
@@ -100,7 +101,11 @@ final class GlossaryText extends JEditorPane {
     /** As high as its text needs at the present width. */
     @Override
     public Dimension getPreferredSize() {
-        int width = getParent() == null ? 0 : getParent().getWidth();
+        int width = 0;
+        if (getParent() != null) {
+            Insets around = getParent().getInsets();
+            width = getParent().getWidth() - around.left - around.right;
+        }
         if (width > 0) {
             setSize(width, Short.MAX_VALUE);
         }

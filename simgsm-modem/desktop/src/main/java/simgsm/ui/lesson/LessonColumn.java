@@ -1,6 +1,8 @@
 package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import javax.swing.JComponent;
@@ -11,22 +13,39 @@ import simgsm.ui.Theme;
 
 /** A column of wrapping texts in a scroll pane: as wide as the view, as high as its texts. */
 final class LessonColumn extends JPanel implements Scrollable {
+    private int measuredWidth;
+    private int measuredHeight;
+
     LessonColumn(JComponent content) {
         super(new BorderLayout());
         setOpaque(false);
         add(content, BorderLayout.CENTER);
     }
 
-    /** The texts' height depends on their width, which each layout makes known to one level more. */
+    /** The texts' height depends on their width: after a change of the width all of them are measured anew, twice. */
     @Override
     public void doLayout() {
-        int before = getPreferredSize().height;
         super.doLayout();
-        SwingUtilities.invokeLater(() -> {
-            if (getPreferredSize().height != before) {
+        int height = getHeight();
+        int width = getWidth();
+        if (width != measuredWidth || height != measuredHeight) {
+            measuredWidth = width;
+            measuredHeight = height;
+            SwingUtilities.invokeLater(() -> {
+                forget(this);
                 revalidate();
+            });
+        }
+    }
+
+    /** Containers keep their preferred size while they are valid. */
+    private static void forget(Container container) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                forget(inner);
             }
-        });
+            child.invalidate();
+        }
     }
 
     @Override

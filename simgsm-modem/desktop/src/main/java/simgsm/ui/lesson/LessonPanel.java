@@ -78,13 +78,14 @@ public final class LessonPanel extends JPanel {
         notice.setVisible(false);
         work = work();
         work.setVisible(false);
-        JPanel column = Arrange.column(GAP, heading(), task, prediction(), work, notice, Arrange.spring());
+        JPanel column = Arrange.column(GAP, heading(), task, prediction(), work, Arrange.spring());
         column.setBorder(Theme.padding(12));
         JScrollPane scroll = new JScrollPane(new LessonColumn(column));
         scroll.setBorder(null);
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        JPanel below = Arrange.column(0, term);
-        below.setBorder(Theme.padding(0, 12, 12, 12));
+        // Always in view, whatever part of the steps is.
+        JPanel below = Arrange.column(Theme.HALF, notice, term);
+        below.setBorder(Theme.padding(8, 12, 12, 12));
         add(scroll, BorderLayout.CENTER);
         add(below, BorderLayout.SOUTH);
         setBackground(Theme.color(Ink.SURFACE));
