@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
 /** Two calls at one phone: held, swapped, forwarded, by the console and by AT commands. */
-class SecondCallTest {
+public class SecondCallTest {
     private static final String SECOND = "5550101";
     private static final String THIRD = "5550102";
 
@@ -54,6 +54,27 @@ class SecondCallTest {
             second.say("hangup");
             third.expect("released", "cause", "16");
         }
+    }
+
+    /** The second phone talks with the first, takes the third, and swaps them. */
+    public static void swap(RunningProgram first, RunningProgram second, RunningProgram third) {
+        first.say("dial " + SECOND);
+        second.expect("ringing");
+        second.say("answer");
+        first.expect("connected");
+        third.say("dial " + SECOND);
+        second.expect("waiting");
+        second.say("hold");
+        second.expect("held");
+        second.expect("connected");
+        second.say("hold");
+        second.expect("held", "number", THIRD);
+        second.expect("retrieved");
+        second.say("reject");
+        second.expect("held-over");
+        third.expect("released", "cause", "16");
+        second.say("hangup");
+        first.expect("released", "cause", "16");
     }
 
     @Test

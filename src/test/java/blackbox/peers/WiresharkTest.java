@@ -7,6 +7,7 @@ import blackbox.CaptureTest;
 import blackbox.FinishedProgram;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
+import blackbox.SecondCallTest;
 import blackbox.UssdTest;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -104,9 +105,32 @@ class WiresharkTest {
                     "(SS) Facility (GSM MAP) returnResultLast unstructuredSS-Request",
                     "(SS) Release Complete (GSM MAP) returnResultLast processUnstructuredSS-Request",
                     "(SS) Register (GSM MAP) invoke interrogateSS",
+                    "(SS) Release Complete (GSM MAP) returnResultLast interrogateSS",
+                    "(SS) Register (GSM MAP) invoke registerSS",
+                    "(SS) Release Complete (GSM MAP) returnResultLast registerSS",
+                    "(SS) Register (GSM MAP) invoke eraseSS",
+                    "(SS) Release Complete (GSM MAP) returnResultLast activateSS",
+                    "(SS) Release Complete (GSM MAP) returnResultLast deactivateSS",
                     "(SS) Release Complete (GSM MAP) returnError");
             List<String> texts = Wireshark.fields(capture, "gsm_map.ussd_string", "gsm_map.ussd_string");
             assertTrue(texts.contains("*100#"), texts.toString());
+        }
+    }
+
+    @Test
+    void callsThatAreHeldAndRetrievedAreNamedAndSound() throws Exception {
+        try (Scenario scenario = new Scenario("calls on hold, read by Wireshark")) {
+            Path capture = scenario.folder().resolve("hold.pcap");
+            RunningProgram center = scenario.center("--call-waiting", "on", "--capture", capture.toString());
+            SecondCallTest.swap(scenario.phone(Scenario.PHONE), scenario.phone("5550101"), scenario.phone("5550102"));
+            assertEquals(0, center.quit());
+            Wireshark.requireSound(
+                    capture,
+                    "(CC) Hold",
+                    "(CC) Hold Acknowledge",
+                    "(CC) Retrieve",
+                    "(CC) Retrieve Acknowledge",
+                    "(CC) Call Confirmed");
         }
     }
 

@@ -122,7 +122,9 @@ public final class PhoneMain {
         phone.start(address(center));
         console.ifPresent(
                 out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
-        window.show(() -> HandsetWindow.content(PhoneTexts::in, phone.handset()::snapshot, new PhoneControls(phone)));
+        HandsetWindow content =
+                new HandsetWindow(PhoneTexts::in, phone.handset()::snapshot, new PhoneControls(phone), window::speak);
+        window.show(content::content);
         phone.close();
         console.ifPresent(Console::close);
         return ExitStatus.OK;

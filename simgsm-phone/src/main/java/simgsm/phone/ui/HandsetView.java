@@ -1,76 +1,67 @@
 package simgsm.phone.ui;
 
 import java.awt.BorderLayout;
-import java.awt.Frame;
 import java.time.Clock;
 import java.util.Locale;
-import java.util.function.Function;
+import java.util.function.Consumer;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.screen.UserSettings;
 import simgsm.ui.Theme;
 
 /**
- * The handset in the language and the colours that its user has set: another language makes the panel anew. Where the
- * colours are changed by the window, the setting follows them.
+ * The handset in one language. The phone's settings of language and colours and those of its window follow each other: what
+ * was changed last holds.
  */
 public final class HandsetView extends JPanel {
-    private final transient Function<Locale, TextBundle> bundles;
-    private final transient Clock clock;
     private final transient HandsetControls controls;
-    private HandsetPanel panel;
-    private String language;
+    private final transient Consumer<Locale> speak;
+    private final HandsetPanel panel;
+    private final Locale language;
     private Appearance appearance;
+    /** Whether the phone has this view's language: only then it is the phone's user who changes it. */
+    private boolean isPhonesLanguage;
 
-    /** @param bundles the texts in a language */
+    /** @param speak makes the window anew in another language */
     public HandsetView(
-            Function<Locale, TextBundle> bundles, Clock clock, HandsetSnapshot first, HandsetControls controls) {
+            TextBundle texts,
+            Locale language,
+            Clock clock,
+            HandsetSnapshot first,
+            HandsetControls controls,
+            Consumer<Locale> speak) {
         super(new BorderLayout());
-        this.bundles = bundles;
-        this.clock = clock;
         this.controls = controls;
+        this.speak = speak;
+        this.language = language;
+        panel = new HandsetPanel(texts, language, clock, first, controls);
+        add(panel);
         appearance = Theme.appearance();
-        speak(first);
-        report();
+        tell();
     }
 
     /** Shows a newer snapshot. */
     public void show(HandsetSnapshot snapshot) {
-        if (!snapshot.settings().language().equals(language)) {
-            speak(snapshot);
+        UserSettings settings = snapshot.settings();
+        boolean isSame = settings.language().equals(code());
+        if (isPhonesLanguage && !isSame) {
+            isPhonesLanguage = false;
+            speak.accept(Locale.forLanguageTag(settings.language()));
         }
-        if (Theme.appearance() != appearance) {
-            report();
-        } else if (snapshot.settings().appearance() != appearance) {
-            dress(snapshot.settings().appearance());
+        isPhonesLanguage |= isSame;
+        if (Theme.appearance() == appearance && settings.appearance() != appearance) {
+            dress(settings.appearance());
         }
+        followWindow();
         panel.show(snapshot);
     }
 
-    private void speak(HandsetSnapshot snapshot) {
-        boolean isOpen = panel != null && panel.isScopeOpen();
-        language = snapshot.settings().language();
-        Locale locale = Locale.forLanguageTag(language);
-        TextBundle texts = bundles.apply(locale);
-        panel = new HandsetPanel(texts, locale, clock, snapshot, controls);
-        removeAll();
-        add(panel);
-        if (isOpen) {
-            panel.showScope();
-        }
-        revalidate();
-        repaint();
-        panel.requestFocusInWindow();
-        if (SwingUtilities.getWindowAncestor(this) instanceof Frame frame) {
-            frame.setTitle(title(texts, snapshot));
-        }
-    }
-
-    /** The title of the window: the phone's name and number. */
-    static String title(TextBundle texts, HandsetSnapshot snapshot) {
-        return texts.of("window.title") + " " + snapshot.own().digits();
+    /** As the phone's settings write it. */
+    private String code() {
+        return TextBundle.bundleLocale(language).getLanguage().equals("es") ? "es" : "en";
     }
 
     private void dress(Appearance next) {
@@ -80,20 +71,28 @@ public final class HandsetView extends JPanel {
         Theme.refresh(window == null ? this : window);
     }
 
-    /** Sets the setting to the window's colours. */
-    private void report() {
-        appearance = Theme.appearance();
-        Appearance reported = appearance;
-        controls.perform(
-                (handset, now) -> handset.set(handset.snapshot().settings().withAppearance(reported)));
+    private void followWindow() {
+        if (Theme.appearance() != appearance) {
+            appearance = Theme.appearance();
+            tell();
+        }
+    }
+
+    /** Sets the phone to the window's language and colours. */
+    private void tell() {
+        Appearance told = appearance;
+        controls.perform((handset, now) ->
+                handset.set(handset.snapshot().settings().withAppearance(told).withLanguage(code())));
     }
 
     /** Updates the display's clock; called about once a second. */
     public void lookAtClock() {
         panel.lookAtClock();
-        if (Theme.appearance() != appearance) {
-            report();
-        }
+        followWindow();
+    }
+
+    HandsetPanel panel() {
+        return panel;
     }
 
     @Override

@@ -3,6 +3,7 @@ package simgsm.phone.ui;
 import java.time.Clock;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.Timer;
@@ -16,20 +17,43 @@ import simgsm.ui.window.ProgramWindow;
 public final class HandsetWindow {
     private static final int SECOND_MILLIS = 1000;
 
-    private HandsetWindow() {}
+    private final Function<Locale, TextBundle> bundles;
+    private final Supplier<HandsetSnapshot> snapshots;
+    private final HandsetControls controls;
+    private final Consumer<Locale> speak;
+    private boolean isScopeOpen;
 
-    /** Called on the event thread. @param bundles the texts in a language */
-    public static ProgramWindow.Content content(
-            Function<Locale, TextBundle> bundles, Supplier<HandsetSnapshot> snapshots, HandsetControls controls) {
+    /**
+     * A window without content yet.
+     *
+     * @param bundles the texts in a language
+     * @param speak makes the content anew in another language, which the phone's user has set
+     */
+    public HandsetWindow(
+            Function<Locale, TextBundle> bundles,
+            Supplier<HandsetSnapshot> snapshots,
+            HandsetControls controls,
+            Consumer<Locale> speak) {
+        this.bundles = bundles;
+        this.snapshots = snapshots;
+        this.controls = controls;
+        this.speak = speak;
+    }
+
+    /** Called on the event thread. */
+    public ProgramWindow.Content content(Locale language) {
         HandsetSnapshot first = snapshots.get();
-        TextBundle texts = bundles.apply(Locale.forLanguageTag(first.settings().language()));
-        HandsetView view = new HandsetView(bundles, Clock.systemDefaultZone(), first, controls);
+        TextBundle texts = bundles.apply(language);
+        HandsetView view = new HandsetView(texts, language, Clock.systemDefaultZone(), first, controls, speak);
+        if (isScopeOpen) {
+            view.panel().showScope();
+        }
         SnapshotPoller<HandsetSnapshot> newest = new SnapshotPoller<>(snapshots, view::show);
         Timer clock = new Timer(SECOND_MILLIS, event -> view.lookAtClock());
         newest.start();
         clock.start();
         return new ProgramWindow.Content(
-                HandsetView.title(texts, first),
+                texts.of("window.title") + " " + first.own().digits(),
                 texts.of("window.help"),
                 Symbol.PHONE,
                 view,
@@ -38,6 +62,7 @@ public final class HandsetWindow {
                 Runnable::run,
                 view::requestFocusInWindow,
                 () -> {
+                    isScopeOpen = view.panel().isScopeOpen();
                     newest.stop();
                     clock.stop();
                 });

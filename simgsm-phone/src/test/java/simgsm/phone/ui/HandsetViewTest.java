@@ -1,13 +1,13 @@
 package simgsm.phone.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Clock;
 import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
-import javax.swing.AbstractButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -20,16 +20,31 @@ import simgsm.ui.Theme;
 
 /** Language and colours change while the phone is on. */
 class HandsetViewTest {
+    private static final Locale SPANISH = Locale.forLanguageTag("es");
+
     private final Bench bench = new Bench();
+    private final List<Locale> spoken = new ArrayList<>();
     private HandsetView view;
 
     @BeforeEach
     void show() {
         Theme.zoomTo(1);
         Theme.install(Appearance.LIGHT);
+        view = in(Locale.ENGLISH);
+        view.show(bench.snapshot());
+    }
+
+    private HandsetView in(Locale language) {
+        TextBundle texts = new TextBundle(
+                ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
         Clock clock = Clock.fixed(Bench.NOON, ZoneOffset.UTC);
-        view = new HandsetView(
-                HandsetViewTest::texts, clock, bench.snapshot(), act -> act.accept(bench.handset, bench.nowNanos));
+        return new HandsetView(
+                texts,
+                language,
+                clock,
+                bench.snapshot(),
+                act -> act.accept(bench.handset, bench.nowNanos),
+                spoken::add);
     }
 
     @AfterEach
@@ -37,35 +52,52 @@ class HandsetViewTest {
         Theme.install(Appearance.LIGHT);
     }
 
-    private static TextBundle texts(Locale language) {
-        return new TextBundle(
-                ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
-    }
-
-    private String spoken(String name) {
-        return ComponentNames.find(view, name)
+    private String name(String component) {
+        return ComponentNames.find(view, component)
                 .orElseThrow()
                 .getAccessibleContext()
                 .getAccessibleName();
     }
 
     @Test
-    void theDisplaySpeaksSpanishAtOnceAndTheScopeStaysOpen() {
-        ((AbstractButton) ComponentNames.find(view, "scope.switch").orElseThrow()).doClick(0);
+    void aLanguageSetAtThePhoneIsTheWindowsToo() {
         bench.tap(PhoneKey.MENU);
         bench.key("512");
         view.show(bench.snapshot());
-        assertEquals("Ajustes: Idioma, Espa\u00f1ol", spoken("lcd"));
-        assertEquals("Colgar", spoken("key.end"));
-        assertTrue(ComponentNames.find(view, "scope").orElseThrow().isVisible());
+        view.show(bench.snapshot());
+        assertEquals(List.of(SPANISH), spoken);
+        view = in(SPANISH);
+        view.show(bench.snapshot());
+        assertEquals("Ajustes: Idioma, Espa\u00f1ol", name("lcd"));
+        assertEquals("Colgar", name("key.end"));
+        assertEquals(1, spoken.size());
     }
 
     @Test
-    void darkColoursAreSetInTheMenu() {
+    void aLanguageSetInTheWindowIsThePhonesToo() {
+        view = in(SPANISH);
+        view.show(bench.snapshot());
+        assertEquals("es", bench.snapshot().settings().language());
+        assertEquals(List.of(), spoken);
+    }
+
+    @Test
+    void aSnapshotFromBeforeTheWindowsChangeDoesNotTurnItBack() {
+        var before = bench.snapshot();
+        view = in(SPANISH);
+        view.show(before);
+        assertEquals(List.of(), spoken);
+    }
+
+    @Test
+    void coloursAreSetInTheMenu() {
         bench.tap(PhoneKey.MENU);
         bench.key("542");
         view.show(bench.snapshot());
         assertEquals(Appearance.DARK, Theme.appearance());
+        bench.tap(PhoneKey.FOUR, PhoneKey.THREE);
+        view.show(bench.snapshot());
+        assertEquals(Appearance.CONTRAST, Theme.appearance());
     }
 
     @Test

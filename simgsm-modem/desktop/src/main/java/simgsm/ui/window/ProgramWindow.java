@@ -232,8 +232,11 @@ public final class ProgramWindow {
                 new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory));
     }
 
-    /** Shows the window in another language, unless its user wants to keep what is unsaved there. */
-    private void speak(Locale next) {
+    /**
+     * Shows the window in another language, unless its user wants to keep what is unsaved there. Called on the event thread,
+     * for a content that is made for a language.
+     */
+    public void speak(Locale next) {
         if (next.getLanguage().equals(language.getLanguage())) {
             return;
         }
