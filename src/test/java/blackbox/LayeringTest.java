@@ -84,14 +84,14 @@ class LayeringTest {
             simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.center.msc.link simgsm.center.bsc.handover
-            simgsm.center.msc        : simgsm.center.bsc simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
+            simgsm.center.msc        : simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.records    : simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
-            simgsm.center.app        : simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
+            simgsm.center.app        : simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.window simgsm.center.msc simgsm.center.app
             simgsm.center.lesson     : simgsm.octets simgsm.air simgsm.sms simgsm.dtmf simgsm.console simgsm.lesson simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app simgsm.center.demo
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.lesson simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo

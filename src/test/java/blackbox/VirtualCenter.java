@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.journal.Disk;
 import simgsm.center.journal.DiskFile;
 import simgsm.center.journal.FileDisk;
@@ -56,7 +57,15 @@ final class VirtualCenter {
     /** A new process: everything that is not in the journal is lost. */
     void start() {
         ExchangeSettings settings = new ExchangeSettings(
-                "SimGSM", new SplittableRandom(1), STARTED_AT, home, Optional.empty(), true, Locale.ENGLISH, false);
+                "SimGSM",
+                new SplittableRandom(1),
+                STARTED_AT,
+                home,
+                Optional.empty(),
+                true,
+                Locale.ENGLISH,
+                false,
+                HandoverAlgorithm.STANDARD);
         if (folder.isEmpty()) {
             exchange = new Exchange(settings, (ticket, entries) -> committed(exchange, ticket), event -> {});
             return;

@@ -113,6 +113,12 @@ public final class CenterMain {
                         "udp: the speech of calls goes as RTP over UDP beside the terminal's TCP link, so that Wireshark"
                                 + "\nplays it live; tcp (default): within the link")
                 .value(
+                        "handover",
+                        "ALGORITHM[,NAME=N]...",
+                        "when calls over towers move to another cell: power-budget (default; algorithm 1 of osmo-bsc) with"
+                                + "\nlevels=10, neighbours=10 (reports averaged), interval=6 (reports), hysteresis=3 (dB),"
+                                + "\ndistance=9999; or strongest-cell with margin=6 (dB), reports=4")
+                .value(
                         "http",
                         "PORT",
                         "serve metrics for Prometheus and lists as JSON by HTTP, read-only, on this TCP port, 0 for any"

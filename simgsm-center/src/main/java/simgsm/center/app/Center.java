@@ -182,7 +182,8 @@ public final class Center implements AutoCloseable {
                         settings.tones(),
                         settings.callWaiting(),
                         settings.language(),
-                        settings.speaksUdp()),
+                        settings.speaksUdp(),
+                        settings.handover()),
                 store,
                 smpp.routes(),
                 event -> {

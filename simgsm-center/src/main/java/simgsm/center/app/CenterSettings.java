@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.capture.CapturePlan;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
@@ -30,6 +31,7 @@ import simgsm.dtmf.ToneSet;
  * @param limits of connections
  * @param callWaiting whether a second call is offered to a busy phone
  * @param speaksUdp whether speech goes as RTP over UDP
+ * @param handover decides when a call over towers moves to another cell
  */
 public record CenterSettings(
         InetAddress address,
@@ -45,7 +47,8 @@ public record CenterSettings(
         Optional<ToneSet> tones,
         PortLimits limits,
         boolean callWaiting,
-        boolean speaksUdp) {
+        boolean speaksUdp,
+        HandoverAlgorithm handover) {
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -65,7 +68,8 @@ public record CenterSettings(
                 arguments.value("tones", ToneSet::of),
                 limits(arguments),
                 arguments.choice("call-waiting", "off", "on").equals("on"),
-                arguments.choice("rtp", "tcp", "udp").equals("udp"));
+                arguments.choice("rtp", "tcp", "udp").equals("udp"),
+                arguments.value("handover", HandoverAlgorithm::of).orElse(HandoverAlgorithm.STANDARD));
     }
 
     private static PortLimits limits(Arguments arguments) throws UsageException {

@@ -1,20 +1,22 @@
 package simgsm.center.bsc;
 
-import java.util.function.Supplier;
-import simgsm.center.bsc.handover.HandoverDecision;
-import simgsm.center.bsc.handover.PowerBudgetDecision;
-import simgsm.center.bsc.handover.PowerBudgetSettings;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.octets.Bounds;
 
 /**
  * What all cells of the controller have in common.
  *
  * @param t3212SixMinutes period of location updating in units of 6 minutes, 0 for none
- * @param decision makes the handover decision of a new traffic channel
+ * @param handover decides when a call moves to another cell
  */
-public record CellSettings(int t3212SixMinutes, Supplier<HandoverDecision> decision) {
-    public static final CellSettings STANDARD =
-            new CellSettings(5, () -> new PowerBudgetDecision(PowerBudgetSettings.STANDARD));
+public record CellSettings(int t3212SixMinutes, HandoverAlgorithm handover) {
+    /** Location updating every 30 minutes, as osmo-bsc's usual configuration has it. */
+    private static final int HALF_AN_HOUR = 5;
+
+    /** The usual settings with this algorithm. */
+    public static CellSettings with(HandoverAlgorithm handover) {
+        return new CellSettings(HALF_AN_HOUR, handover);
+    }
 
     public CellSettings {
         Bounds.checkOctet("T3212", t3212SixMinutes);

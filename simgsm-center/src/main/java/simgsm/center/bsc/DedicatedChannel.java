@@ -116,7 +116,7 @@ final class DedicatedChannel {
         purpose = why;
         accessDelay = delay;
         handoverReference = reference;
-        decision = number.kind().isSpeech() ? tower.settings().decision().get() : null;
+        decision = number.kind().isSpeech() ? tower.settings().handover().decision() : null;
         machine.fire(ChannelEvent.ACTIVATE);
     }
 

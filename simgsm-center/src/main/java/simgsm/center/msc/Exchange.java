@@ -102,7 +102,8 @@ public final class Exchange {
                 new LinkedHashSet<>(),
                 List.of(mobility, calls, mobiles, services));
         speaksUdp = settings.speaksUdp();
-        controller = new BaseStationController(links, signalling, CellSettings.STANDARD, mobility::linkOf);
+        controller =
+                new BaseStationController(links, signalling, CellSettings.with(settings.handover()), mobility::linkOf);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 

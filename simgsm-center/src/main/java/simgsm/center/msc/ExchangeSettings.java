@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.ToneSet;
 
@@ -19,6 +20,7 @@ import simgsm.dtmf.ToneSet;
  * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
  * @param language of the texts that USSD shows
  * @param speaksUdp whether terminals are asked for speech as RTP over UDP
+ * @param handover decides when a call over towers moves to another cell
  */
 public record ExchangeSettings(
         String networkName,
@@ -28,7 +30,8 @@ public record ExchangeSettings(
         Optional<ToneSet> tones,
         boolean callWaiting,
         Locale language,
-        boolean speaksUdp) {
+        boolean speaksUdp,
+        HandoverAlgorithm handover) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
     /** An open network without tones, reproducible by its seed. */
@@ -39,6 +42,6 @@ public record ExchangeSettings(
     /** An exchange without call waiting, in English. */
     public ExchangeSettings(
             String networkName, RandomGenerator random, Instant startedAt, HomeRegister home, Optional<ToneSet> tones) {
-        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH, false);
+        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH, false, HandoverAlgorithm.STANDARD);
     }
 }

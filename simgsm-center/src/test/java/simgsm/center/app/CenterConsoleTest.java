@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.Exchange;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Console;
@@ -54,7 +55,8 @@ class CenterConsoleTest {
                 Optional.empty(),
                 PortLimits.STANDARD,
                 false,
-                false);
+                false,
+                HandoverAlgorithm.STANDARD);
         center = Center.open(settings, temporary, 0);
     }
 

@@ -18,6 +18,7 @@ import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.subscriber.HomeRegister;
 
 /** The sessions of RTP that the centre opens for the legs of a call, and what happens where a terminal takes no part. */
@@ -34,7 +35,8 @@ class SpeechOverUdpTest {
             Optional.empty(),
             false,
             Locale.ENGLISH,
-            true));
+            true,
+            HandoverAlgorithm.STANDARD));
     private final ActiveCallParts call = new ActiveCallParts();
 
     /** A call whose two terminals have a socket of their own in this test. */

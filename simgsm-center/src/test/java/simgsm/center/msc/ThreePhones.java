@@ -15,6 +15,7 @@ import java.util.stream.IntStream;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.center.msc.link.Peer;
 import simgsm.center.subscriber.HomeRegister;
@@ -169,7 +170,8 @@ abstract class ThreePhones {
                         Optional.empty(),
                         callWaiting,
                         Locale.ENGLISH,
-                        false),
+                        false,
+                        HandoverAlgorithm.STANDARD),
                 (ticket, entry) -> {},
                 event -> {});
         alice = new Phone(ALICE, true);
