@@ -3,10 +3,12 @@ package blackbox.peers;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import blackbox.ConsoleEvent;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -45,7 +47,7 @@ final class OsmocomSession extends Scenario {
         // tshark prints nothing that says when it captures.
         Thread.sleep(CAPTURE_MILLIS);
         try {
-            openCells("village.town");
+            openCells(world("village.town"));
             RunningProgram phone = terminal("phone", "simgsm-phone", PHONE);
             RunningProgram robot = terminal(
                     "robot", "simrobot", ROBOT, "--world", world("empty.map").toString(), "--answer-after", "1500");
@@ -66,13 +68,13 @@ final class OsmocomSession extends Scenario {
         soundAs("the terminals' side", "tcp.port==" + port + ",gsm_ipa");
     }
 
-    private void openCells(String town) {
+    private void openCells(Path town) {
         cells = start(
                 "cells",
                 "simgsm-cells",
                 "--headless",
                 "--town",
-                world(town).toString(),
+                town.toString(),
                 "--controller",
                 "osmo-bsc",
                 "--center",
@@ -83,7 +85,7 @@ final class OsmocomSession extends Scenario {
     }
 
     private RunningProgram terminal(String name, String program, String number, String... more) {
-        List<String> arguments = new java.util.ArrayList<>(
+        List<String> arguments = new ArrayList<>(
                 List.of("--headless", "--lang", "en", "--no-sound", "--center", cellsAddress, "--number", number));
         arguments.addAll(List.of(more));
         RunningProgram terminal = start(name, program, arguments.toArray(String[]::new));
@@ -140,9 +142,26 @@ final class OsmocomSession extends Scenario {
         tell("handed over in the middle of an order; speech gap " + gap + " ms; the next order was done");
     }
 
-    /** A hundred phones register, send each other messages and hold ten calls. */
-    private void crowd() throws IOException, InterruptedException {
-        openCells("crowd.town");
+    /** A hundred phones register and send each other a hundred messages. */
+    private void crowd() throws InterruptedException {
+        openCells(Path.of(Peer.source("osmocom/crowd.town")));
+        RunningProgram load = start(
+                "load",
+                "simgsm-modem",
+                "load",
+                "--center",
+                cellsAddress,
+                "--phones",
+                "100",
+                "--sms",
+                "100",
+                "--seconds",
+                "1");
+        ConsoleEvent result = load.expect("load", "phones", "100", "sms", "100", "smslost", "0");
+        assertEquals(0, load.awaitExit());
+        tell("100 phones: " + result.field("attachrate") + " registrations and " + result.field("smsrate")
+                + " messages a second");
+        assertEquals(0, cells.quit());
     }
 
     /** Requires that tshark finds nothing malformed where it reads a port so. */

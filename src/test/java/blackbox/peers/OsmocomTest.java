@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import blackbox.Dist;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -38,12 +39,19 @@ class OsmocomTest {
 
     @Test
     void anOrderGoesOnAcrossAHandoverBetweenTwoTowers(@TempDir Path folder) throws Exception {
-        String told = session(folder, "session", "village.town", "5550100,5550200");
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told = session(folder, "session", town, "5550100,5550200");
         assertTrue(told.contains("handed over in the middle of an order"), told);
     }
 
+    @Test
+    void aHundredPhonesRegisterAndSendEachOtherMessages(@TempDir Path folder) throws Exception {
+        String told = session(folder, "crowd", Path.of(Peer.source("osmocom/crowd.town")), "7000000-7000099");
+        assertTrue(told.contains("100 phones: "), told);
+    }
+
     /** Runs {@link OsmocomSession} beside a core for a town's towers. */
-    private static String session(Path folder, String kind, String town, String numbers)
+    private static String session(Path folder, String kind, Path town, String numbers)
             throws IOException, InterruptedException {
         String command = String.join(
                 " ",
@@ -54,18 +62,14 @@ class OsmocomTest {
                 OsmocomSession.class.getName(),
                 kind,
                 quoted(folder.resolve("osmocom.pcapng").toString()));
-        ProcessBuilder core = Peer.BASH.process(
-                Peer.source("osmocom/core.sh"),
-                Dist.root().resolve("worlds").resolve(town).toString(),
-                numbers,
-                command);
+        ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
         core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
         core.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Path output = folder.resolve("told.txt");
         Process process = core.redirectOutput(output.toFile()).start();
         boolean hasEnded = process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES);
         process.destroy();
-        String told = java.nio.file.Files.readString(output, StandardCharsets.UTF_8);
+        String told = Files.readString(output, StandardCharsets.UTF_8);
         System.out.println(told);
         assertTrue(hasEnded, told);
         assertEquals(0, process.exitValue(), told);
