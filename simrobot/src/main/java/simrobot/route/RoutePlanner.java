@@ -6,7 +6,10 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
+import java.util.stream.Stream;
+import simrobot.world.Distances;
 import simrobot.world.Position;
+import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
@@ -57,13 +60,38 @@ public final class RoutePlanner {
             return Plan.none("the goal lies outside the world");
         }
         if (cells.clearanceMeters(goal) < LEAST_CLEARANCE_METERS - cells.cellMeters()) {
-            return Plan.none("the goal lies in an obstacle or too near to one");
+            return Plan.none(
+                    isForbidden(world, to)
+                            ? "the goal lies in a forbidden area, or within 32 cm of one or of a forbidden line"
+                            : "the goal lies in an obstacle or too near to one");
         }
         if (start < 0) {
             return Plan.none("the robot stands outside the world");
         }
         Search search = new Search(cells, start, goal, robots);
-        return search.run() ? new Plan(search.way(to), "") : Plan.none("there is no way");
+        boolean restricts =
+                !world.forbiddenLines().isEmpty() || !world.forbiddenAreas().isEmpty();
+        return search.run()
+                ? new Plan(search.way(to), "")
+                : Plan.none(restricts ? "there is no way round obstacles and forbidden places" : "there is no way");
+    }
+
+    private static boolean isForbidden(World world, Position goal) {
+        return Stream.concat(
+                        world.forbiddenLines().stream(),
+                        world.forbiddenAreas().stream().flatMap(area -> area.sides().stream()))
+                        .anyMatch(side -> distance(goal, side) < LEAST_CLEARANCE_METERS)
+                || world.forbiddenAreas().stream().anyMatch(area -> area.contains(goal.xMeters(), goal.yMeters()));
+    }
+
+    private static double distance(Position place, Segment side) {
+        return Distances.toSegment(
+                place.xMeters(),
+                place.yMeters(),
+                side.x1Meters(),
+                side.y1Meters(),
+                side.x2Meters(),
+                side.y2Meters());
     }
 
     private synchronized ClearanceGrid grid(World world) {

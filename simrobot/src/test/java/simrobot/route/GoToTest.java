@@ -124,6 +124,20 @@ class GoToTest {
     }
 
     @Test
+    void aGoalAtAForbiddenLineOrBehindOneSaysSo() {
+        WorldBuilder builder = rooms();
+        builder.addForbidden(new Segment(6, 0, 6, 4));
+        in(builder.build(), 1, 1);
+        go(5.8, 1);
+        assertEquals(
+                new Decision.GivenUp("the goal lies in a forbidden area, or within 32 cm of one or of a forbidden line."),
+                awaitEnd());
+        ends.clear();
+        go(7, 1);
+        assertEquals(new Decision.GivenUp("there is no way round obstacles and forbidden places."), awaitEnd());
+    }
+
+    @Test
     void aClosedDoorMeansNoWay() {
         WorldBuilder builder = rooms();
         builder.add(new Segment(4, 2, 4, 4));
