@@ -78,20 +78,15 @@ public final class RoutePlanner {
 
     private static boolean isForbidden(World world, Position goal) {
         return Stream.concat(
-                        world.forbiddenLines().stream(),
-                        world.forbiddenAreas().stream().flatMap(area -> area.sides().stream()))
+                                world.forbiddenLines().stream(),
+                                world.forbiddenAreas().stream().flatMap(area -> area.sides().stream()))
                         .anyMatch(side -> distance(goal, side) < LEAST_CLEARANCE_METERS)
                 || world.forbiddenAreas().stream().anyMatch(area -> area.contains(goal.xMeters(), goal.yMeters()));
     }
 
     private static double distance(Position place, Segment side) {
         return Distances.toSegment(
-                place.xMeters(),
-                place.yMeters(),
-                side.x1Meters(),
-                side.y1Meters(),
-                side.x2Meters(),
-                side.y2Meters());
+                place.xMeters(), place.yMeters(), side.x1Meters(), side.y1Meters(), side.x2Meters(), side.y2Meters());
     }
 
     private synchronized ClearanceGrid grid(World world) {

@@ -21,13 +21,22 @@ public final class ToolButtons {
         return button(button, action, action.name());
     }
 
+    /** A button with the action's name and narrow margins: three stand in the width of a column. */
+    public static <B extends AbstractButton> B tab(B button, UserAction action) {
+        return button(button, action, action.name(), 3);
+    }
+
     /** @param word shown in place of the action's name; null for none */
     public static <B extends AbstractButton> B button(B button, UserAction action, String word) {
+        return button(button, action, word, word == null ? 7 : 10);
+    }
+
+    private static <B extends AbstractButton> B button(B button, UserAction action, String word, int side) {
         button.setAction(action);
         button.setHideActionText(true);
         button.setText(word);
         button.setIconTextGap(Theme.HALF);
-        Theme.styled(button, it -> setMargins(it, word == null ? 7 : 10));
+        Theme.styled(button, it -> setMargins(it, side));
         return ComponentNames.name(button, action.id(), action.name());
     }
 

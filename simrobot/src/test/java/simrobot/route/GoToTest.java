@@ -130,7 +130,8 @@ class GoToTest {
         in(builder.build(), 1, 1);
         go(5.8, 1);
         assertEquals(
-                new Decision.GivenUp("the goal lies in a forbidden area, or within 32 cm of one or of a forbidden line."),
+                new Decision.GivenUp(
+                        "the goal lies in a forbidden area, or within 32 cm of one or of a forbidden line."),
                 awaitEnd());
         ends.clear();
         go(7, 1);

@@ -131,6 +131,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     }
 
     private void sizes() {
+        // four tabs side by side in the centre's window at 1280x720, in Spanish too
+        defaults.put("TabbedPane:TabbedPaneTab.contentMargins", new InsetsUIResource(2, 5, 3, 5));
         margins();
         arrowButtons();
         defaults.put("defaultFont", new FontUIResource(Theme.base()));

@@ -34,6 +34,8 @@ final class Inspector extends JPanel {
     private static final String ROBOT = "robot";
     private static final String EVENTS = "events";
     private static final String PROCESSES = "processes";
+    /** Below this height the list of the robots and a sheet do not both have room. */
+    private static final int LOW_UNITS = 520;
 
     private final RobotsCard robots;
     private final NewRobotForm newRobot;
@@ -52,6 +54,12 @@ final class Inspector extends JPanel {
     private final CameraView camera;
     private final String low;
     private final Runnable wanted;
+    private final JToggleButton robotTab;
+    private final JPanel top;
+    private final JPanel robotSheet;
+    /** Whether robots and form stand in the first sheet, so that each sheet has the whole height. */
+    private boolean isLow;
+
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
@@ -90,11 +98,13 @@ final class Inspector extends JPanel {
         Card rose = new Card(texts.of("sonar.title"), sonar).folding("fold.sonar");
         Card picture = new Card(texts.of("camera.title"), camera).folding("fold.camera");
         sheet.setOpaque(false);
-        JScrollPane state = scrolled(Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels));
+        robotSheet = Arrange.column(Theme.GRID, pose, picture, Arrange.growing(rose), wheels);
+        JScrollPane state = scrolled(robotSheet);
         sheet.add(ComponentNames.name(state, "inspector", texts.of("tab.robot")), ROBOT);
         sheet.add(events, EVENTS);
         sheet.add(processes, PROCESSES);
-        JPanel top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts, page));
+        robotTab = tab("tab.robot", texts, page, KeyEvent.VK_1, ROBOT);
+        top = Arrange.column(Theme.GRID, robots, newRobot, tabs(texts, page));
         add(Arrange.column(Theme.GRID, top, Arrange.growing(sheet)), BorderLayout.CENTER);
     }
 
@@ -115,15 +125,14 @@ final class Inspector extends JPanel {
 
     /** The lower part shows the robot, the events or the processes. */
     private JPanel tabs(TextBundle texts, JComponent page) {
-        JToggleButton robot = tab("tab.robot", texts, page, KeyEvent.VK_1, ROBOT);
         JToggleButton log = tab("tab.events", texts, page, KeyEvent.VK_2, EVENTS);
         JToggleButton own = tab("tab.processes", texts, page, KeyEvent.VK_3, PROCESSES);
         ButtonGroup one = new ButtonGroup();
-        one.add(robot);
+        one.add(robotTab);
         one.add(log);
         one.add(own);
-        robot.setSelected(true);
-        return Arrange.row(Theme.HALF, Arrange.growing(robot), Arrange.growing(log), Arrange.growing(own));
+        robotTab.setSelected(true);
+        return Arrange.row(Theme.HALF, Arrange.growing(robotTab), Arrange.growing(log), Arrange.growing(own));
     }
 
     private JToggleButton tab(String id, TextBundle texts, JComponent page, int key, String name) {
@@ -133,10 +142,25 @@ final class Inspector extends JPanel {
             button.setSelected(true);
             sheets.show(sheet, name);
         });
-        return ToolButtons.named(button, action.onKey(page, key, InputEvent.ALT_DOWN_MASK));
+        return ToolButtons.tab(button, action.onKey(page, key, InputEvent.ALT_DOWN_MASK));
+    }
+
+    @Override
+    public void doLayout() {
+        boolean low = getHeight() < Theme.px(LOW_UNITS);
+        if (low != isLow) {
+            isLow = low;
+            JPanel place = low ? robotSheet : top;
+            place.add(robots, 0);
+            place.add(newRobot, 1);
+        }
+        super.doLayout();
     }
 
     private void toggleNewRobotForm() {
+        if (isLow && !robotTab.isSelected()) {
+            robotTab.doClick(0);
+        }
         newRobot.toggle(names, numbers);
         revalidate();
     }

@@ -28,6 +28,7 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.StatusLamps;
 import simrobot.ui.TextLine;
 import simrobot.ui.ToolButtons;
+import vericommand.Pose;
 
 /** The list of the robots, the selected one's status, process and ports, and the buttons that add and remove robots. */
 final class RobotsCard extends JPanel {
@@ -39,6 +40,15 @@ final class RobotsCard extends JPanel {
     private final UserAction remove;
     private final JPanel buttons;
     private final JPanel process;
+    private final JButton restoring;
+    /** The robot that the user removed last; empty if it is there again. */
+    private Optional<Removed> removed = Optional.empty();
+
+    private Optional<Removed> removable = Optional.empty();
+
+    /** What is needed to put a removed robot back. */
+    private record Removed(String name, String number, Pose pose) {}
+
     private final JComboBox<String> behaviour = new JComboBox<>();
     private String selected = "";
     private BehaviourKind current = BehaviourKind.NONE;
@@ -64,15 +74,20 @@ final class RobotsCard extends JPanel {
         statuses = new StatusLamps(texts);
         add = new UserAction("robot.add", texts.of("robot.add"), newRobot).with(Symbol.PLUS.icon(12));
         add.onKey(page, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
-        remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> operator.removeRobot(selected))
+        remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> remove(operator))
                 .with(Symbol.MINUS.icon(12));
         remove.described(texts.of("robot.remove.hint"));
         remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
-        buttons = Arrange.row(
+        UserAction restore = new UserAction("robot.restore", texts.of("robot.restore.hint"), () -> restore(operator))
+                .onKey(page, KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK);
+        restoring = ToolButtons.button(new JButton(), restore, texts.of("robot.restore"));
+        restoring.setVisible(false);
+        JPanel both = Arrange.row(
                 Theme.HALF,
                 ToolButtons.named(new JButton(), add),
                 ToolButtons.named(new JButton(), remove),
                 Arrange.spring());
+        buttons = Arrange.column(Theme.HALF, both, restoring);
         offer(BehaviourKind.BUILT_IN);
         ComponentNames.name(behaviour, "robot.behaviour", texts.of("robot.behaviour"));
         behaviour.setToolTipText(texts.of("robot.behaviour.hint"));
@@ -84,6 +99,37 @@ final class RobotsCard extends JPanel {
         step(page, KeyEvent.VK_UP, -1);
         add(new Card(
                 texts.of("robots.title"), Arrange.column(10, robots.component(), buttons, statuses, process, ports)));
+    }
+
+    private void remove(OperatorActions operator) {
+        removed = removable;
+        operator.removeRobot(selected);
+    }
+
+    private void restore(OperatorActions operator) {
+        removed.ifPresent(robot -> operator.addRobot(
+                robot.name(), robot.number(), Optional.of(robot.pose()), refusal -> refusal.ifPresent(operator::tell)));
+    }
+
+    /** Offers the removed robot while it is not there; a real robot cannot be put back. */
+    private void offerRestoring(List<RobotList.Row> rows, Optional<RobotSnapshot> shown) {
+        removable = shown.filter(RobotSnapshot::simulated)
+                .map(robot -> new Removed(
+                        robot.name(),
+                        rows.stream()
+                                .filter(row -> row.name().equals(robot.name()))
+                                .map(RobotList.Row::number)
+                                .findFirst()
+                                .orElse(""),
+                        new Pose(robot.xMeters(), robot.yMeters(), Math.toDegrees(robot.headingRadians()))));
+        Optional<String> gone = removed.map(Removed::name)
+                .filter(name -> rows.stream().noneMatch(row -> row.name().equals(name)));
+        if (gone.isPresent() != restoring.isVisible()) {
+            removed = gone.isPresent() || !restoring.isVisible() ? removed : Optional.empty();
+            gone.ifPresent(name -> restoring.setText(texts.of("robot.restore", name)));
+            restoring.setVisible(gone.isPresent());
+            revalidate();
+        }
     }
 
     /** Ctrl and an arrow select the next or the previous robot from everywhere in the window. */
@@ -146,6 +192,7 @@ final class RobotsCard extends JPanel {
     void show(List<RobotList.Row> rows, Optional<RobotSnapshot> shown, List<OpenPort> open, List<BehaviourKind> kinds) {
         selected = shown.map(RobotSnapshot::name).orElse("");
         robots.show(rows, selected);
+        offerRestoring(rows, shown);
         show(shown, kinds);
         statuses.show(shown.map(RobotSnapshot::status).orElse(null));
         remove.setEnabled(shown.isPresent() && add.isEnabled());

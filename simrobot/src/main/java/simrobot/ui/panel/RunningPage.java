@@ -14,7 +14,7 @@ import simrobot.ui.telephone.VeriCommandPanel;
  * The page of a running simulation. Its size decides where the parts stand and which give way: in a wide page modem and
  * VeriCommand stand in a column at the right of the floor and the inspector beside them; in a narrower one that is high
  * enough, below the floor. In a small page the inspector is hidden, and modem and VeriCommand are compact and stand where
- * they leave the floor the larger area. The floor and the tone scope are always visible.
+ * they leave the floor the larger area. The floor and the tone scope are always visible. The gaps are dragged with the mouse.
  */
 final class RunningPage extends JPanel {
     /** The smallest page that shows every part that does not give way, in units. */
@@ -34,6 +34,9 @@ final class RunningPage extends JPanel {
     /** In a narrower panel the modem's facts stand above the tone scope. */
     private static final int NARROW_MODEM_UNITS = 440;
 
+    /** What a dragged gap leaves the floor. */
+    private static final Dimension LEAST_FLOOR_UNITS = new Dimension(240, 160);
+
     private final JComponent tools;
     private final JComponent notice;
     private final JComponent floor;
@@ -43,6 +46,12 @@ final class RunningPage extends JPanel {
     private final JComponent timeline;
     private final JComponent inspector;
     private final JComponent presentation;
+    private final PaneDividers dividers = new PaneDividers(this);
+    private final PaneDividers.Size inspectorSize = new PaneDividers.Size(200);
+    private final PaneDividers.Size columnSize = new PaneDividers.Size(COLUMN_UNITS - 40);
+    private final PaneDividers.Size rowSize = new PaneDividers.Size(ModemPanel.COMPACT_HEIGHT_UNITS);
+    private final PaneDividers.Size ordersSize = new PaneDividers.Size(180);
+    private final PaneDividers.Size lowerOrdersSize = new PaneDividers.Size(90);
     private boolean hasLine;
     private boolean isPresenting;
     private boolean isInspectorWanted;
@@ -177,6 +186,7 @@ final class RunningPage extends JPanel {
 
         @Override
         public void layoutContainer(Container parent) {
+            dividers.clear();
             Rectangle rest = restOfPage();
             int top = 0;
             if (tools.isVisible()) {
@@ -187,7 +197,7 @@ final class RunningPage extends JPanel {
                 notice.setBounds(0, top, getWidth(), notice.getPreferredSize().height);
             }
             if (inspector.isVisible()) {
-                takeRight(rest, inspector, inspector.getPreferredSize().width);
+                inspector.setBounds(cutRight(rest, inspectorSize, inspector.getPreferredSize().width));
             }
             if (modem.isVisible() && atRight) {
                 stackAtRight(rest);
@@ -203,24 +213,28 @@ final class RunningPage extends JPanel {
 
         /** The tone scope gets the height that VeriCommand does not need. */
         private void stackAtRight(Rectangle rest) {
-            Rectangle column = cutRight(rest, Theme.px(COLUMN_UNITS));
-            int ordersHeight = Math.min(column.height / 2, orders.getPreferredSize().height);
+            Rectangle column = cutRight(rest, columnSize, Theme.px(COLUMN_UNITS));
+            int ordersHeight = lowerOrdersSize.pixels(
+                    Math.min(column.height / 2, orders.getPreferredSize().height), column.height / 2);
+            dividers.add(
+                    new Rectangle(column.x, column.y + column.height - ordersHeight - gap(), column.width, gap()),
+                    lowerOrdersSize,
+                    ordersHeight);
             int modemHeight = column.height - gap() - ordersHeight;
             modem.setBounds(column.x, column.y, column.width, Math.max(0, modemHeight));
             orders.setBounds(column.x, column.y + modemHeight + gap(), column.width, ordersHeight);
         }
 
         private void rowAtBottom(Rectangle rest) {
-            Rectangle row =
-                    cutBottom(rest, Math.max(modem.getPreferredSize().height, orders.getPreferredSize().height));
-            int modemWidth = modemWidthInRow(row.width);
-            int ordersWidth = row.width - gap() - modemWidth;
+            int own = Math.max(modem.getPreferredSize().height, orders.getPreferredSize().height);
+            int height = rowSize.pixels(own, rest.height - gap() - Theme.px(LEAST_FLOOR_UNITS.height));
+            Rectangle row = cutBottom(rest, height);
+            dividers.add(new Rectangle(row.x, row.y - gap(), row.width, gap()), rowSize, height);
+            int ordersWidth = ordersSize.pixels(row.width - gap() - modemWidthInRow(row.width), row.width / 2);
+            int modemWidth = row.width - gap() - ordersWidth;
+            dividers.add(new Rectangle(row.x + modemWidth, row.y, gap(), row.height), ordersSize, ordersWidth);
             modem.setBounds(row.x, row.y, modemWidth, row.height);
             orders.setBounds(row.x + modemWidth + gap(), row.y, ordersWidth, row.height);
-        }
-
-        private void takeRight(Rectangle rest, JComponent part, int width) {
-            part.setBounds(cutRight(rest, width));
         }
 
         private void takeBottom(Rectangle rest, JComponent part) {
@@ -229,8 +243,10 @@ final class RunningPage extends JPanel {
             }
         }
 
-        private Rectangle cutRight(Rectangle rest, int width) {
+        private Rectangle cutRight(Rectangle rest, PaneDividers.Size size, int own) {
+            int width = size.pixels(own, rest.width - gap() - Theme.px(LEAST_FLOOR_UNITS.width));
             rest.width = Math.max(0, rest.width - width - gap());
+            dividers.add(new Rectangle(rest.x + rest.width, rest.y, gap(), rest.height), size, width);
             return new Rectangle(rest.x + rest.width + gap(), rest.y, width, rest.height);
         }
 

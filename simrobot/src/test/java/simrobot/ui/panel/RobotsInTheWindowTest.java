@@ -9,6 +9,7 @@ import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import javax.swing.AbstractButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JList;
@@ -22,6 +23,7 @@ import simrobot.control.RobotEvent;
 import simrobot.drawing.RobotPreview;
 import simrobot.drawing.Viewport;
 import simrobot.process.BehaviourKind;
+import simrobot.robot.SimulatedRobot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
 import vericommand.RobotStatus;
@@ -98,6 +100,27 @@ class RobotsInTheWindowTest {
         bench.show();
         assertEquals("World office.map, no robot", bench.spoken("world"));
         assertFalse(bench.component("robot.remove").isEnabled());
+    }
+
+    @Test
+    void aRemovedRobotIsPutBackWhereItStood() throws Exception {
+        bench.lines = List.of(WindowBench.line("anna", true, false, WindowBench.noOrders(), ""));
+        SimulatedRobot anna = bench.simulation.robot("anna").orElseThrow();
+        anna.place(4.5, 6, 0);
+        bench.show();
+        assertFalse(bench.component("robot.restore").isVisible());
+        bench.click("robot.remove");
+        bench.lines = List.of();
+        bench.show();
+        assertTrue(bench.component("robot.restore").isVisible());
+        assertEquals("Put back anna", ((AbstractButton) bench.component("robot.restore")).getText());
+        bench.click("robot.restore");
+        bench.show();
+        assertTrue(bench.acts.contains("add anna 5550200 at 4.50 6.00"), bench.acts.toString());
+        assertFalse(bench.component("robot.restore").isVisible(), "it is there again");
+        bench.click("robot.remove");
+        bench.show();
+        assertEquals("Put back bert", ((AbstractButton) bench.component("robot.restore")).getText());
     }
 
     @Test

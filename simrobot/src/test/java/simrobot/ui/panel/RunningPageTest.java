@@ -9,6 +9,7 @@ import java.awt.Container;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.AbstractButton;
@@ -204,5 +205,62 @@ class RunningPageTest {
         WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
         assertEquals("Status: Stopped", bench.spoken("status.stopped"));
         assertEquals("Status: Collision, no", bench.spoken("status.collision"));
+    }
+
+    // ---- dragged gaps
+
+    private static RunningPage page(WindowBench bench) {
+        return (RunningPage) SwingUtilities.getAncestorOfClass(RunningPage.class, bench.floor());
+    }
+
+    private static void mouse(Component page, int id, int x, int y, int clicks) {
+        int held = id == MouseEvent.MOUSE_RELEASED ? 0 : InputEvent.BUTTON1_DOWN_MASK;
+        page.dispatchEvent(new MouseEvent(page, id, 0, held, x, y, clicks, false, MouseEvent.BUTTON1));
+    }
+
+    private static void drag(WindowBench bench, int x, int y, int toX, int toY) {
+        RunningPage page = page(bench);
+        mouse(page, MouseEvent.MOUSE_PRESSED, x, y, 1);
+        mouse(page, MouseEvent.MOUSE_DRAGGED, (x + toX) / 2, (y + toY) / 2, 1);
+        mouse(page, MouseEvent.MOUSE_DRAGGED, toX, toY, 1);
+        mouse(page, MouseEvent.MOUSE_RELEASED, toX, toY, 1);
+        bench.resize(1100, 800).resize(1100, 800);
+    }
+
+    @Test
+    void theGapsBetweenThePartsAreDraggedAndADoubleClickPutsThemBack() throws Exception {
+        WindowBench bench = new WindowBench("demo.map", Locale.ENGLISH, "anna");
+        bench.lines = List.of(WindowBench.line("anna", true, false, WindowBench.noOrders(), ""));
+        bench.show().resize(1100, 800).resize(1100, 800);
+        Component floor = bench.floor().getParent();
+        int width = floor.getWidth();
+        int height = floor.getHeight();
+        int right = floor.getX() + width + 4;
+        int below = floor.getY() + height + 4;
+        drag(bench, right, floor.getY() + 50, right - 60, floor.getY() + 50);
+        assertEquals(width - 60, floor.getWidth(), 1);
+        drag(bench, floor.getX() + 90, below, floor.getX() + 90, below + 40);
+        assertEquals(height + 40, floor.getHeight(), 1);
+        drag(bench, floor.getX() + 90, below + 40, floor.getX() + 90, 0);
+        assertEquals(160, floor.getHeight(), 1, "the floor keeps its least height");
+        mouse(page(bench), MouseEvent.MOUSE_CLICKED, floor.getX() + 90, floor.getY() + 160 + 4, 2);
+        mouse(page(bench), MouseEvent.MOUSE_CLICKED, right - 60, floor.getY() + 50, 2);
+        bench.resize(1100, 800).resize(1100, 800);
+        assertEquals(width, floor.getWidth());
+        assertEquals(height, floor.getHeight());
+    }
+
+    /** At 1366x768 the demo gives the window so little height that list and sheet did not both have room. */
+    @Test
+    void inALowWindowEachSheetHasTheWholeHeight() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 1000, 440);
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_3, InputEvent.ALT_DOWN_MASK));
+        bench.resize(1000, 440).resize(1000, 440);
+        assertTrue(bench.component("processes").getParent().getHeight() > 150);
+        AbstractButton tab = (AbstractButton) bench.component("tab.processes");
+        int needed = tab.getFontMetrics(tab.getFont()).stringWidth(tab.getText());
+        assertTrue(tab.getWidth() - needed >= 6, tab.getWidth() + " for " + needed);
+        bench.click("robot.add");
+        assertTrue(((AbstractButton) bench.component("tab.robot")).isSelected());
     }
 }
