@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.InstantSource;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -37,9 +39,10 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final CallAudioListener recorder;
     private final Handset handset;
     private final MobileStation station;
+    private final Optional<PhoneData> data;
     private Optional<AtPort> at = Optional.empty();
 
-    /** @throws IOException if the recording's file cannot be written */
+    /** @throws IOException if the recording's file cannot be written, or what is kept cannot be read */
     Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
         this.output = output;
         recorder = settings.recording().isPresent()
@@ -61,6 +64,27 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 this::accept);
         handset.attach(station);
         handset.setChannels(settings.channels());
+        data = settings.data().isPresent()
+                ? Optional.of(
+                        new PhoneData(settings.data().get(), settings.identity().number()))
+                : Optional.empty();
+        if (data.isPresent()) {
+            Map<String, String> kept = new TreeMap<>(data.get().read());
+            kept.keySet().removeAll(settings.given());
+            handset.restore(kept)
+                    .forEach(key -> LOG.log(Level.WARNING, "--data: {0} is not understood and left out", key));
+        }
+    }
+
+    /** Writes what has changed to the folder of {@code --data}; not on the owner thread. */
+    void save() {
+        if (data.isPresent()) {
+            try {
+                data.get().write(ask(Handset::texts));
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 
     private void accept(StationEvent event) {
@@ -118,6 +142,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     @Override
     public void close() {
         thread.close();
+        data.ifPresent(kept -> kept.write(handset.texts()));
         recorder.close();
         output.close();
     }

@@ -58,6 +58,11 @@ public final class PhoneMain {
                         "record all calls in one file, left what is sent and right what is received,"
                                 + "\nwith 0.5 s of silence between calls; a file that is there is overwritten")
                 .value(
+                        "data",
+                        "DIR",
+                        "keep names, calls, messages and settings of this number here; without it they last as long"
+                                + "\nas the program. A codec and keys given here come before those that were set")
+                .value(
                         "channels",
                         "LIST",
                         "the broadcast channels that are shown, as 50,919,4370-4399; all or none (all)")

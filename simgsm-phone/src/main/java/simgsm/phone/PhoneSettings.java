@@ -2,8 +2,10 @@ package simgsm.phone;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
@@ -26,6 +28,8 @@ import simgsm.station.mobility.Sim;
  * @param sim authenticates the phone in a closed network
  * @param tones the call progress tones: busy and others
  * @param recording the file of the calls' recording, if any
+ * @param data the folder in which names, calls, messages and settings are kept, if any
+ * @param given keys of those of the user's settings that the command line names
  * @param channels the cell broadcast channels that are displayed
  */
 record PhoneSettings(
@@ -34,6 +38,8 @@ record PhoneSettings(
         UserSettings user,
         ToneSet tones,
         Optional<Path> recording,
+        Optional<Path> data,
+        Set<String> given,
         ChannelList channels) {
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
@@ -58,7 +64,20 @@ record PhoneSettings(
                                         : "en"),
                 arguments.value("tones", ToneSet::of).orElse(ToneSet.EUROPEAN),
                 arguments.path("record-audio"),
+                arguments.path("data"),
+                given(arguments),
                 arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));
+    }
+
+    private static Set<String> given(Arguments arguments) {
+        Set<String> given = new HashSet<>();
+        if (arguments.has("codec")) {
+            given.add(UserSettings.CODEC);
+        }
+        if (arguments.has("dtmf")) {
+            given.add(UserSettings.KEYS);
+        }
+        return given;
     }
 
     private static Imei imei(Arguments arguments, Msisdn number) throws UsageException {

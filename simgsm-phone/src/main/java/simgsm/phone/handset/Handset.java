@@ -4,6 +4,7 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.function.Consumer;
@@ -24,6 +25,7 @@ import simgsm.phone.store.CallLog;
 import simgsm.phone.store.Contacts;
 import simgsm.phone.store.Mailbox;
 import simgsm.phone.store.MessageFolder;
+import simgsm.phone.store.PhoneImage;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
 import simgsm.sms.ChannelList;
@@ -50,6 +52,7 @@ public final class Handset {
     private final CallLog log = new CallLog();
     private final CallHistory history;
     private final Contacts contacts;
+    private final PhoneImage image;
     private final ScreenNavigation screens;
     private final HomeKeys home;
     private final KeySender keysInBand;
@@ -104,6 +107,7 @@ public final class Handset {
         mailbox = new Mailbox(wallClock);
         history = new CallHistory(log, wallClock);
         contacts = new Contacts(phoneBook);
+        image = new PhoneImage(phoneBook, log, mailbox);
         screens = new ScreenNavigation(mailbox, log, contacts, () -> this.settings, this::about);
         home = new HomeKeys(screens);
     }
@@ -125,6 +129,25 @@ public final class Handset {
                         String.valueOf(cell.dbm()))));
         lines.add(Words.of("about.names", contacts.all().size(), SimPhoneBook.CAPACITY));
         return lines;
+    }
+
+    /** What is kept for the next run: names, calls, messages, settings. */
+    public Map<String, String> texts() {
+        Map<String, String> texts = image.texts();
+        texts.putAll(settings.texts());
+        return texts;
+    }
+
+    /** Takes over what an earlier run has kept, after {@link #attach}. @return the keys whose texts are not understood */
+    public List<String> restore(Map<String, String> texts) {
+        List<String> wrong = new ArrayList<>(image.restore(texts));
+        try {
+            set(settings.restored(texts));
+        } catch (IllegalArgumentException e) {
+            wrong.add("setting");
+        }
+        changed();
+        return wrong;
     }
 
     /** Sets the station, once, before anything else. */

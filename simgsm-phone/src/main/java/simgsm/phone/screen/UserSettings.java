@@ -1,5 +1,6 @@
 package simgsm.phone.screen;
 
+import java.util.Map;
 import simgsm.draw.Appearance;
 import simgsm.speech.SpeechCodec;
 
@@ -21,6 +22,11 @@ public record UserSettings(
         ToneLength toneLength) {
     public static final int MOST_VOLUME = 7;
 
+    /** Keys of {@link #texts}. */
+    public static final String CODEC = "setting.codec";
+
+    public static final String KEYS = "setting.keys";
+
     public UserSettings {
         if (volume < 0 || volume > MOST_VOLUME) {
             throw new IllegalArgumentException("volume " + volume + ": expected 0 to " + MOST_VOLUME);
@@ -30,6 +36,38 @@ public record UserSettings(
     /** As the phone is delivered, with these ways of speech and keys. */
     public static UserSettings delivered(SpeechCodec.Kind codec, KeyMode keyMode) {
         return new UserSettings("en", Appearance.LIGHT, MOST_VOLUME, RingTone.WARBLE, codec, keyMode, ToneLength.HELD);
+    }
+
+    /** As texts by key, for the next run; language and colours are the window's. */
+    public Map<String, String> texts() {
+        return Map.of(
+                "setting.volume",
+                String.valueOf(volume),
+                "setting.ring",
+                ringTone.name(),
+                CODEC,
+                codec.name(),
+                KEYS,
+                keyMode.name(),
+                "setting.length",
+                toneLength.name());
+    }
+
+    /** These settings with those of an earlier run. @throws IllegalArgumentException for a text that is no such value */
+    public UserSettings restored(Map<String, String> texts) {
+        UserSettings next = this;
+        for (Map.Entry<String, String> text : texts.entrySet()) {
+            String value = text.getValue();
+            next = switch (text.getKey()) {
+                case "setting.volume" -> next.withVolume(Integer.parseInt(value));
+                case "setting.ring" -> next.withRingTone(RingTone.valueOf(value));
+                case CODEC -> next.withCodec(SpeechCodec.Kind.valueOf(value));
+                case KEYS -> next.withKeyMode(KeyMode.valueOf(value));
+                case "setting.length" -> next.withToneLength(ToneLength.valueOf(value));
+                default -> next;
+            };
+        }
+        return next;
     }
 
     public UserSettings withLanguage(String newLanguage) {

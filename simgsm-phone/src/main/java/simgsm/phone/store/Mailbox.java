@@ -68,6 +68,22 @@ public final class Mailbox {
         add(MessageFolder.DRAFTS, message(to, text, true, Delivery.DRAFT, 0, 1));
     }
 
+    /** Adds a message of an earlier run; it gets a serial of this one. */
+    void restore(MessageFolder folder, StoredMessage kept) {
+        add(
+                folder,
+                new StoredMessage(
+                        ++lastSerial,
+                        kept.party(),
+                        kept.text(),
+                        kept.at(),
+                        kept.read(),
+                        kept.delivery(),
+                        kept.id(),
+                        kept.parts(),
+                        kept.cause()));
+    }
+
     private StoredMessage message(String party, String text, boolean read, Delivery delivery, int id, int parts) {
         return new StoredMessage(
                 ++lastSerial, party, text, wallClock.instant(), read, delivery, id, parts, Optional.empty());

@@ -24,6 +24,9 @@ public record StoredMessage(
         int id,
         int parts,
         Optional<RpCause> cause) {
+    /** Of messages that the station does not know (any more). */
+    static final int NO_ID = -1;
+
     /** The progress of a message. */
     public enum Delivery {
         RECEIVED,

@@ -1,0 +1,65 @@
+package simgsm.phone;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.Reader;
+import java.lang.System.Logger.Level;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Map;
+import java.util.Properties;
+import java.util.TreeMap;
+import simgsm.air.Msisdn;
+
+/** The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. */
+final class PhoneData {
+    private static final System.Logger LOG = System.getLogger(PhoneData.class.getName());
+
+    private final Path file;
+    private Map<String, String> known = Map.of();
+
+    /** @throws IOException if the folder cannot be made */
+    PhoneData(Path folder, Msisdn number) throws IOException {
+        file = Files.createDirectories(folder).resolve("phone-" + number + ".properties");
+    }
+
+    /** @throws IOException naming a file that is there and cannot be read */
+    Map<String, String> read() throws IOException {
+        if (!Files.exists(file)) {
+            return Map.of();
+        }
+        Properties properties = new Properties();
+        try (Reader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+            properties.load(in);
+        } catch (IllegalArgumentException | CharacterCodingException e) {
+            throw new IOException(file + ": expected properties in UTF-8, " + e.getMessage(), e);
+        }
+        Map<String, String> texts = new TreeMap<>();
+        properties.forEach((key, text) -> texts.put((String) key, (String) text));
+        known = texts;
+        return texts;
+    }
+
+    /** Writes what has changed since the last call, in one step. A disk that is full costs the newest changes only. */
+    synchronized void write(Map<String, String> texts) {
+        if (texts.equals(known)) {
+            return;
+        }
+        Properties properties = new Properties();
+        properties.putAll(texts);
+        Path next = file.resolveSibling(file.getFileName() + ".new");
+        try {
+            // Octets, not characters: so every character outside ASCII is escaped, half a surrogate pair too.
+            try (OutputStream out = Files.newOutputStream(next)) {
+                properties.store(out, null);
+            }
+            Files.move(next, file, StandardCopyOption.REPLACE_EXISTING);
+            known = Map.copyOf(texts);
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "--data: {0} cannot be written: {1}", file, e.getMessage());
+        }
+    }
+}
