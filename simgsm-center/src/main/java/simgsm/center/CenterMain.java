@@ -11,6 +11,7 @@ import simgsm.center.app.CenterWindow;
 import simgsm.center.app.DataDirectory;
 import simgsm.center.app.NewSims;
 import simgsm.center.capture.CapturePlan;
+import simgsm.center.demo.ClassDemo;
 import simgsm.center.demo.HeadlessDemo;
 import simgsm.center.demo.QuickDemo;
 import simgsm.center.demo.WindowedDemo;
@@ -48,6 +49,11 @@ public final class CenterMain {
                         "demo",
                         "the whole suite: the centre, one phone and one SimRobot, ready to dial; without a display a"
                                 + "\nscripted session whose transcript is printed")
+                .value(
+                        "class",
+                        "N",
+                        "with --demo: N robots (5550200 ...) in one world for N students' phones (5550100 ...), the commands"
+                                + "\nthat their machines start, and a table of results")
                 .flag("lessons", "list the lessons and end")
                 .value(
                         "lesson",
@@ -142,6 +148,7 @@ public final class CenterMain {
         if (given.has("lessons")) {
             return LessonCheck.list(given);
         }
+        requireTogether(given, "class", "demo");
         requireTogether(given, "check", "lesson");
         requireTogether(given, "result", "check");
         if (given.has("check")) {
@@ -157,6 +164,9 @@ public final class CenterMain {
         CenterSettings settings = CenterSettings.read(arguments);
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
+            if (arguments.has("class")) {
+                return ClassDemo.run(arguments, settings);
+            }
             if (isHeadless || !Display.isAvailable()) {
                 return HeadlessDemo.run(arguments, settings);
             }

@@ -3,6 +3,7 @@ package simgsm.center.demo;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import simgsm.center.app.ChildConsole;
 import simgsm.console.Event;
@@ -13,10 +14,17 @@ final class DemoConsole implements ChildConsole.Listener {
     private final Process process;
     private final ChildConsole console;
     private final DemoTranscript transcript;
+    private final Consumer<Event> listener;
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
     private boolean ended;
 
     DemoConsole(String name, Process process, DemoTranscript transcript) {
+        this(name, process, transcript, event -> {});
+    }
+
+    /** @param listener receives each event, too, on the console's thread */
+    DemoConsole(String name, Process process, DemoTranscript transcript, Consumer<Event> listener) {
+        this.listener = listener;
         this.name = name;
         this.process = process;
         this.transcript = transcript;
@@ -86,6 +94,7 @@ final class DemoConsole implements ChildConsole.Listener {
 
     @Override
     public void event(Event event) {
+        listener.accept(event);
         synchronized (unread) {
             unread.addLast(event);
             unread.notifyAll();

@@ -1,0 +1,32 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** {@code --demo --class N}: several phones and robots in one world. */
+class ClassModeTest {
+    @Test
+    void twoStudentsDriveTheirRobotsAndTheTableHasThem() throws Exception {
+        FinishedProgram demo =
+                FinishedProgram.run("simgsm-center", "--demo", "--class", "2", "--lang", "en", "--no-sound");
+        assertEquals(0, demo.status(), demo.output() + demo.error());
+        assertTrue(demo.output()
+                .matches("(?s).*student number=5550101 robot=5550201 command=\"java -jar "
+                        + "simgsm-phone.jar --number 5550101 --center 127.0.0.1:[0-9]+\"\n.*"));
+        for (int student = 0; student < 2; student++) {
+            String row = "result number=555010" + student + " robot=555020" + student
+                    + " orders=1 keys=9 collisions=0 seconds=\"\"\n";
+            assertTrue(demo.output().contains(row), demo.output());
+        }
+    }
+
+    @Test
+    void aClassNeedsADemoAndANumberOfStudents() throws Exception {
+        assertEquals(2, FinishedProgram.run("simgsm-center", "--class", "2").status());
+        assertEquals(
+                2,
+                FinishedProgram.run("simgsm-center", "--demo", "--class", "0").status());
+    }
+}
