@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.TowerIdentity;
-import simgsm.air.CellDescription;
 import simgsm.air.ChannelNumber;
 import simgsm.air.LocationArea;
+import simgsm.air.RadioResource.CellDescription;
 
 /**
  * A tower's place in the network. A tower that tells nothing but its unit id gets ARFCN 100, 110 ... and BSIC 10, 11 ... in the order

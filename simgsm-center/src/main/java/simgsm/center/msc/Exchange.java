@@ -84,7 +84,8 @@ public final class Exchange {
                 random,
                 first -> store.commit(
                         MessageStore.NO_TICKET, List.of(new StoreEntry.Known(first.number(), first.imsi()))));
-        mobility = new MobilityProcedures(register, random, settings.networkName(), this::attached, this::detached);
+        mobility = new MobilityProcedures(
+                register, random, settings.networkName(), this::attached, this::detached, this::reachable);
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
@@ -115,6 +116,10 @@ public final class Exchange {
 
     private void attached(Subscriber subscriber) {
         listener.accept(new ExchangeEvent.Attached(subscriber.number()));
+        shortMessages.available(subscriber.number());
+    }
+
+    private void reachable(Subscriber subscriber) {
         shortMessages.available(subscriber.number());
     }
 

@@ -17,6 +17,7 @@ import simgsm.center.subscriber.HomeRegister;
 /** An exchange with towers and a clock moved by hand. */
 final class TowerStage {
     static final String IMEI = "4a09512430325781";
+    static final String THIRD_IMEI = "3a25900910674199";
     static final String OTHER_IMEI = "3a25900910674118";
 
     final List<ExchangeEvent> events = new ArrayList<>();

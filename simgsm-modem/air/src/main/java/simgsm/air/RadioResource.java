@@ -2,6 +2,8 @@ package simgsm.air;
 
 import java.util.Optional;
 import simgsm.octets.Bounds;
+import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** Radio resource messages (TS 44.018, 9.1), protocol discriminator 6, of dedicated channels. */
 public sealed interface RadioResource extends Layer3Message {
@@ -15,6 +17,39 @@ public sealed interface RadioResource extends Layer3Message {
     record PagingResponse(int keySequence, MobileIdentity identity) implements RadioResource {
         public PagingResponse {
             Bounds.check("ciphering key sequence number", keySequence, 0, MobilityManagement.NO_KEY);
+        }
+    }
+
+    /**
+     * How a mobile finds a cell (TS 44.018, 10.5.2.2).
+     *
+     * @param identityCode base station identity code: network colour code in bits 6-4, base station colour code in bits 3-1
+     * @param frequency ARFCN of the BCCH, 0 to 1023
+     */
+    record CellDescription(int identityCode, int frequency) {
+        public CellDescription {
+            Bounds.check("BSIC", identityCode, 0, 63);
+            Bounds.check("ARFCN", frequency, 0, 1023);
+        }
+
+        /** The two octets. */
+        public OctetString encode() {
+            return new OctetWriter()
+                    .octet(frequency >> 8 << 6 | identityCode)
+                    .octet(frequency)
+                    .toOctetString();
+        }
+
+        /** The description of the next two octets. */
+        public static CellDescription read(MessageReader in) throws ProtocolViolation {
+            int first = in.octet("cell description");
+            return new CellDescription(first & 0x3f, (first & 0xc0) << 2 | in.octet("cell description"));
+        }
+
+        /** As "ARFCN 110, BSIC 11". */
+        @Override
+        public String toString() {
+            return "ARFCN " + frequency + ", BSIC " + identityCode;
         }
     }
 

@@ -2,7 +2,6 @@ package simgsm.cells.mobile;
 
 import java.util.Optional;
 import java.util.OptionalInt;
-import simgsm.air.CellDescription;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
@@ -10,6 +9,7 @@ import simgsm.air.Layer3Message;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.AssignmentCommand;
+import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.HandoverCommand;
 import simgsm.cells.snapshot.Passing;
 import simgsm.cells.tower.TowerChannel;

@@ -2,7 +2,7 @@ package simgsm.cells.mobile;
 
 import java.util.List;
 import java.util.OptionalInt;
-import simgsm.air.CellDescription;
+import simgsm.air.RadioResource.CellDescription;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.town.Place;
 

@@ -27,6 +27,7 @@ public final class MobilityProcedures implements LinkUser {
     private final String networkName;
     private final Consumer<Subscriber> attached;
     private final Consumer<Subscriber> detached;
+    private final Consumer<Subscriber> reachable;
     private final Map<Subscriber, Link> locations = new HashMap<>();
     private final Map<Link, LocationUpdate> updates = new HashMap<>();
     private final Map<Link, CardAuthentication> authentications = new HashMap<>();
@@ -34,18 +35,21 @@ public final class MobilityProcedures implements LinkUser {
     /**
      * @param attached is called for each subscriber who was not attached before
      * @param detached is called for each subscriber who is no longer attached
+     * @param reachable is called for each attached subscriber who is heard again after a paging without an answer
      */
     public MobilityProcedures(
             SubscriberRegister register,
             RandomGenerator random,
             String networkName,
             Consumer<Subscriber> attached,
-            Consumer<Subscriber> detached) {
+            Consumer<Subscriber> detached,
+            Consumer<Subscriber> reachable) {
         this.register = register;
         this.random = random;
         this.networkName = networkName;
         this.attached = attached;
         this.detached = detached;
+        this.reachable = reachable;
     }
 
     public SubscriberRegister register() {
@@ -145,7 +149,16 @@ public final class MobilityProcedures implements LinkUser {
     /** The mobile has answered paging. */
     public void receivePagingResponse(Link link, RadioResource.PagingResponse response) {
         if (isSubscriberOf(link, response.identity())) {
-            link.paging().answered();
+            heard(link);
+        }
+    }
+
+    /** The subscriber is on a radio connection: what waits for one goes on. */
+    private void heard(Link link) {
+        boolean wasSilent = link.paging().isUnanswered();
+        link.paging().answered();
+        if (wasSilent) {
+            reachable.accept(link.subscriber());
         }
     }
 
@@ -183,10 +196,10 @@ public final class MobilityProcedures implements LinkUser {
         }
     }
 
-    private static void grant(Link link) {
+    private void grant(Link link) {
         link.send(new MobilityManagement.CmServiceAccept());
         link.radio().awaitService();
-        link.paging().answered();
+        heard(link);
     }
 
     /** Challenges a card with a new RAND. @param ended is given whether the card has its key */
@@ -241,6 +254,7 @@ public final class MobilityProcedures implements LinkUser {
         }
         if (isSameEquipment && old.access().isShared()) {
             move(subscriber, old);
+            reachable.accept(subscriber);
             return true;
         }
         old.drop("the same equipment has registered " + subscriber + " on a new link");
