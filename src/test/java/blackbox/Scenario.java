@@ -20,6 +20,9 @@ public class Scenario implements AutoCloseable {
     private final Path folder;
     private final List<RunningProgram> programs = new ArrayList<>();
     private String center = "";
+    /** Where terminals connect: the centre, or the cells before it. */
+    private String network = "";
+
     private ConsoleEvent ready;
 
     public Scenario(String title) {
@@ -90,7 +93,19 @@ public class Scenario implements AutoCloseable {
                 "centre", environment, "simgsm-center", List.of("--port", port, "--data", data.toString()), options);
         ready = program.expect("ready");
         center = "127.0.0.1:" + ready.field("port");
+        network = center;
         return program;
+    }
+
+    /** Puts the cells of a town before the centre; phones and robots that start later connect there. */
+    public RunningProgram cells(String town, String... options) {
+        RunningProgram cells = headless(
+                "cells",
+                "simgsm-cells",
+                List.of("--center", center, "--port", "0", "--town", world(town).toString()),
+                options);
+        network = "127.0.0.1:" + cells.expect("ready").field("port");
+        return cells;
     }
 
     /** Where the centre, started with {@code --smpp}, takes applications. */
@@ -113,7 +128,7 @@ public class Scenario implements AutoCloseable {
     /** Starts a phone without waiting for its registration. */
     public RunningProgram unregisteredPhone(String number, String... options) {
         RunningProgram phone =
-                headless("phone-" + number, "simgsm-phone", List.of("--center", center, "--number", number), options);
+                headless("phone-" + number, "simgsm-phone", List.of("--center", network, "--number", number), options);
         phone.expect("ready");
         return phone;
     }
@@ -125,7 +140,7 @@ public class Scenario implements AutoCloseable {
                 "simrobot",
                 List.of(
                         "--center",
-                        center,
+                        network,
                         "--number",
                         ROBOT,
                         "--world",
