@@ -120,7 +120,45 @@ final class WindowSession {
         hand.keyRelease(KeyEvent.VK_ESCAPE);
         await("the call is over", () -> !name(phone, "lcd").contains("connected"));
         System.out.println("the display says " + name(phone, "lcd"));
+        menu(phone);
         System.out.println("done");
+    }
+
+    /** The phone's menu by the keyboard: redialling, a service of the network, another language. */
+    private void menu(Frame phone) throws Exception {
+        System.out.println("Enter shows the numbers dialled before");
+        press(KeyEvent.VK_ESCAPE);
+        press(KeyEvent.VK_ENTER);
+        await("the dialled numbers", () -> name(phone, "lcd").equals("Dialled numbers: 5550200"));
+        press(KeyEvent.VK_ENTER);
+        await("the call's details", () -> name(phone, "lcd").contains("Duration"));
+        press(KeyEvent.VK_ESCAPE);
+        System.out.println("and the green key dials the last one again");
+        press(KeyEvent.VK_ENTER);
+        press(KeyEvent.VK_F6);
+        await("tone 1 again", () -> name(phone, "lcd").contains("connection accepted"));
+        press(KeyEvent.VK_ESCAPE);
+        await("the call is over", () -> !name(phone, "lcd").contains("connected"));
+        System.out.println("the menu asks for the own number");
+        press(KeyEvent.VK_F3);
+        strike('4');
+        strike('1');
+        await("the network's answer", () -> name(phone, "lcd").startsWith("5550100"));
+        press(KeyEvent.VK_F4);
+        System.out.println("and speaks Spanish");
+        press(KeyEvent.VK_F3);
+        for (char key : "512".toCharArray()) {
+            strike(key);
+        }
+        await("Spanish", () -> name(phone, "lcd").startsWith("Ajustes"));
+        await("a Spanish window", () -> name(phone, "key.end").equals("Colgar"));
+    }
+
+    private void press(int code) {
+        hand.keyPress(code);
+        hand.delay(KEY_MILLIS);
+        hand.keyRelease(code);
+        hand.delay(KEY_MILLIS);
     }
 
     private Frame frame(String title) throws Exception {

@@ -38,6 +38,7 @@ final class Keyboard {
         actions.put("enter.down", action(event -> controls.enterDown()));
         actions.put("enter.up", action(event -> controls.enterUp()));
         bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
+        bind(inputs, actions, controls, PhoneKey.CALL, KeyEvent.VK_F6);
         bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");

@@ -42,7 +42,8 @@ final class PhoneKeyButton extends JButton {
     /** The name of the key and of the corresponding key of the keyboard. */
     private String tip(TextBundle texts, String description) {
         return switch (key) {
-            case CALL, OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
+            case CALL -> texts.of("key.tip", description, texts.of("keyboard.enter") + ", F6");
+            case OK -> texts.of("key.tip", description, texts.of("keyboard.enter"));
             case END -> texts.of("key.tip", description, "Esc");
             case MESSAGE -> texts.of("key.tip", description, "F2");
             case MENU -> texts.of("key.tip", description, "F3");

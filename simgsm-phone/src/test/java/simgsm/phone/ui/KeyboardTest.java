@@ -69,6 +69,7 @@ class KeyboardTest {
     @CsvSource({
         KeyEvent.VK_ENTER + ", ENTER",
         KeyEvent.VK_ESCAPE + ", END",
+        KeyEvent.VK_F6 + ", CALL",
         KeyEvent.VK_F4 + ", SOFT_LEFT",
         KeyEvent.VK_F5 + ", SOFT_RIGHT",
         KeyEvent.VK_UP + ", UP",
@@ -137,7 +138,7 @@ class KeyboardTest {
         assertEquals("Write a message (F2)", ((JComponent) bench.find("key.message")).getToolTipText());
         assertEquals("Menu (F3)", ((JComponent) bench.find("key.menu")).getToolTipText());
         assertEquals("Hang up (Esc)", ((JComponent) bench.find("key.end")).getToolTipText());
-        assertEquals("Call (Enter)", ((JComponent) bench.find("key.call")).getToolTipText());
+        assertEquals("Call (Enter, F6)", ((JComponent) bench.find("key.call")).getToolTipText());
     }
 
     @Test
