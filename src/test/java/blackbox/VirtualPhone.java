@@ -45,6 +45,11 @@ public final class VirtualPhone {
         return station;
     }
 
+    /** The handset as its window sees it. */
+    public Handset handset() {
+        return handset;
+    }
+
     public void dial(String number) {
         assertEquals(Optional.empty(), handset.dial(new Msisdn(number)));
         suite.settle();

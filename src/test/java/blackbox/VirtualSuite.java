@@ -39,11 +39,12 @@ public final class VirtualSuite {
     final List<String> robotLines = new ArrayList<>();
 
     public final SimulatedRobot robot;
+    public final TelephoneRobot telephone;
+    public final Simulation simulation = new Simulation(World.bare(), 1);
     private final Deque<Runnable> underWay = new ArrayDeque<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     private final List<VirtualLink> links = new ArrayList<>();
     private final List<VirtualModem> modems = new ArrayList<>();
-    private final Simulation simulation = new Simulation(World.bare(), 1);
     private final VirtualCenter center;
     private final SuiteTrace trace;
     private long nowNanos;
@@ -86,7 +87,7 @@ public final class VirtualSuite {
         this.trace = trace;
         center = new VirtualCenter(underWay, () -> nowNanos, trace, home, journal);
         robot = simulation.addRobot("robot");
-        TelephoneRobot telephone = new TelephoneRobot(
+        telephone = new TelephoneRobot(
                 robot,
                 identity(ROBOT, "SimGSM robot"),
                 Sim.WITHOUT_KEY,

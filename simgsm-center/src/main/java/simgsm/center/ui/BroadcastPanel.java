@@ -82,6 +82,7 @@ final class BroadcastPanel extends JPanel {
                 .described(texts.of("window.broadcast.send.why"))
                 .with(Symbol.BROADCAST.icon());
         text = new HintedTextArea(texts.of("window.broadcast.text"));
+        text.setToolTipText(texts.of("window.broadcast.text"));
         channelLabel = new JLabel(texts.of("window.broadcast.channel"));
         channelLabel.setLabelFor(channel);
         channel.setEditor(new JSpinner.NumberEditor(channel, "0"));
@@ -120,8 +121,7 @@ final class BroadcastPanel extends JPanel {
                                 channel,
                                 labelled(texts.of("window.broadcast.language"), language),
                                 language,
-                                Arrange.spring(),
-                                pages),
+                                Arrange.spring()),
                         Arrange.row(
                                 8,
                                 labelled(texts.of("window.broadcast.times"), times),
@@ -129,7 +129,8 @@ final class BroadcastPanel extends JPanel {
                                 labelled(texts.of("window.broadcast.period"), period),
                                 period,
                                 Arrange.spring()),
-                        Arrange.growing(Arrange.row(8, Arrange.growing(field), below(sendButton))),
+                        Arrange.growing(field),
+                        Arrange.row(8, Arrange.growing(pages), sendButton),
                         outcome,
                         running)),
                 BorderLayout.CENTER);
@@ -145,10 +146,6 @@ final class BroadcastPanel extends JPanel {
         all.getViewport().setOpaque(false);
         all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         return all;
-    }
-
-    private static JPanel below(JButton button) {
-        return Arrange.column(0, Arrange.spring(), button);
     }
 
     private static JLabel labelled(String title, JComponent field) {

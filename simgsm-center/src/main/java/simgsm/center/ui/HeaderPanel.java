@@ -30,6 +30,8 @@ final class HeaderPanel extends JPanel {
     private final Lamp calls;
     private final Lamp waiting;
     private final RatesLabel rateLabel = new RatesLabel();
+    private final JPanel row;
+    private final JPanel buttons;
     private final Rates rates = new Rates();
 
     /** @param folding told whether the fields below the header are shown */
@@ -59,31 +61,36 @@ final class HeaderPanel extends JPanel {
         fold.setSelected(true);
         UserAction quit = new UserAction("window.quit", texts.of("window.quit"), operator::quit)
                 .described(texts.of("window.quit.why"));
-        add(
-                Arrange.row(
-                        16,
-                        title,
-                        port,
-                        network,
-                        Arrange.growing(rateLabel),
-                        attached,
-                        calls,
-                        waiting,
-                        Arrange.row(
-                                8,
-                                ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
-                                ComponentNames.name(
-                                        new JButton(appearance),
-                                        "window.appearance",
-                                        texts.of("window.appearance.why")),
-                                ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")))),
-                BorderLayout.CENTER);
+        buttons = Arrange.row(
+                8,
+                ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
+                ComponentNames.name(new JButton(appearance), "window.appearance", texts.of("window.appearance.why")),
+                ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
+        row = Arrange.row(12, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
+        add(row, BorderLayout.CENTER);
+        port.setToolTipText(network.getText() + ": " + network.getToolTipText());
         port.show(StatusMark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
         ComponentNames.name(rateLabel, "rates", texts.of("window.rates.name"));
         rateLabel.setToolTipText(texts.of("window.rates.why"));
         showCounts(0, 0, 0);
         showRates();
         dress();
+    }
+
+    /** Places these in front of the buttons; they leave when another container takes them. */
+    void take(JButton... more) {
+        for (int i = 0; i < more.length; i++) {
+            buttons.add(more[i], i);
+        }
+        revalidate();
+    }
+
+    /** Who may register stands in the port's tool tip where there is no room for it. */
+    @Override
+    public void doLayout() {
+        network.setVisible(true);
+        network.setVisible(row.getMinimumSize().width <= getWidth());
+        super.doLayout();
     }
 
     private Lamp lamp(String name, String subjectKey) {

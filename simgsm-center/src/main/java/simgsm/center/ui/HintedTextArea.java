@@ -28,7 +28,9 @@ final class HintedTextArea extends JTextArea {
             g.setFont(Theme.base());
             g.setColor(Theme.color(Ink.QUIET));
             g.drawString(
-                    hint, in.left + Theme.px(2), in.top + g.getFontMetrics().getAscent());
+                    Drawing.fitted(Theme.base(), hint, getWidth() - in.left - in.right - Theme.px(2)),
+                    in.left + Theme.px(2),
+                    in.top + g.getFontMetrics().getAscent());
         } finally {
             g.dispose();
         }

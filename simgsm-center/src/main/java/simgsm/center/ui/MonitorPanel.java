@@ -29,8 +29,9 @@ public final class MonitorPanel extends JPanel {
     private static final Dimension SIZE_UNITS = new Dimension(1160, 700);
     private static final int LISTS_UNITS = 484;
     private static final int LADDER_UNITS = 570;
-    private static final int LEAST_UNITS = 290;
-    /** In a lower panel the buttons stand beside the lists without their words, and the ladder has no heading. */
+    private static final int LEAST_LISTS_UNITS = 366;
+    private static final int LEAST_LADDER_UNITS = 440;
+    /** In a lower panel the buttons stand in the header without their words, and the ladder has no heading. */
     private static final int LOW_UNITS = 420;
 
     private static final int MARGIN_UNITS = 12;
@@ -105,16 +106,15 @@ public final class MonitorPanel extends JPanel {
         newPhone.setHideActionText(isLow);
         newRobot.setHideActionText(isLow);
         if (isLow) {
-            lists.add(Arrange.row(
-                    Theme.GRID,
-                    Arrange.growing(tabs),
-                    Arrange.column(Theme.GRID, newPhone, newRobot, Arrange.spring(), notice)));
+            header.take(newPhone, newRobot);
+            lists.add(Arrange.column(Theme.HALF, Arrange.growing(tabs), notice));
         } else {
             lists.add(Arrange.column(
                     Theme.GRID,
                     Arrange.growing(tabs),
                     Arrange.row(Theme.GRID, newPhone, newRobot, Arrange.growing(notice))));
         }
+        notice.setVisible(!isLow || !notice.getText().isBlank());
         lists.revalidate();
     }
 
@@ -122,7 +122,11 @@ public final class MonitorPanel extends JPanel {
     private void showMessage() {
         if (isLow) {
             if (tabs.indexOfComponent(ladder.detail()) < 0) {
-                tabs.addTab(texts.of("window.ladder.tab"), ladder.detail());
+                tabs.addTab("", Symbol.LIST.icon(), ladder.detail(), texts.of("window.ladder.tab"));
+                tabs.getAccessibleContext()
+                        .getAccessibleChild(tabs.getTabCount() - 1)
+                        .getAccessibleContext()
+                        .setAccessibleName(texts.of("window.ladder.tab"));
             }
             tabs.setSelectedComponent(ladder.detail());
         }
@@ -179,6 +183,7 @@ public final class MonitorPanel extends JPanel {
             notice.setText(failure.map(cause -> texts.of("window.new.failed", cause.getMessage()))
                     .orElse(" "));
             notice.setToolTipText(failure.map(Exception::getMessage).orElse(null));
+            notice.setVisible(!isLow || failure.isPresent());
         });
     }
 
@@ -197,14 +202,14 @@ public final class MonitorPanel extends JPanel {
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();
             setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
-            measure(split.getLeftComponent(), LISTS_UNITS);
-            measure(split.getRightComponent(), LADDER_UNITS);
+            measure(split.getLeftComponent(), LISTS_UNITS, LEAST_LISTS_UNITS);
+            measure(split.getRightComponent(), LADDER_UNITS, LEAST_LADDER_UNITS);
             split.resetToPreferredSizes();
         }
     }
 
-    private static void measure(Component half, int widthUnits) {
-        half.setMinimumSize(new Dimension(Theme.px(LEAST_UNITS), 0));
+    private static void measure(Component half, int widthUnits, int leastUnits) {
+        half.setMinimumSize(new Dimension(Theme.px(leastUnits), 0));
         half.setPreferredSize(new Dimension(Theme.px(widthUnits), 0));
     }
 }

@@ -21,7 +21,8 @@ import simgsm.ui.Theme;
  */
 final class PassingPanel extends JPanel {
     private static final int ONE_ROW_UNITS = 780;
-    private static final int AREA_AND_PORT_COLUMNS = 11;
+    private static final int NUMBER_COLUMNS = 8;
+    private static final int AREA_AND_PORT_COLUMNS = 10;
 
     private final TextBundle texts;
     private final JTextField incoming = field();
@@ -39,7 +40,7 @@ final class PassingPanel extends JPanel {
         this.texts = texts;
         setOpaque(false);
         numbers = Arrange.row(
-                12,
+                8,
                 Arrange.growing(labelled(incoming, "window.tel.incoming")),
                 firstArrow,
                 labelled(intermediate, "window.tel.intermediate"),
@@ -56,7 +57,7 @@ final class PassingPanel extends JPanel {
     }
 
     private static JTextField field() {
-        JTextField field = new JTextField(9);
+        JTextField field = new JTextField(NUMBER_COLUMNS);
         field.setEditable(false);
         return field;
     }
@@ -69,14 +70,14 @@ final class PassingPanel extends JPanel {
     private JComponent labelled(JTextField field, String key) {
         JLabel label = new JLabel(texts.of(key));
         label.setLabelFor(field);
-        return Arrange.row(8, label, Arrange.growing(field));
+        return Arrange.row(6, label, Arrange.growing(field));
     }
 
     private void arrange(boolean oneRow) {
         isOneRow = oneRow;
         removeAll();
         add(
-                oneRow ? Arrange.row(16, numbers, Arrange.growing(text)) : Arrange.column(8, numbers, text),
+                oneRow ? Arrange.row(8, numbers, Arrange.growing(text)) : Arrange.column(8, numbers, text),
                 BorderLayout.CENTER);
         revalidate();
     }
@@ -139,7 +140,7 @@ final class PassingPanel extends JPanel {
         secondArrow.setForeground(Theme.color(Ink.QUIET));
         intermediate.setColumns(AREA_AND_PORT_COLUMNS);
         for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
-            field.setFont(Theme.mono(15, false));
+            field.setFont(Theme.mono());
         }
     }
 }

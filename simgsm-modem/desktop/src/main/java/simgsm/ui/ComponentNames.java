@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
+import javax.swing.JSpinner;
+import javax.swing.KeyStroke;
 
 /** Names of components for tests and for assistive technology. */
 public final class ComponentNames {
@@ -20,7 +22,12 @@ public final class ComponentNames {
      */
     public static <T extends JComponent> T name(T component, String componentName, String accessibleName) {
         component.setName(componentName);
-        component.getAccessibleContext().setAccessibleName(accessibleName.replaceFirst("&(?=\\p{L})", ""));
+        String spoken = accessibleName.replaceFirst("&(?=\\p{L})", "");
+        component.getAccessibleContext().setAccessibleName(spoken);
+        if (component instanceof JSpinner spinner && spinner.getEditor() instanceof JSpinner.DefaultEditor editor) {
+            // The field takes the focus, not the spinner around it.
+            editor.getTextField().getAccessibleContext().setAccessibleName(spoken);
+        }
         return component;
     }
 
@@ -43,7 +50,8 @@ public final class ComponentNames {
 
     /** Panels and labels are focusable by default, but have no keys. */
     private static boolean hasKeys(JComponent component) {
-        return component.getInputMap(JComponent.WHEN_FOCUSED).size() > 0;
+        KeyStroke[] keys = component.getInputMap(JComponent.WHEN_FOCUSED).allKeys();
+        return keys != null && keys.length > 0;
     }
 
     /** Finds a component in a tree by its name. */

@@ -145,6 +145,12 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put("ScrollBar.thickness", Theme.px(12));
         defaults.put("ScrollBar.minimumThumbSize", new Dimension(Theme.px(24), Theme.px(24)));
         defaults.put("SplitPane.size", Theme.px(8));
+        defaults.put(
+                "TabbedPane:TabbedPaneTab.contentMargins",
+                new InsetsUIResource(Theme.px(2), Theme.px(6), Theme.px(3), Theme.px(6)));
+        defaults.put(
+                "TabbedPane:TabbedPaneTabArea.contentMargins",
+                new InsetsUIResource(Theme.px(3), Theme.px(2), Theme.px(1), Theme.px(2)));
         defaults.put("Table.showGrid", Boolean.FALSE);
     }
 }

@@ -46,6 +46,11 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         repaintOnFocus(this);
     }
 
+    /** Whether it takes the focus and shows it. */
+    public final boolean showsFocus() {
+        return focusRing;
+    }
+
     /** Repaints a component when it gains or loses the focus. */
     public static void repaintOnFocus(JComponent component) {
         component.addFocusListener(new FocusListener() {

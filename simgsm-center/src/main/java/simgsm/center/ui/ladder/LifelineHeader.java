@@ -20,7 +20,7 @@ final class LifelineHeader extends PaintedComponent {
     }
 
     LifelineHeader() {
-        super(AccessibleRole.CANVAS);
+        super(AccessibleRole.COLUMN_HEADER);
     }
 
     @Override

@@ -42,6 +42,7 @@ final class CandidateLane extends PaintedComponent {
     CandidateLane(Locale language, ShownReceiver receiver) {
         super(AccessibleRole.CANVAS);
         texts = DesktopTexts.in(language);
+        makeFocusable();
         setName("scope.candidates." + receiver.name().toLowerCase(Locale.ROOT));
     }
 

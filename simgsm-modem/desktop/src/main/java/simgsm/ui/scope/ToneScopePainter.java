@@ -246,14 +246,18 @@ final class ToneScopePainter {
     /** The levels of the scale in dBm0, as lines behind the bars. */
     private static void paintScale(Graphics2D g, double x, double y, double width, double tall) {
         var font = Theme.mono(9.5, false);
+        double last = Double.NEGATIVE_INFINITY;
         for (int dbm0 = (int) TOP_DBM0; dbm0 >= BOTTOM_DBM0; dbm0 -= 20) {
             double at = y + tall * (1 - share(dbm0));
             g.setColor(Theme.color(Ink.LINE));
             Drawing.horizontal(g, x - Theme.exact(3), x + width, at);
-            g.setColor(Theme.color(Ink.QUIET));
-            g.setFont(font);
-            Drawing.rightAligned(
-                    g, String.valueOf(dbm0).replace('-', '\u2212'), x - Theme.exact(4), at + Theme.exact(3));
+            if (at - last >= Theme.exact(9)) {
+                last = at;
+                g.setColor(Theme.color(Ink.QUIET));
+                g.setFont(font);
+                Drawing.rightAligned(
+                        g, String.valueOf(dbm0).replace('-', '\u2212'), x - Theme.exact(4), at + Theme.exact(3));
+            }
         }
     }
 
