@@ -89,10 +89,12 @@ final class SuiteWindows {
         Locale locale = Locale.forLanguageTag(language);
         ProgramWindow.Content content = switch (which) {
             case PHONE ->
-                HandsetWindow.content(
-                        in -> texts("simgsm.phone.messages", in.getLanguage()),
-                        () -> speaking(language),
-                        nothing(HandsetControls.class));
+                new HandsetWindow(
+                                in -> texts("simgsm.phone.messages", in.getLanguage()),
+                                () -> speaking(language),
+                                nothing(HandsetControls.class),
+                                spoken -> {})
+                        .content(locale);
             case ROBOT -> SimRobotWindow.content("SimRobot", locale, () -> robot, nothing(OperatorActions.class));
             case CENTER -> MonitorWindow.content(actions(), texts("simgsm.center.app.messages", language));
         };
