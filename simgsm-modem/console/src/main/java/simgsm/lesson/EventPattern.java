@@ -12,7 +12,7 @@ import simgsm.console.Event;
  *
  * @param source the program that prints it, or {@code student}, {@code trace}, {@code tool}
  */
-record EventPattern(String source, String event, List<FieldTest> tests) {
+public record EventPattern(String source, String event, List<FieldTest> tests) {
     /** Reads {@code SOURCE EVENT [TEST]...}. */
     static EventPattern parse(String text) throws LessonException {
         List<String> words = words(text);

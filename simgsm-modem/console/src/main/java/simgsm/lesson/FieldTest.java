@@ -10,7 +10,7 @@ import java.util.function.UnaryOperator;
  *
  * @param value as written; names in braces are replaced at each test
  */
-record FieldTest(String field, String operator, String value) {
+public record FieldTest(String field, String operator, String value) {
     private static final List<String> OPERATORS = List.of("!=", ">=", "<=", "=", ">", "<", "~");
     private static final String TOLERANCE = "+-";
     private static final double PERCENT = 100;

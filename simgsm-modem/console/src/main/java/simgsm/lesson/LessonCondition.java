@@ -9,7 +9,7 @@ import java.util.List;
  * @param least how often the first must come; only with a single pattern
  * @param most how often it may come at most; without a limit for a condition that must come true
  */
-record LessonCondition(List<EventPattern> patterns, int least, int most) {
+public record LessonCondition(List<EventPattern> patterns, int least, int most) {
     static final int NO_LIMIT = Integer.MAX_VALUE;
 
     /** Whether it only limits a number, so that it is true until too many events have come. */

@@ -9,9 +9,9 @@ import java.util.Optional;
  * @param words for a drawn value the values to choose from; for a computed one the function and its arguments
  * @param pattern for a value that is taken from an event; its field is the only word
  */
-record LessonVariable(Kind kind, List<String> names, List<String> words, Optional<EventPattern> pattern) {
+public record LessonVariable(Kind kind, List<String> names, List<String> words, Optional<EventPattern> pattern) {
     /** Drawn values are part of the task; the others belong to the solution. */
-    enum Kind {
+    public enum Kind {
         DRAWN,
         COMPUTED,
         KEPT

@@ -33,6 +33,8 @@ public final class KeyPrediction {
     private int right;
     private int asked;
 
+    public KeyPrediction() {}
+
     /** Begins anew, or ends. The key that was heard before is not asked for. */
     public void set(boolean on) {
         stage = on ? Stage.WAITING : Stage.OFF;

@@ -33,6 +33,8 @@ public final class ScopeInstrument {
     private boolean isComparing;
     private Picture picture = Picture.LEVELS;
 
+    public ScopeInstrument() {}
+
     /** @return whether the picture changes */
     public boolean show(ToneTrace trace) {
         ToneTrace before = trace();
