@@ -15,6 +15,9 @@ final class Reception {
     /** Below, a neighbour's BSIC cannot be read. */
     private static final double DECODABLE_DBM = -108;
 
+    /** Frequencies of a neighbour list that reports can name (TS 44.018, 10.5.2.20). */
+    private static final int REPORTABLE = 32;
+
     private final MobileNetwork network;
     private final double[] levels;
 
@@ -46,12 +49,17 @@ final class Reception {
         return IntStream.range(0, levels.length)
                 .filter(tower -> tower != serving && levels[tower] >= DECODABLE_DBM)
                 .filter(tower -> network.towers().get(tower).isInService())
-                .filter(tower ->
-                        listed.contains(network.towers().get(tower).tower().arfcn()))
+                .filter(tower -> isReportable(
+                        listed.indexOf(network.towers().get(tower).tower().arfcn())))
                 .boxed()
                 .sorted(Comparator.comparingDouble(tower -> -levels[tower]))
                 .limit(MeasurementResults.MOST_NEIGHBOURS)
                 .toList();
+    }
+
+    /** A report has five bits for the place of a frequency in the list. */
+    private static boolean isReportable(int place) {
+        return place >= 0 && place < REPORTABLE;
     }
 
     MeasurementResults report(int serving, List<Integer> neighbours) {
