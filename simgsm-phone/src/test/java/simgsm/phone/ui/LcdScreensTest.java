@@ -341,6 +341,41 @@ class LcdScreensTest {
         }
     }
 
+    /** Beside the number of a menu's row, or the widest value of a setting. */
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyLabelFitsItsPlace(String language) {
+        ResourceBundle bundle = ResourceBundle.getBundle(
+                "simgsm.phone.messages", TextBundle.bundleLocale(Locale.forLanguageTag(language)));
+        LcdPen pen = new LcdPen(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics(), 1);
+        Map<String, String> settings = Map.of(
+                "setting.language", "language.",
+                "setting.ring", "ring.",
+                "setting.theme", "theme.",
+                "setting.codec", "codec.",
+                "setting.keys", "keys.",
+                "setting.length", "length.");
+        double row = LcdPen.WIDTH - 2 * LcdPen.MARGIN - 4 - 18 - 6;
+        for (String key : bundle.keySet()) {
+            double label = pen.width(pen.sans(13.5, true), bundle.getString(key));
+            if (key.startsWith("soft.")) {
+                double width = pen.width(pen.sans(12.5, true), bundle.getString(key));
+                assertTrue(width <= LcdPen.WIDTH / 2 - LcdPen.MARGIN - 2, key + " is " + width + " wide");
+            } else if (settings.containsKey(key)) {
+                String family = settings.get(key);
+                double note = bundle.keySet().stream()
+                        .filter(value -> value.startsWith(family))
+                        .mapToDouble(value -> pen.width(pen.sans(12, false), bundle.getString(value)))
+                        .max()
+                        .orElseThrow();
+                assertTrue(label + 6 + note <= row, key + " with its widest value is " + (label + 6 + note) + " wide");
+            } else if (key.matches("(menu|option|service|forward|calls)\\..*")
+                    && !bundle.getString(key).contains("{")) {
+                assertTrue(label <= row, key + " is " + label + " wide");
+            }
+        }
+    }
+
     @Test
     void theTwoLanguagesDiffer() {
         assertNotEquals(0, differences(picture(new Bench(), "en"), picture(new Bench(), "es")));
