@@ -30,10 +30,17 @@ public final class FloorPainter {
 
     private final Canvas g;
     private final Viewport view;
+    private final PlaceNames names;
 
+    /** A painter with names as in the world's file. */
     public FloorPainter(Canvas g, Viewport view) {
+        this(g, view, PlaceNames.OF_FILE);
+    }
+
+    FloorPainter(Canvas g, Viewport view, PlaceNames names) {
         this.g = g;
         this.view = view;
+        this.names = names;
     }
 
     // ---- paper -----------------------------------------------------------------------------------------------------
@@ -126,14 +133,15 @@ public final class FloorPainter {
     private void boxName(Box box) {
         double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
         double high = (box.area().maxYMeters() - box.area().minYMeters()) * view.pixelsPerMeter();
-        boolean across = g.width(box.name(), Face.SMALL) <= wide - g.px(4) || wide >= high;
+        String shown = names.of(box.name());
+        boolean across = g.width(shown, Face.SMALL) <= wide - g.px(4) || wide >= high;
         Position middle = box.area().center();
         double x = view.screenX(middle.xMeters());
         double y = view.screenY(middle.yMeters());
         if (across) {
-            name(box.name(), x, y, wide, Ink.QUIET);
+            name(shown, x, y, wide, Ink.QUIET);
         } else {
-            g.moved(x, y, -Math.PI / 2, () -> name(box.name(), 0, 0, high, Ink.QUIET));
+            g.moved(x, y, -Math.PI / 2, () -> name(shown, 0, 0, high, Ink.QUIET));
         }
     }
 
@@ -244,7 +252,7 @@ public final class FloorPainter {
         double ux = Math.cos(home.headingRadians());
         double uy = -Math.sin(home.headingRadians());
         g.line(x + ux * r, y + uy * r, x + ux * (r + g.px(6)), y + uy * (r + g.px(6)));
-        name(home.name(), x, y + r + g.px(11), Double.MAX_VALUE, Ink.GOOD);
+        name(names.of(home.name()), x, y + r + g.px(11), Double.MAX_VALUE, Ink.GOOD);
     }
 
     private void goal(Goal goal) {
@@ -254,7 +262,7 @@ public final class FloorPainter {
         g.ink(Ink.QUIET, 0.8);
         g.pen(1.2);
         g.draw(Outline.polygon(x, y - r, x + r, y, x, y + r, x - r, y));
-        name(goal.name(), x, y + g.px(13), Double.MAX_VALUE, Ink.QUIET);
+        name(names.of(goal.name()), x, y + g.px(13), Double.MAX_VALUE, Ink.QUIET);
     }
 
     /** A small name, left out when it is wider than its room or the world is drawn too small. */

@@ -30,7 +30,7 @@ public final class WorldPainter {
 
     /** The floor without its legend: a part of a view shows the same as the whole view there. */
     public static void ground(Canvas g, World world, Viewport view, Layers layers) {
-        FloorPainter floor = new FloorPainter(g, view);
+        FloorPainter floor = new FloorPainter(g, view, layers.names());
         floor.paper();
         if (layers.grid()) {
             floor.grid();

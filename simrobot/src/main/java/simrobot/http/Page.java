@@ -16,6 +16,7 @@ import simgsm.draw.Appearance;
 import simgsm.web.PageBody;
 import simgsm.web.UrlPaths;
 import simrobot.drawing.NumberTexts;
+import simrobot.drawing.PlaceNames;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.World;
@@ -36,6 +37,7 @@ final class Page {
     private static final int MOST_ROWS = 200;
 
     private final TextBundle texts;
+    private final PlaceNames names;
     /** The template before the map. */
     private final String before;
 
@@ -47,6 +49,7 @@ final class Page {
 
     Page(Locale language) {
         Locale locale = TextBundle.bundleLocale(language);
+        names = PlaceNames.in(locale);
         texts = new TextBundle(ResourceBundle.getBundle("simrobot.http.messages", locale), Locale.ROOT);
         try (InputStream in = Page.class.getResourceAsStream("page.html")) {
             String[] parts = new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\\{\\{map\\}\\}", 2);
@@ -68,7 +71,7 @@ final class Page {
 
     private synchronized PageBody.Part floor(World world) {
         if (known != world) {
-            floor = new PageBody.Part(WorldMap.floor(world));
+            floor = new PageBody.Part(WorldMap.floor(world, names));
             known = world;
         }
         return floor;

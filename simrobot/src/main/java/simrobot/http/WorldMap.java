@@ -6,6 +6,7 @@ import simgsm.draw.Ink;
 import simgsm.draw.SvgCanvas;
 import simrobot.drawing.Layers;
 import simrobot.drawing.NumberTexts;
+import simrobot.drawing.PlaceNames;
 import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
@@ -45,9 +46,9 @@ final class WorldMap {
     }
 
     /** The floor: the part that is the same for all pictures of a world, and that takes time in a large one. */
-    static String floor(World world) {
+    static String floor(World world, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.floor(g, world, view(world), SHOWN);
+        WorldPainter.floor(g, world, view(world), SHOWN.withNames(names));
         return g.elements();
     }
 

@@ -10,6 +10,7 @@ import simgsm.draw.Appearance;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 import simrobot.drawing.Layers;
+import simrobot.drawing.PlaceNames;
 import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.world.World;
@@ -25,6 +26,7 @@ public final class FloorCache {
             World world,
             Viewport view,
             boolean grid,
+            PlaceNames names,
             Appearance appearance,
             double zoom,
             double scaleX,
@@ -36,6 +38,7 @@ public final class FloorCache {
                     && key.world == world
                     && key.view.equals(view)
                     && key.grid == grid
+                    && key.names == names
                     && key.appearance == appearance
                     && key.zoom == zoom
                     && key.scaleX == scaleX
@@ -48,7 +51,7 @@ public final class FloorCache {
         }
 
         Key at(Viewport other) {
-            return new Key(world, other, grid, appearance, zoom, scaleX, scaleY);
+            return new Key(world, other, grid, names, appearance, zoom, scaleX, scaleY);
         }
     }
 
@@ -70,8 +73,15 @@ public final class FloorCache {
             WorldPainter.floor(new GraphicsCanvas(g), world, view, layers);
             return;
         }
-        Key wanted =
-                new Key(world, view, layers.grid(), Theme.appearance(), Theme.zoom(), t.getScaleX(), t.getScaleY());
+        Key wanted = new Key(
+                world,
+                view,
+                layers.grid(),
+                layers.names(),
+                Theme.appearance(),
+                Theme.zoom(),
+                t.getScaleX(),
+                t.getScaleY());
         if (!wanted.equals(key)) {
             if (!drag(wanted, layers)) {
                 reserve(device, width, height);

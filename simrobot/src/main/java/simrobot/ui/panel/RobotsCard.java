@@ -5,6 +5,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -21,6 +22,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simrobot.drawing.PlaceNames;
 import simrobot.process.BehaviourKind;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OpenPort;
@@ -32,6 +34,9 @@ import vericommand.Pose;
 
 /** The list of the robots, the selected one's status, process and ports, and the buttons that add and remove robots. */
 final class RobotsCard extends JPanel {
+    /** How the names of processes begin that drive to a place. */
+    private static final String GOTO = "goto ";
+
     private final TextBundle texts;
     private final RobotList robots;
     private final StatusLamps statuses;
@@ -150,8 +155,15 @@ final class RobotsCard extends JPanel {
             case "none" -> texts.of("behaviour.none");
             case "wander" -> texts.of("behaviour.wander");
             case "wall-follow" -> texts.of("behaviour.wallFollow");
-            default -> kind.text();
+            default ->
+                kind.text().startsWith(GOTO)
+                        ? texts.of("behaviour.goTo", names(texts).of(kind.text().substring(GOTO.length())))
+                        : kind.text();
         };
+    }
+
+    private static PlaceNames names(TextBundle texts) {
+        return PlaceNames.in(Locale.forLanguageTag(texts.of("language.tag")));
     }
 
     /** Shows this choice; a process that has been removed stays in it while it runs. */

@@ -15,6 +15,7 @@ import simgsm.ui.Card;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.window.Display;
+import simrobot.drawing.PlaceNames;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.SimRobotTexts;
@@ -65,6 +66,7 @@ public final class SimRobotPanel extends JPanel {
         texts = SimRobotTexts.in(language);
         shown = first;
         world = new WorldView(first.simulation(), texts, operator, this::select);
+        world.setLayers(world.layers().withNames(PlaceNames.in(language)));
         tools = new ToolRow(texts, language, operator, world, this::edit, running, this::switchInspector);
         editor = new EditorPanel(texts, operator, this::stopEditing);
         inspector = new Inspector(texts, this::select, operator, world, running, this::showInspector);
