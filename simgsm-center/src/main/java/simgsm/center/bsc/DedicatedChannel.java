@@ -179,7 +179,8 @@ final class DedicatedChannel {
     }
 
     private void tell(RslPdu message) throws ProtocolViolation {
-        if (machine.state() == ChannelState.ACTIVE || message.type() == RslType.RELEASE_INDICATION) {
+        boolean isEnding = machine.state() == ChannelState.CLOSING || machine.state() == ChannelState.LEAVING;
+        if (machine.state() == ChannelState.ACTIVE || isEnding && message.type() == RslType.RELEASE_INDICATION) {
             user.receive(this, message);
         }
     }

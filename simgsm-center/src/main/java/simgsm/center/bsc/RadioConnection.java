@@ -127,13 +127,11 @@ final class RadioConnection {
         }
     }
 
-    /** A traffic channel of the tower may be free. @return whether the connection still waits for one */
-    boolean retry() {
-        boolean isWaiting = machine.state() == ConnectionState.QUEUED;
-        if (isWaiting) {
+    /** A traffic channel of the tower is free. */
+    void retry() {
+        if (machine.state() == ConnectionState.QUEUED) {
             seekSpeech();
         }
-        return isWaiting;
     }
 
     void sendSpeech(byte[] rtp) {

@@ -2,6 +2,8 @@ package simgsm.center.capture;
 
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
@@ -31,6 +33,8 @@ final class SpeechConversation {
 
     private int session;
     private long latestNanos;
+    /** Ports of datagrams that were announced here: the peer's in the high half, the centre's in the low one. */
+    private final Set<Integer> announced = new HashSet<>();
 
     SpeechConversation(
             Capture capture,
@@ -55,8 +59,19 @@ final class SpeechConversation {
         datagram(isFromPeer, peerPort(), centerPort, rtp);
     }
 
-    /** A datagram with these ports, as it was on the wire. */
-    void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp) {
+    /**
+     * A datagram with these ports, as it was on the wire.
+     *
+     * @param isAnnounced whether MGCP was on the wire, too; a tower's ports are told by RSL, which Wireshark does not follow
+     */
+    void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp, boolean isAnnounced) {
+        if (!isAnnounced && announced.add(toPeer << 16 | toCenter)) {
+            announce(capture.nextSession(), toPeer, toCenter);
+        }
+        datagram(isFromPeer, toPeer, toCenter, rtp);
+    }
+
+    private void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp) {
         int from = isFromPeer ? toPeer : toCenter;
         int to = isFromPeer ? toCenter : toPeer;
         int length = UDP_HEADER_LENGTH + rtp.length;
@@ -77,10 +92,13 @@ final class SpeechConversation {
     private void begin() {
         session = capture.nextSession();
         centerPort = FIRST_PORT + PORTS_PER_SESSION * (session % SESSIONS);
-        MgcpMessage create =
-                MgcpMessage.create(2 * session + 1, String.valueOf(session), new MediaAddress(centerHost, centerPort));
+        announce(session, peerPort(), centerPort);
+    }
+
+    private void announce(int id, int toPeer, int toCenter) {
+        MgcpMessage create = MgcpMessage.create(2 * id + 1, String.valueOf(id), new MediaAddress(centerHost, toCenter));
         announce(false, create);
-        announce(true, create.created(String.valueOf(session), new MediaAddress(peerHost, peerPort())));
+        announce(true, create.created(String.valueOf(id), new MediaAddress(peerHost, toPeer)));
     }
 
     /** Ends the session, if there is one. */

@@ -33,6 +33,9 @@ final class TcpConversation implements WireTap {
     private final Side peer;
     private final Side center;
     private final SpeechConversation speech;
+    /** Whether the terminal's media are agreed upon by MGCP on this connection. */
+    private boolean hasMgcp;
+
     private boolean isOver;
 
     private static final class Side {
@@ -73,13 +76,14 @@ final class TcpConversation implements WireTap {
         if (isSpeech) {
             speech.speech(false, Octets.range(wire, IpaFrame.HEADER_LENGTH, wire.length), System.nanoTime());
         } else {
+            hasMgcp |= wire.length > IpaFrame.HEADER_LENGTH && (wire[STREAM] & 0xff) == IpaFrame.MGCP;
             message(false, wire);
         }
     }
 
     @Override
     public void datagram(boolean isFromPeer, int peerPort, int centerPort, byte[] rtp) {
-        speech.datagram(isFromPeer, peerPort, centerPort, rtp);
+        speech.datagram(isFromPeer, peerPort, centerPort, rtp, hasMgcp);
     }
 
     /** One message of signalling. @param wire a whole IPA frame */

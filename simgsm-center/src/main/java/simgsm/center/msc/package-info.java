@@ -3,6 +3,7 @@
  *
  * <pre>
  *   msc -> msc.sms, msc.ss, msc.call -> msc.mobility -> msc.link -> subscriber
+ *    |                                       bsc ---------^
  *             |
  *           smsc
  * </pre>

@@ -10,6 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.RtpPacket;
+import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslType;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.call.CallProgress;
@@ -177,6 +178,31 @@ class TowerCallTest {
         west.up("0833 01" + occupied.get(0));
 
         assertEquals(occupied.get(0), TestTower.channelOf(west.next(RslType.CHANNEL_ACTIVATION)));
+    }
+
+    @Test
+    void aCallThatWaitsIsHandedOverToANeighbourWithAFreeTrafficChannel() {
+        occupyTrafficChannels();
+        String signalling = dial(west);
+        west.received.clear();
+        east.received.clear();
+        measure(west, signalling, 0, 50, 19);
+        east.quiet();
+
+        measure(west, signalling, 1, 50, 20);
+
+        assertEquals(
+                "02",
+                east.next(RslType.CHANNEL_ACTIVATION)
+                        .find(RslElement.ACTIVATION_TYPE)
+                        .orElseThrow()
+                        .toString());
+        east.up("0822 0109 08 0000");
+        assertEquals("062b0b6e09606e", west.nextLayer3().substring(0, 14));
+        east.up("0827 0109 1100");
+        east.tell("09", "062c00");
+        west.down("0825 01" + signalling);
+        assertEquals(CallProgress.INITIATED, progress());
     }
 
     /** Channel requests without a mobile: four take the SDCCHs, seven the traffic channels, which are never activated. */
