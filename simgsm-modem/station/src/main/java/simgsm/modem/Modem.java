@@ -45,6 +45,7 @@ public final class Modem implements AnsweringModem {
     private final Replies replies;
     private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
     private final DtmfReceiver receiver;
+    private final OutageWatch outages = new OutageWatch();
     /** Tones whose last sample is in the frame that was filled last; sent once the next frame is requested. */
     private final Queue<DtmfKey> generated = new ArrayDeque<>();
 
@@ -88,6 +89,9 @@ public final class Modem implements AnsweringModem {
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
         receiver = new DtmfReceiver(digit -> {
             idleSamples = 0;
+            if (outages.keyDecided()) {
+                listener.accept(new ModemEvent.KeyUnreadable());
+            }
             listener.accept(new ModemEvent.KeyDecided(digit));
         });
         station = new MobileStation(identity, sim, options.station(), this::fillFrame, this::accept, random);
@@ -194,6 +198,8 @@ public final class Modem implements AnsweringModem {
     private void act(StationEvent event) {
         if (event instanceof StationEvent.SpeechReceived speech) {
             hear(speech);
+        } else if (event instanceof StationEvent.SpeechLost lost) {
+            outages.lost(lost.frames());
         } else if (event instanceof StationEvent.Ringing ringing) {
             ring(ringing);
         } else if (event instanceof StationEvent.AnswerDue) {
@@ -223,6 +229,7 @@ public final class Modem implements AnsweringModem {
             return;
         }
         listener.accept(speech);
+        outages.heard(speech.samples().length);
         receiver.accept(speech.samples());
         int count = speech.samples().length;
         listener.accept(new ModemEvent.SpeechProcessed(count));
@@ -239,6 +246,7 @@ public final class Modem implements AnsweringModem {
         orderActive = false;
         idleSamples = 0;
         framesSinceHeard = 0;
+        outages.reset();
         receiver.reset();
         listener.accept(ringing);
         if (answerAfterNanos == 0) {

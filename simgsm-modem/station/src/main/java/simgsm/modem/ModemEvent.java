@@ -12,7 +12,7 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A tone could not be sent. */
     record ReplyToneFailed(DtmfKey key) implements ModemEvent {}
 
-    /** A key in an accepted call whose report could not be read; an order that it belongs to cannot be trusted. */
+    /** A key in an accepted call that may have been lost with the speech, or whose report could not be read; an order that it belongs to cannot be trusted. */
     record KeyUnreadable() implements ModemEvent {}
 
     /** All keys in this much speech of an accepted call, lost frames included, have been reported. */

@@ -3,13 +3,18 @@ package simgsm.cells.mobile;
 import java.util.OptionalInt;
 import java.util.function.IntConsumer;
 import simgsm.abis.IpaFrame;
+import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
 import simgsm.timer.Timers;
 
 /** The speech of one mobile in both directions, and the silence that its terminal hears across a handover. */
 final class MobileSpeech {
     private static final long NANOS_PER_MILLI = 1_000_000;
-    private static final long FRAME_NANOS = 20 * NANOS_PER_MILLI;
+    private static final int FRAME_MILLIS = 20;
+    private static final int SEQUENCE_MASK = 0xffff;
+    /** A larger jump is another stream. */
+    private static final int MOST_FRAMES = 500;
+
     private static final long NONE = Long.MIN_VALUE;
 
     private final MobilePort port;
@@ -17,6 +22,7 @@ final class MobileSpeech {
     private final UplinkSpeech uplink = new UplinkSpeech();
     private final IntConsumer gapEnded;
     private long deliveredNanos = NONE;
+    private byte[] delivered = {};
     private boolean isHandedOver;
     private OptionalInt gap = OptionalInt.empty();
 
@@ -56,10 +62,26 @@ final class MobileSpeech {
         port.send(new IpaFrame(IpaFrame.SPEECH, rtp));
         if (isHandedOver) {
             isHandedOver = false;
-            int millis = (int) (Math.max(0, now - deliveredNanos - FRAME_NANOS) / NANOS_PER_MILLI);
+            int millis = gapMillis(rtp, now);
             gap = OptionalInt.of(millis);
             gapEnded.accept(millis);
         }
         deliveredNanos = now;
+        delivered = rtp;
+    }
+
+    /** The frames that the terminal missed, counted by RTP; of another stream the time between the frames. */
+    private int gapMillis(byte[] rtp, long nowNanos) {
+        try {
+            RtpPacket last = RtpPacket.decode(delivered);
+            RtpPacket first = RtpPacket.decode(rtp);
+            int missed = first.sequence() - last.sequence() - 1 & SEQUENCE_MASK;
+            if (first.source() == last.source() && missed <= MOST_FRAMES) {
+                return missed * FRAME_MILLIS;
+            }
+        } catch (ProtocolViolation broken) {
+            // The terminal drops it; the time tells the gap as well.
+        }
+        return (int) (Math.max(0, nowNanos - deliveredNanos) / NANOS_PER_MILLI) - FRAME_MILLIS;
     }
 }

@@ -166,6 +166,9 @@ public final class SpeechPath {
             return;
         }
         SubstitutingDecoder decoder = decoders.get(packet.payloadType());
+        if (lost > 0) {
+            context.events().add(new StationEvent.SpeechLost(lost));
+        }
         for (int i = 0; i < lost; i++) {
             report(decoder.substitute());
         }

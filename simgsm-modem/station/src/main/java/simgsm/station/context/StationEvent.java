@@ -30,6 +30,9 @@ public sealed interface StationEvent {
     /** 30 s have passed since the station was asked for a reminder. */
     record ReminderDue() implements StationEvent {}
 
+    /** So many frames of speech in a row did not arrive; as many {@link SpeechReceived} that stand for them follow. */
+    record SpeechLost(int frames) implements StationEvent {}
+
     /**
      * The next 20 ms from the far end or the network.
      *
