@@ -28,6 +28,9 @@ final class EntryCodec {
     /** An accepted message with its place in a submission and its time of delivery. */
     private static final int ACCEPTED_WITH_PLACE = 6;
 
+    /** A subscriber with services. */
+    private static final int KNOWN_WITH_SERVICES = 7;
+
     private EntryCodec() {}
 
     static byte[] encode(StoreEntry entry) {
@@ -61,9 +64,13 @@ final class EntryCodec {
             to.writeByte(REPORTED);
             to.writeLong(reported.id());
         } else if (entry instanceof StoreEntry.Known known) {
-            to.writeByte(KNOWN);
+            boolean hasServices = !known.services().isEmpty();
+            to.writeByte(hasServices ? KNOWN_WITH_SERVICES : KNOWN);
             to.writeUTF(known.number().digits());
             to.writeUTF(known.imsi().digits());
+            if (hasServices) {
+                to.writeUTF(known.services());
+            }
         } else if (entry instanceof StoreEntry.Numbered numbered) {
             to.writeByte(NUMBERED);
             to.writeLong(numbered.lastId());
@@ -130,6 +137,8 @@ final class EntryCodec {
                         from.readLong(), MessageState.valueOf(from.readUTF()), readInstant(from), from.readBoolean());
             case REPORTED -> new StoreEntry.Reported(from.readLong());
             case KNOWN -> new StoreEntry.Known(new Msisdn(from.readUTF()), new Imsi(from.readUTF()));
+            case KNOWN_WITH_SERVICES ->
+                new StoreEntry.Known(new Msisdn(from.readUTF()), new Imsi(from.readUTF()), from.readUTF());
             case NUMBERED -> new StoreEntry.Numbered(from.readLong());
             default -> throw new IOException("an entry of unknown kind " + kind);
         };

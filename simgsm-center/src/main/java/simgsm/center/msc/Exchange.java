@@ -89,7 +89,16 @@ public final class Exchange {
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
-        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting());
+        UssdDialogues services = new UssdDialogues(
+                locations,
+                settings.language(),
+                settings.callWaiting(),
+                changed -> store.commit(
+                        MessageStore.NO_TICKET,
+                        List.of(new StoreEntry.Known(
+                                changed.number(),
+                                changed.imsi(),
+                                changed.services().text()))));
         shortMessages = new ShortMessageCenter(
                 startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
@@ -110,7 +119,7 @@ public final class Exchange {
 
     /** Takes over what the store held at the start. To be called once, before all other methods. */
     public void restore(StoredState stored) {
-        stored.subscribers().forEach(known -> register.restore(known.number(), known.imsi()));
+        stored.subscribers().forEach(known -> register.restore(known.number(), known.imsi(), known.services()));
         shortMessages.restore(stored);
     }
 

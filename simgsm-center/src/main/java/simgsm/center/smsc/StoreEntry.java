@@ -21,8 +21,16 @@ public sealed interface StoreEntry {
     /** The report on an ended message was delivered, or has ended; the message need not be kept any longer. */
     record Reported(long id) implements StoreEntry {}
 
-    /** A subscriber who has registered for the first time. */
-    record Known(Msisdn number, Imsi imsi) implements StoreEntry {}
+    /**
+     * A subscriber who has registered for the first time, or whose services have changed.
+     *
+     * @param services call forwarding and call waiting, as the subscriber's register writes them
+     */
+    record Known(Msisdn number, Imsi imsi, String services) implements StoreEntry {
+        public Known(Msisdn number, Imsi imsi) {
+            this(number, imsi, "");
+        }
+    }
 
     /** Message ids up to this one are used. */
     record Numbered(long lastId) implements StoreEntry {}

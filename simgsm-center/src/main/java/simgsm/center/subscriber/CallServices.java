@@ -5,12 +5,19 @@ import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.StringJoiner;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsCode;
 
 /** A subscriber's call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1), as the subscriber has set them. */
 public final class CallServices {
+    /** Service code, number, whether it is active. */
+    private static final Pattern PART = Pattern.compile("([0-9]+)=(?:([0-9]+),)?(true|false)");
+
     private final Map<SsCode, Msisdn> forwardedTo = new EnumMap<>(SsCode.class);
     private final Set<SsCode> active = EnumSet.noneOf(SsCode.class);
     private Optional<Boolean> callWaiting = Optional.empty();
@@ -63,5 +70,37 @@ public final class CallServices {
                 | (number.isPresent() ? ServiceStatus.REGISTERED : 0)
                 | (active.contains(condition) ? ServiceStatus.ACTIVE : 0);
         return new ServiceStatus(condition, flags, number);
+    }
+
+    /**
+     * For the store: {@code code=number,active} for each forwarding that is registered, {@code 43=active} for call waiting
+     * that the subscriber has set; separated by semicolons.
+     */
+    public String text() {
+        StringJoiner parts = new StringJoiner(";");
+        forwardedTo.forEach(
+                (condition, number) -> parts.add(condition.typed() + "=" + number + "," + active.contains(condition)));
+        callWaiting.ifPresent(isActive -> parts.add(SsCode.CALL_WAITING.typed() + "=" + isActive));
+        return parts.toString();
+    }
+
+    /** Takes over what {@link #text} has written. @throws IllegalArgumentException for any other text */
+    void restore(String text) {
+        for (String part : text.isEmpty() ? new String[0] : text.split(";")) {
+            Matcher form = PART.matcher(part);
+            Optional<SsCode> service = Stream.of(SsCode.values())
+                    .filter(code -> form.matches() && code.typed().equals(form.group(1)))
+                    .findFirst();
+            if (service.isEmpty()) {
+                throw new IllegalArgumentException("services of a subscriber: found " + part);
+            }
+            boolean isActive = Boolean.parseBoolean(form.group(3));
+            if (form.group(2) == null) {
+                setCallWaiting(isActive);
+            } else {
+                register(service.get(), new Msisdn(form.group(2)));
+                setForwarding(service.get(), isActive);
+            }
+        }
     }
 }

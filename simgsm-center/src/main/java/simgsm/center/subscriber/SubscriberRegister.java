@@ -43,10 +43,16 @@ public final class SubscriberRegister {
         return home;
     }
 
-    /** Enters a subscriber who has attached before the centre started, if the number is still assigned to the IMSI. */
-    public void restore(Msisdn number, Imsi imsi) {
+    /**
+     * Enters a subscriber who has attached before the centre started, if the number is still assigned to the IMSI.
+     *
+     * @param services as {@link CallServices#text} has written them
+     */
+    public void restore(Msisdn number, Imsi imsi, String services) {
         if (home.numberOf(imsi).equals(Optional.of(number))) {
-            byNumber.computeIfAbsent(number, each -> new Subscriber(each, imsi)).enter();
+            Subscriber subscriber = byNumber.computeIfAbsent(number, each -> new Subscriber(each, imsi));
+            subscriber.enter();
+            subscriber.services().restore(services);
         }
     }
 

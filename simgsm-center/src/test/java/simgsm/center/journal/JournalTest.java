@@ -85,6 +85,8 @@ class JournalTest {
                 ended(1, true),
                 new StoreEntry.Reported(1),
                 new StoreEntry.Known(new Msisdn("5550100"), Imsi.ofOpenNumber(new Msisdn("5550100"))),
+                new StoreEntry.Known(
+                        new Msisdn("5550101"), Imsi.ofOpenNumber(new Msisdn("5550101")), "21=5550102,true;43=true"),
                 new StoreEntry.Numbered(7))) {
             assertEquals(entry, EntryCodec.decode(EntryCodec.encode(entry), new SharedValues()));
         }

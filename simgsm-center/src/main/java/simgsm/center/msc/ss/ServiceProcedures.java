@@ -2,6 +2,7 @@ package simgsm.center.msc.ss;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.subscriber.CallServices;
@@ -28,10 +29,17 @@ final class ServiceProcedures {
             SsOperation.INTERROGATE_SS);
 
     private final boolean callWaiting;
+    private final Consumer<Subscriber> changed;
 
-    /** @param callWaiting whether a second call may wait for subscribers who have not set it */
-    ServiceProcedures(boolean callWaiting) {
+    /**
+     * Procedures for all subscribers.
+     *
+     * @param callWaiting whether a second call may wait for subscribers who have not set it
+     * @param changed is given each subscriber whose services have changed
+     */
+    ServiceProcedures(boolean callWaiting, Consumer<Subscriber> changed) {
         this.callWaiting = callWaiting;
+        this.changed = changed;
     }
 
     /** Performs the operation; empty if it is none on a supplementary service. */
@@ -57,6 +65,9 @@ final class ServiceProcedures {
                 : setWaiting(subscriber.services(), operation);
         if (error.isPresent()) {
             return new ReturnError(invoke.id(), error.get());
+        }
+        if (operation != SsOperation.INTERROGATE_SS) {
+            changed.accept(subscriber);
         }
         ServiceStatus status = status(subscriber.services(), service.get());
         return new ReturnResult(invoke.id(), operation, status.encode(operation));

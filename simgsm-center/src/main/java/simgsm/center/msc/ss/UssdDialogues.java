@@ -10,6 +10,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.SupplementaryService;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
+import simgsm.center.subscriber.Subscriber;
 
 /** Supplementary services of mobiles on all links. */
 public final class UssdDialogues implements LinkUser {
@@ -22,9 +23,14 @@ public final class UssdDialogues implements LinkUser {
      * @param locations gives the link of an attached subscriber
      * @param language of the services' texts
      * @param callWaiting whether a second call may wait for subscribers who have not set it
+     * @param changed is given each subscriber whose services have changed
      */
-    public UssdDialogues(Function<Msisdn, Optional<Link>> locations, Locale language, boolean callWaiting) {
-        procedures = new ServiceProcedures(callWaiting);
+    public UssdDialogues(
+            Function<Msisdn, Optional<Link>> locations,
+            Locale language,
+            boolean callWaiting,
+            Consumer<Subscriber> changed) {
+        procedures = new ServiceProcedures(callWaiting, changed);
         this.locations = locations;
         services = new UssdServices(this::ask, language);
     }
