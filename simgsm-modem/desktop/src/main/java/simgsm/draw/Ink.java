@@ -45,7 +45,7 @@ public enum Ink {
     /** The display of the phone: the same in light and dark, as a real one is. */
     LCD_PAPER(0xB9C9A3, 0xB9C9A3, 0xD4E3BD),
     LCD_INK(0x20301A, 0x20301A, 0x000000),
-    LCD_QUIET(0x3F5236, 0x3F5236, 0x1F2E18),
+    LCD_QUIET(0x273420, 0x273420, 0x1F2E18),
     /** Segments that are not driven, just to be seen. */
     LCD_GHOST(0xA6B78F, 0xA6B78F, 0xC2D2AA),
     LCD_RIM(0x5E6B50, 0x10130E, 0x000000),

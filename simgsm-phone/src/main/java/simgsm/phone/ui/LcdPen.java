@@ -17,6 +17,8 @@ final class LcdPen {
     static final double WIDTH = 280;
     static final double HEIGHT = 180;
     static final double MARGIN = 12;
+    private static final double HINT_POINTS = 13;
+    private static final double LONG_HINT_POINTS = 11;
 
     private final Graphics2D g;
     private final double unit;
@@ -67,10 +69,11 @@ final class LcdPen {
         left(fitted, font, (WIDTH - width(font, fitted)) / 2, baseline);
     }
 
-    /** Writes a small quiet line, centred. */
+    /** Writes a quiet line, centred; a long one is smaller. */
     void hint(String text, double baseline) {
         ink(Ink.LCD_QUIET);
-        centred(text, sans(11, false), baseline);
+        boolean fits = width(sans(HINT_POINTS, false), text) <= WIDTH - 2 * MARGIN;
+        centred(text, sans(fits ? HINT_POINTS : LONG_HINT_POINTS, false), baseline);
         ink(Ink.LCD_INK);
     }
 

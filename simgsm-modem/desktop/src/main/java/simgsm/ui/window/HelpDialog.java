@@ -44,7 +44,7 @@ final class HelpDialog {
     /** A key and what it does. */
     record ShownKey(String key, String action) {}
 
-    /** The keys that work everywhere in the window, and the mnemonics of its buttons, in the order of the keys' names. */
+    /** The keys that work everywhere in the window now, and the mnemonics of its buttons, in the order of the keys' names. */
     static List<ShownKey> keysOf(Component root) {
         return components(root)
                 .filter(JComponent.class::isInstance)
@@ -55,10 +55,15 @@ final class HelpDialog {
                 .toList();
     }
 
+    /** Without pages that are hidden, such as the editor's, whose keys do nothing now. */
     private static Stream<Component> components(Component root) {
         Stream<Component> own = Stream.of(root);
         return root instanceof Container container
-                ? Stream.concat(own, Stream.of(container.getComponents()).flatMap(HelpDialog::components))
+                ? Stream.concat(
+                        own,
+                        Stream.of(container.getComponents())
+                                .filter(Component::isVisible)
+                                .flatMap(HelpDialog::components))
                 : own;
     }
 

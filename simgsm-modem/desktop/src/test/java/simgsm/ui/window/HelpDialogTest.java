@@ -45,6 +45,16 @@ class HelpDialogTest {
     }
 
     @Test
+    void keysOfAHiddenPageAreNotListed() {
+        JPanel editor = new JPanel();
+        new UserAction("wall", "Draw a wall", () -> {}).onKey(editor, KeyEvent.VK_W, InputEvent.CTRL_DOWN_MASK);
+        window.add(editor);
+        assertEquals(3, HelpDialog.keysOf(window).size());
+        editor.setVisible(false);
+        assertEquals(2, HelpDialog.keysOf(window).size());
+    }
+
+    @Test
     void theTextTheKeysAndTheVersionAreShown() {
         JPanel content = HelpDialog.content(window, "A robot.", "1.0.0", DesktopTexts.in(Locale.ENGLISH));
         JTextArea about = (JTextArea) ComponentNames.find(content, "help.about").orElseThrow();
