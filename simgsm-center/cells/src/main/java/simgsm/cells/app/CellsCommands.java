@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import simgsm.cells.net.CellsLoop;
 import simgsm.cells.network.CellNetwork;
 import simgsm.cells.tower.BaseStation;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 import simgsm.console.CommandException;
 import simgsm.console.CommandTable;
 import simgsm.console.Console;
@@ -69,7 +69,7 @@ public final class CellsCommands implements Console.Commands {
 
     private void place(ConsoleCommand command) throws CommandException {
         List<String> words = command.words(3, "place NUMBER X Y");
-        Place place = place(command, words);
+        TownPlace place = place(command, words);
         cells.ask(network -> {
             network.place(words.get(0), place);
             return true;
@@ -78,7 +78,7 @@ public final class CellsCommands implements Console.Commands {
 
     private void walk(ConsoleCommand command) throws CommandException {
         List<String> words = command.words(4, "walk NUMBER X Y METRES_PER_SECOND");
-        Place place = place(command, words);
+        TownPlace place = place(command, words);
         double speed = number(command, words.get(3), 0, FASTEST_METRES_PER_SECOND);
         boolean isThere = cells.ask(network -> network.walk(words.get(0), List.of(place), speed));
         if (!isThere) {
@@ -87,8 +87,8 @@ public final class CellsCommands implements Console.Commands {
         }
     }
 
-    private static Place place(ConsoleCommand command, List<String> words) throws CommandException {
-        return new Place(
+    private static TownPlace place(ConsoleCommand command, List<String> words) throws CommandException {
+        return new TownPlace(
                 number(command, words.get(1), -FARTHEST_METRES, FARTHEST_METRES),
                 number(command, words.get(2), -FARTHEST_METRES, FARTHEST_METRES));
     }

@@ -8,7 +8,7 @@ import simgsm.cells.mobile.MobileRadioState;
 import simgsm.cells.network.CellNetwork;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.tower.BaseStation;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 import simgsm.console.Event;
 
 /** Console events of the cells. */
@@ -51,7 +51,7 @@ final class CellsEventPrinter {
     }
 
     static Event of(BaseStation tower) {
-        Place place = tower.tower().place();
+        TownPlace place = tower.tower().place();
         return Event.of("cell")
                 .with("name", tower.tower().name())
                 .with("arfcn", tower.tower().arfcn())
@@ -64,7 +64,7 @@ final class CellsEventPrinter {
     }
 
     static Event of(Mobile mobile, CellNetwork network) {
-        Place place = mobile.walker().place();
+        TownPlace place = mobile.walker().place();
         int tower = mobile.serving();
         double[] levels = new double[network.towers().size()];
         network.levelsDbm(place, levels);

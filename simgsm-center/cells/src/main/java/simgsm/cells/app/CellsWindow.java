@@ -8,7 +8,7 @@ import simgsm.cells.network.TownSnapshots;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.snapshot.TownActions;
 import simgsm.cells.snapshot.TownSnapshot;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 import simgsm.cells.ui.TownWindow;
 import simgsm.console.ExitStatus;
 import simgsm.ui.window.ProgramWindow;
@@ -43,12 +43,12 @@ public final class CellsWindow implements TownActions {
     }
 
     @Override
-    public void place(String number, Place place) {
+    public void place(String number, TownPlace place) {
         cells.post(network -> network.place(number, place));
     }
 
     @Override
-    public void walk(String number, List<Place> points, double metresPerSecond) {
+    public void walk(String number, List<TownPlace> points, double metresPerSecond) {
         cells.post(network -> network.walk(number, points, metresPerSecond));
     }
 

@@ -11,7 +11,7 @@ import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.HandoverCommand;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.TowerChannel;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
@@ -82,7 +82,7 @@ final class ChannelChange {
     // Assignment.
 
     void beginAssignment() {
-        mobile.passed(Passing.Kind.ASSIGNMENT_COMMAND, mobile.cell(), "", 0);
+        mobile.passed(PassingStep.Kind.ASSIGNMENT_COMMAND, mobile.cell(), "", 0);
         target = mobile.current()
                 .tower()
                 .channel(assignment.channel().channel())
@@ -100,7 +100,7 @@ final class ChannelChange {
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.AssignmentComplete(RadioResource.NORMAL_EVENT)));
-        mobile.passed(Passing.Kind.ASSIGNMENT_COMPLETE, mobile.cell(), "", 0);
+        mobile.passed(PassingStep.Kind.ASSIGNMENT_COMPLETE, mobile.cell(), "", 0);
         end();
     }
 
@@ -115,7 +115,7 @@ final class ChannelChange {
         CellDescription cell = handover.cell();
         OptionalInt found = network.find(cell);
         mobile.passed(
-                Passing.Kind.HANDOVER_COMMAND,
+                PassingStep.Kind.HANDOVER_COMMAND,
                 mobile.cell(),
                 found.isPresent()
                         ? network.towers().get(found.getAsInt()).tower().name()
@@ -140,7 +140,7 @@ final class ChannelChange {
     /** HANDOVER ACCESS, until PHYSICAL INFORMATION comes; in a synchronised cell four times. */
     private void access(int count) {
         if (count == 1) {
-            mobile.passed(Passing.Kind.HANDOVER_ACCESS, mobile.cell(), targetName(), handover.reference());
+            mobile.passed(PassingStep.Kind.HANDOVER_ACCESS, mobile.cell(), targetName(), handover.reference());
         }
         if (target == null && mobile.receives(targetTower)) {
             Optional<TowerChannel> active =
@@ -162,7 +162,7 @@ final class ChannelChange {
 
     void physicalInformation(TowerChannel from, int timingAdvance) {
         if (from == target && handover != null && mobile.receives(targetTower)) {
-            mobile.passed(Passing.Kind.PHYSICAL_INFORMATION, mobile.cell(), targetName(), timingAdvance);
+            mobile.passed(PassingStep.Kind.PHYSICAL_INFORMATION, mobile.cell(), targetName(), timingAdvance);
             arrive();
         }
     }
@@ -179,7 +179,7 @@ final class ChannelChange {
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.HandoverComplete(RadioResource.NORMAL_EVENT)));
-        mobile.passed(Passing.Kind.HANDOVER_COMPLETE, from, mobile.cell(), 0);
+        mobile.passed(PassingStep.Kind.HANDOVER_COMPLETE, from, mobile.cell(), 0);
         network.happened(new MobileEvent.HandedOver(mobile, from, mobile.cell(), OptionalInt.empty()));
         end();
     }
@@ -192,7 +192,7 @@ final class ChannelChange {
         TowerChannel old = mobile.current();
         old.establish(mobile.user(), null);
         old.send(0, encoded(new RadioResource.HandoverFailure(cause)));
-        mobile.passed(Passing.Kind.HANDOVER_FAILURE, mobile.cell(), to, cause);
+        mobile.passed(PassingStep.Kind.HANDOVER_FAILURE, mobile.cell(), to, cause);
         network.happened(new MobileEvent.HandedOver(mobile, mobile.cell(), to, OptionalInt.of(cause)));
         end();
     }

@@ -15,11 +15,11 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.radio.ReceptionQuality;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.ChannelUser;
 import simgsm.cells.tower.TowerChannel;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignment;
 import simgsm.state.StateMachine;
@@ -125,7 +125,7 @@ public final class Mobile {
     }
 
     /** A terminal that has just connected. */
-    public Mobile(MobilePort port, String address, MobileNetwork network, Timers timers, Place place) {
+    public Mobile(MobilePort port, String address, MobileNetwork network, Timers timers, TownPlace place) {
         this.port = port;
         this.address = address;
         this.network = network;
@@ -264,7 +264,7 @@ public final class Mobile {
                 && selection.serving() == tower
                 && identity.isInGroup(group, groups)
                 && identity.isOwn(paged)) {
-            passed(Passing.Kind.PAGING, cell(), "", 0);
+            passed(PassingStep.Kind.PAGING, cell(), "", 0);
             send(new RslMessage.PagingCommand(paged));
         }
     }
@@ -315,7 +315,7 @@ public final class Mobile {
             // A mobile that wants to register waits for a cell, until its terminal gives up.
             return;
         }
-        passed(Passing.Kind.CHANNEL_REQUEST, cell(), "", 0);
+        passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);
         requests.begin(
                 network.towers().get(tower),
                 reception.timingAdvance(tower, walker.place()),
@@ -337,7 +337,7 @@ public final class Mobile {
         counter = new RadioLinkCounter(timeout);
         uplinkCounter = new RadioLinkCounter(timeout);
         take(assigned.get());
-        passed(Passing.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
+        passed(PassingStep.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
         channel.establish(receiver, firstMessage);
     }
 
@@ -532,7 +532,7 @@ public final class Mobile {
         }
     }
 
-    void passed(Passing.Kind step, String from, String to, int figure) {
+    void passed(PassingStep.Kind step, String from, String to, int figure) {
         network.happened(new MobileEvent.Passed(this, step, from, to, figure));
     }
 

@@ -2,7 +2,7 @@ package simgsm.cells.mobile;
 
 import java.util.List;
 import java.util.OptionalInt;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 
 /** What happens to a mobile. */
 public sealed interface MobileEvent {
@@ -34,5 +34,5 @@ public sealed interface MobileEvent {
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}
 
     /** One step of signalling, for the window. @param to the new cell of a handover, else empty */
-    record Passed(Mobile mobile, Passing.Kind step, String from, String to, int figure) implements MobileEvent {}
+    record Passed(Mobile mobile, PassingStep.Kind step, String from, String to, int figure) implements MobileEvent {}
 }

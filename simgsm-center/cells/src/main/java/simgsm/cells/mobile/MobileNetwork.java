@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.OptionalInt;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.cells.tower.BaseStation;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /** What a mobile receives, and where it appears. */
 public interface MobileNetwork {
     List<BaseStation> towers();
 
     /** The levels of all towers at a place in dBm. */
-    void levelsDbm(Place place, double[] into);
+    void levelsDbm(TownPlace place, double[] into);
 
     /** The carrier of one tower over noise and interference, in dB. @param levelsDbm of all towers at the place */
     double carrierDecibels(int tower, double[] levelsDbm);

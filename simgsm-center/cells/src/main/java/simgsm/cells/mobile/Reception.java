@@ -8,7 +8,7 @@ import simgsm.air.MeasurementResults;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.radio.ReceptionQuality;
 import simgsm.cells.tower.BaseStation;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /** What a mobile receives at its place now. */
 final class Reception {
@@ -26,7 +26,7 @@ final class Reception {
         levels = new double[network.towers().size()];
     }
 
-    void measure(Place place) {
+    void measure(TownPlace place) {
         network.levelsDbm(place, levels);
     }
 
@@ -38,7 +38,7 @@ final class Reception {
         return ReceptionQuality.bitErrorRate(network.carrierDecibels(tower, levels));
     }
 
-    int timingAdvance(int tower, Place place) {
+    int timingAdvance(int tower, TownPlace place) {
         return RadioScale.timingAdvance(
                 network.towers().get(tower).tower().place().distanceMetres(place));
     }

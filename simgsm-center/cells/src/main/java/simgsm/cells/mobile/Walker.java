@@ -3,38 +3,38 @@ package simgsm.cells.mobile;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /** A position that stands still or walks along points: to one point and stops there, or along several to and fro. */
 public final class Walker {
     private static final double SECOND_NANOS = 1e9;
 
-    private Place place;
-    private List<Place> points = List.of();
+    private TownPlace place;
+    private List<TownPlace> points = List.of();
     private int next;
     private double metresPerSecond;
 
-    public Walker(Place place) {
+    public Walker(TownPlace place) {
         this.place = place;
     }
 
-    public Place place() {
+    public TownPlace place() {
         return place;
     }
 
     /** The points ahead; empty if it stands. */
-    public List<Place> ahead() {
+    public List<TownPlace> ahead() {
         return points.isEmpty() ? List.of() : points.subList(next, points.size());
     }
 
     /** Stands here from now on. */
-    public void standAt(Place newPlace) {
+    public void standAt(TownPlace newPlace) {
         place = newPlace;
         points = List.of();
     }
 
     /** Walks from here to the first point and on; to and fro if there is more than one. */
-    public void walk(List<Place> along, double speedMetresPerSecond) {
+    public void walk(List<TownPlace> along, double speedMetresPerSecond) {
         points = new ArrayList<>(along);
         next = 0;
         metresPerSecond = speedMetresPerSecond;
@@ -43,7 +43,7 @@ public final class Walker {
     public void advance(long nanos) {
         double metres = metresPerSecond * nanos / SECOND_NANOS;
         while (!points.isEmpty() && metres > 0) {
-            Place target = points.get(next);
+            TownPlace target = points.get(next);
             double distance = place.distanceMetres(target);
             place = place.towards(target, metres);
             metres -= distance;

@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /**
  * Reads the pose of a robot from a SimRobot's web server, twice a second, on a thread of its own.
@@ -47,18 +47,18 @@ public record FollowedRobot(String number, URL url, double scale) {
     }
 
     /** Follows from now on. @param moved takes each new place */
-    public void start(Consumer<Place> moved) {
+    public void start(Consumer<TownPlace> moved) {
         Thread thread = new Thread(() -> follow(moved), "pose of " + number);
         thread.setDaemon(true);
         thread.start();
     }
 
-    private void follow(Consumer<Place> moved) {
+    private void follow(Consumer<TownPlace> moved) {
         boolean isFailureLogged = false;
-        Place last = null;
+        TownPlace last = null;
         while (!Thread.currentThread().isInterrupted()) {
             try {
-                Place place = read();
+                TownPlace place = read();
                 isFailureLogged = false;
                 if (!place.equals(last)) {
                     moved.accept(place);
@@ -78,7 +78,7 @@ public record FollowedRobot(String number, URL url, double scale) {
         }
     }
 
-    private Place read() throws IOException {
+    private TownPlace read() throws IOException {
         HttpURLConnection connection = (HttpURLConnection) url.openConnection();
         connection.setConnectTimeout(TIMEOUT_MILLIS);
         connection.setReadTimeout(TIMEOUT_MILLIS);
@@ -89,11 +89,11 @@ public record FollowedRobot(String number, URL url, double scale) {
         }
     }
 
-    Place placeIn(String json) throws IOException {
+    TownPlace placeIn(String json) throws IOException {
         Matcher pose = POSE.matcher(json);
         if (!pose.find()) {
             throw new IOException("expected a pose, \"x\":...,\"y\":..., in the answer");
         }
-        return new Place(scale * Double.parseDouble(pose.group(1)), scale * Double.parseDouble(pose.group(2)));
+        return new TownPlace(scale * Double.parseDouble(pose.group(1)), scale * Double.parseDouble(pose.group(2)));
     }
 }

@@ -22,11 +22,11 @@ import simgsm.cells.mobile.MobilePort;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.TowerState;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.TowerListener;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 
@@ -41,8 +41,8 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final List<BaseStation> towers = new ArrayList<>();
     private final Map<BaseStation, Integer> indices = new HashMap<>();
     private final Set<Mobile> mobiles = new LinkedHashSet<>();
-    private final Map<String, Place> placed = new HashMap<>();
-    private final Deque<Passing> passing = new ArrayDeque<>();
+    private final Map<String, TownPlace> placed = new HashMap<>();
+    private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
     private boolean isPaused;
 
@@ -104,13 +104,13 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     }
 
     /** Puts a mobile at a place, where it stays; one that is not there yet appears there. */
-    public void place(String number, Place place) {
+    public void place(String number, TownPlace place) {
         placed.put(number, place);
         mobile(number).ifPresent(mobile -> mobile.walker().standAt(place));
     }
 
     /** Lets a mobile walk. @return false if it is not there */
-    public boolean walk(String number, List<Place> points, double metresPerSecond) {
+    public boolean walk(String number, List<TownPlace> points, double metresPerSecond) {
         Optional<Mobile> mobile = mobile(number);
         mobile.ifPresent(found -> found.walker().walk(points, metresPerSecond));
         return mobile.isPresent();
@@ -157,10 +157,10 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         int index = indices.get(tower);
         field.set(index, new TowerState(on, field.tower(index).powerDbm()));
         tower.switchTo(on);
-        note(new Passing(
+        note(new PassingStep(
                 timers.nowNanos(),
                 "",
-                on ? Passing.Kind.TOWER_ON : Passing.Kind.TOWER_OFF,
+                on ? PassingStep.Kind.TOWER_ON : PassingStep.Kind.TOWER_OFF,
                 tower.tower().name(),
                 "",
                 0));
@@ -177,14 +177,14 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     }
 
     /** What passed lately, the newest last. */
-    public Collection<Passing> passing() {
+    public Collection<PassingStep> passing() {
         return List.copyOf(passing);
     }
 
     // What mobiles and towers ask for.
 
     @Override
-    public void levelsDbm(Place place, double[] into) {
+    public void levelsDbm(TownPlace place, double[] into) {
         field.levelsDbm(place.xMetres(), place.yMetres(), into);
     }
 
@@ -204,7 +204,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         listener.accept(event);
     }
 
-    private void note(Passing step) {
+    private void note(PassingStep step) {
         passing.add(step);
         if (passing.size() > MOST_PASSING) {
             passing.remove();

@@ -2,27 +2,30 @@ package simgsm.cells.network;
 
 import java.util.Optional;
 import simgsm.cells.mobile.MobileEvent;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 
 /** Events of mobiles as steps that the window lists. */
 final class PassingSteps {
     private PassingSteps() {}
 
-    static Optional<Passing> of(MobileEvent event, long nanos) {
+    static Optional<PassingStep> of(MobileEvent event, long nanos) {
         String number = event.mobile().number();
         String cell = event.mobile().cell();
         if (event instanceof MobileEvent.Passed passed) {
-            return Optional.of(new Passing(nanos, number, passed.step(), passed.from(), passed.to(), passed.figure()));
+            return Optional.of(
+                    new PassingStep(nanos, number, passed.step(), passed.from(), passed.to(), passed.figure()));
         } else if (event instanceof MobileEvent.Reported reported) {
-            return Optional.of(new Passing(nanos, number, Passing.Kind.REPORT, reported.cell(), "", reported.number()));
+            return Optional.of(
+                    new PassingStep(nanos, number, PassingStep.Kind.REPORT, reported.cell(), "", reported.number()));
         } else if (event instanceof MobileEvent.Camped camped) {
-            return Optional.of(new Passing(nanos, number, Passing.Kind.RESELECTION, camped.cell(), "", 0));
+            return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.RESELECTION, camped.cell(), "", 0));
         } else if (event instanceof MobileEvent.LocationUpdated updated) {
-            return Optional.of(new Passing(nanos, number, Passing.Kind.LOCATION_UPDATE, cell, "", updated.area()));
+            return Optional.of(
+                    new PassingStep(nanos, number, PassingStep.Kind.LOCATION_UPDATE, cell, "", updated.area()));
         } else if (event instanceof MobileEvent.SpeechGap gap) {
-            return Optional.of(new Passing(nanos, number, Passing.Kind.SPEECH_GAP, cell, "", gap.millis()));
+            return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.SPEECH_GAP, cell, "", gap.millis()));
         } else if (event instanceof MobileEvent.RadioLinkFailed) {
-            return Optional.of(new Passing(nanos, number, Passing.Kind.RADIO_LINK_FAILURE, cell, "", 0));
+            return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.RADIO_LINK_FAILURE, cell, "", 0));
         }
         return Optional.empty();
     }

@@ -1,7 +1,7 @@
 package simgsm.cells.radio;
 
 import simgsm.cells.town.Hill;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /** Diffraction over a hill as over a knife edge (ITU-R P.526, 4.1). */
 final class KnifeEdge {
@@ -18,7 +18,7 @@ final class KnifeEdge {
      * @param toMetres height of the antenna at the other end above the plain
      */
     static double decibels(
-            Hill hill, Place from, double fromMetres, double x, double y, double toMetres, double megahertz) {
+            Hill hill, TownPlace from, double fromMetres, double x, double y, double toMetres, double megahertz) {
         double dx = x - from.xMetres();
         double dy = y - from.yMetres();
         double length2 = dx * dx + dy * dy;

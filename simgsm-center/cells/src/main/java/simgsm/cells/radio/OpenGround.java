@@ -1,7 +1,7 @@
 package simgsm.cells.radio;
 
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
+import simgsm.cells.town.TownPlace;
 
 /** Hata's urban median loss at 900 MHz for antennas at 30 m and 1.5 m, without shadowing: 126.4 dB at 1 km, 35.2 dB a decade. */
 public final class OpenGround implements Radio {
@@ -17,7 +17,7 @@ public final class OpenGround implements Radio {
     public OpenGround() {}
 
     @Override
-    public double levelDbm(Tower tower, Place place) {
+    public double levelDbm(Tower tower, TownPlace place) {
         double metres = Math.max(LEAST_METRES, tower.place().distanceMetres(place));
         return tower.powerDbm() - LOSS_AT_1_KM_DECIBELS - DECIBELS_PER_DECADE * Math.log10(metres / 1_000);
     }

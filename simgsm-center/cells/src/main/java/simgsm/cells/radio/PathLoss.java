@@ -1,6 +1,6 @@
 package simgsm.cells.radio;
 
-import simgsm.cells.town.Surroundings;
+import simgsm.cells.town.Clutter;
 
 /**
  * Median path loss between a tower and a mobile: Okumura-Hata below 1500 MHz, COST 231-Hata above (COST 231 final report,
@@ -23,12 +23,12 @@ public final class PathLoss {
      * @param baseMetres height of the tower's antenna
      * @param mobileMetres height of the mobile's antenna
      */
-    public PathLoss(double megahertz, double baseMetres, double mobileMetres, Surroundings surroundings) {
+    public PathLoss(double megahertz, double baseMetres, double mobileMetres, Clutter surroundings) {
         double logFrequency = Math.log10(megahertz);
         double logBase = Math.log10(baseMetres);
         double constants = megahertz < COST_231_FROM_MEGAHERTZ
                 ? 69.55 + 26.16 * logFrequency
-                : 46.3 + 33.9 * logFrequency + (surroundings == Surroundings.METROPOLITAN ? 3 : 0);
+                : 46.3 + 33.9 * logFrequency + (surroundings == Clutter.METROPOLITAN ? 3 : 0);
         double mobileCorrection = (1.1 * logFrequency - 0.7) * mobileMetres - (1.56 * logFrequency - 0.8);
         atOneKilometerDecibels = constants - 13.82 * logBase - mobileCorrection - relief(logFrequency, surroundings);
         perDecadeDecibels = 44.9 - 6.55 * logBase;
@@ -37,7 +37,7 @@ public final class PathLoss {
     }
 
     /** How much less is lost outside of towns. */
-    private static double relief(double logFrequency, Surroundings surroundings) {
+    private static double relief(double logFrequency, Clutter surroundings) {
         return switch (surroundings) {
             case METROPOLITAN, URBAN -> 0;
             case SUBURBAN -> 2 * Math.pow(logFrequency - Math.log10(28), 2) + 5.4;

@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 
 /** The radio channels of a town, by {@link Propagation} and {@link ReceptionQuality}. */
 public final class TownRadio implements Radio {
@@ -29,7 +29,7 @@ public final class TownRadio implements Radio {
     }
 
     @Override
-    public double levelDbm(Tower tower, Place place) {
+    public double levelDbm(Tower tower, TownPlace place) {
         Integer index = indices.get(tower);
         if (index == null) {
             // the same tower with another power

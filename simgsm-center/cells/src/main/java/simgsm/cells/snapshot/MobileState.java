@@ -3,7 +3,7 @@ package simgsm.cells.snapshot;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /**
  * A phone or robot in the town.
@@ -22,11 +22,11 @@ import simgsm.cells.town.Place;
  */
 public record MobileState(
         String number,
-        Place place,
+        TownPlace place,
         String cell,
         State state,
         boolean isInCall,
-        List<Place> path,
+        List<TownPlace> path,
         List<Level> levels,
         OptionalInt quality,
         OptionalInt timingAdvance,

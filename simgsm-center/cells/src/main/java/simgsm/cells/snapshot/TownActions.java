@@ -1,7 +1,7 @@
 package simgsm.cells.snapshot;
 
 import java.util.List;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 
 /** What the window asks of the program. Any thread may call; the owner thread acts. */
 public interface TownActions {
@@ -9,10 +9,10 @@ public interface TownActions {
     TownSnapshot snapshot();
 
     /** Puts a mobile at a place, where it stays. */
-    void place(String number, Place place);
+    void place(String number, TownPlace place);
 
     /** Lets a mobile walk along points, to and fro if there is more than one. */
-    void walk(String number, List<Place> points, double metresPerSecond);
+    void walk(String number, List<TownPlace> points, double metresPerSecond);
 
     void switchTower(String tower, boolean on);
 

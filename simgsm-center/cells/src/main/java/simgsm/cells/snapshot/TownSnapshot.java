@@ -25,7 +25,7 @@ public record TownSnapshot(
         boolean isPaused,
         List<CellState> cells,
         List<MobileState> mobiles,
-        List<Passing> passing) {
+        List<PassingStep> passing) {
     /** The state of the towers' connections to the controller. */
     public enum ControllerLink {
         /** All towers that are on are connected. */

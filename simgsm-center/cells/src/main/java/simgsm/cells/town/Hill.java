@@ -6,7 +6,7 @@ package simgsm.cells.town;
  * @param radiusMetres at its foot
  * @param heightMetres of its top; it falls to the foot as half a period of a cosine
  */
-public record Hill(String name, Place top, double radiusMetres, double heightMetres) {
+public record Hill(String name, TownPlace top, double radiusMetres, double heightMetres) {
     /** Height of the ground at a place. */
     public double heightMetres(double xMetres, double yMetres) {
         double distance = Math.hypot(xMetres - top.xMetres(), yMetres - top.yMetres());

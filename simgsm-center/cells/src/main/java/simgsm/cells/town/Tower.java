@@ -17,7 +17,7 @@ import simgsm.octets.Bounds;
  */
 public record Tower(
         String name,
-        Place place,
+        TownPlace place,
         double heightMetres,
         double powerDbm,
         int arfcn,
@@ -44,7 +44,14 @@ public record Tower(
 
     /** A tower with six traffic channels and the usual selection, whose cell identity is its site. */
     public Tower(
-            String name, Place place, double heightMetres, double powerDbm, int arfcn, int bsic, int area, int site) {
+            String name,
+            TownPlace place,
+            double heightMetres,
+            double powerDbm,
+            int arfcn,
+            int bsic,
+            int area,
+            int site) {
         this(
                 name,
                 place,

@@ -23,7 +23,7 @@ public record Town(
         double southMetres,
         double widthMetres,
         double heightMetres,
-        Surroundings surroundings,
+        Clutter surroundings,
         double shadowDecibels,
         double shadowMetres,
         int radioLinkTimeout,
@@ -31,7 +31,7 @@ public record Town(
         List<Building> buildings,
         List<Hill> hills,
         List<Walk> walks,
-        Map<String, Place> starts) {
+        Map<String, TownPlace> starts) {
     private static final double SIDE_METRES = 20_000;
     private static final int STANDARD_RADIO_LINK_TIMEOUT = 16;
 
@@ -51,7 +51,7 @@ public record Town(
                 -SIDE_METRES / 2,
                 SIDE_METRES,
                 SIDE_METRES,
-                Surroundings.URBAN,
+                Clutter.URBAN,
                 0,
                 1,
                 STANDARD_RADIO_LINK_TIMEOUT,
@@ -63,13 +63,13 @@ public record Town(
     }
 
     /** Where a mobile appears: its own line, the begin of its walk, or the town's middle. */
-    public Place start(String number) {
-        Place own = starts.get(number);
+    public TownPlace start(String number) {
+        TownPlace own = starts.get(number);
         return own != null
                 ? own
                 : walkOf(number)
                         .map(walk -> walk.points().get(0))
-                        .orElse(new Place(westMetres + widthMetres / 2, southMetres + heightMetres / 2));
+                        .orElse(new TownPlace(westMetres + widthMetres / 2, southMetres + heightMetres / 2));
     }
 
     /** The walk on which a mobile sets out when it appears. */
@@ -86,8 +86,8 @@ public record Town(
     }
 
     /** The nearest place within the town. */
-    public Place within(double xMetres, double yMetres) {
-        return new Place(
+    public TownPlace within(double xMetres, double yMetres) {
+        return new TownPlace(
                 Math.max(westMetres, Math.min(westMetres + widthMetres, xMetres)),
                 Math.max(southMetres, Math.min(southMetres + heightMetres, yMetres)));
     }

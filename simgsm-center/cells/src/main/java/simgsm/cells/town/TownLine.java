@@ -85,8 +85,8 @@ final class TownLine {
         return inRange(word(what), what, least, most);
     }
 
-    Place point(String what) throws TownFormatException {
-        return new Place(number("x of " + what + " in metres"), number("y of " + what + " in metres"));
+    TownPlace point(String what) throws TownFormatException {
+        return new TownPlace(number("x of " + what + " in metres"), number("y of " + what + " in metres"));
     }
 
     /** A value that may be left out. */

@@ -22,7 +22,7 @@ public final class TownReader {
     private final String source;
     private String name;
     private Optional<Extent> edges = Optional.empty();
-    private Surroundings surroundings = Surroundings.URBAN;
+    private Clutter surroundings = Clutter.URBAN;
     private double shadowDecibels = 6;
     private double shadowMetres = 50;
     private int radioLinkTimeout = 16;
@@ -30,7 +30,7 @@ public final class TownReader {
     private final List<Building> buildings = new ArrayList<>();
     private final List<Hill> hills = new ArrayList<>();
     private final List<Walk> walks = new ArrayList<>();
-    private final Map<String, Place> starts = new LinkedHashMap<>();
+    private final Map<String, TownPlace> starts = new LinkedHashMap<>();
 
     private TownReader(String source) {
         this.source = source;
@@ -89,7 +89,7 @@ public final class TownReader {
 
     private void area(TownLine line) throws TownFormatException {
         String word = line.word("the surroundings");
-        surroundings = Surroundings.of(word)
+        surroundings = Clutter.of(word)
                 .orElseThrow(() -> line.fault(TownLine.quoted(word), "metropolitan, urban, suburban or open"));
         line.end();
     }
@@ -113,7 +113,7 @@ public final class TownReader {
 
     private void tower(TownLine line) throws TownFormatException {
         String tower = line.word("the tower's name");
-        Place place = line.point("the tower");
+        TownPlace place = line.point("the tower");
         double height = line.setting("height", 30, 1, 300);
         double power = line.setting("power", 43, -20, 70);
         int arfcn = line.required("arfcn", 0, 1023);
@@ -159,8 +159,8 @@ public final class TownReader {
 
     private void building(TownLine line) throws TownFormatException {
         String building = line.word("the building's name");
-        Place one = line.point("one corner");
-        Place other = line.point("the opposite corner");
+        TownPlace one = line.point("one corner");
+        TownPlace other = line.point("the opposite corner");
         double loss = line.setting("loss", 15, 0, 100);
         line.end();
         buildings.add(new Building(
@@ -174,14 +174,14 @@ public final class TownReader {
 
     private void hill(TownLine line) throws TownFormatException {
         String hill = line.word("the hill's name");
-        Place top = line.point("the top");
+        TownPlace top = line.point("the top");
         hills.add(new Hill(hill, top, line.setting("radius", 300, 1, 20_000), line.setting("height", 50, 1, 5_000)));
         line.end();
     }
 
     private void mobile(TownLine line) throws TownFormatException {
         String number = number(line, line.word("the mobile's number"));
-        Place at = line.point("the mobile");
+        TownPlace at = line.point("the mobile");
         line.end();
         if (starts.put(number, at) != null) {
             throw line.fault("a second place for " + number, "one line for each mobile");
@@ -197,7 +197,7 @@ public final class TownReader {
 
     private void walk(TownLine line) throws TownFormatException {
         String walk = line.word("the walk's name");
-        List<Place> points = new ArrayList<>();
+        List<TownPlace> points = new ArrayList<>();
         while (line.hasMore()) {
             points.add(line.point("point " + (points.size() + 1)));
         }

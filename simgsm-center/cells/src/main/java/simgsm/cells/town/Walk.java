@@ -8,7 +8,7 @@ import java.util.List;
  * @param number of the mobile that begins to walk when it appears; empty for a path that is only offered
  * @param points at least two
  */
-public record Walk(String name, String number, double metresPerSecond, List<Place> points) {
+public record Walk(String name, String number, double metresPerSecond, List<TownPlace> points) {
     public Walk {
         points = List.copyOf(points);
     }

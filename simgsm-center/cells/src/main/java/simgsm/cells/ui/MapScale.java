@@ -1,7 +1,7 @@
 package simgsm.cells.ui;
 
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 
 /**
  * Where the town lies in the picture: as large as fits, in the middle.
@@ -36,7 +36,7 @@ record MapScale(Town town, double pixelsPerMetre, double left, double top) {
     }
 
     /** The place at a pixel; outside of the town the nearest place within. */
-    Place place(double x, double y) {
+    TownPlace place(double x, double y) {
         return town.within(
                 town.westMetres() + (x - left) / pixelsPerMetre,
                 town.southMetres() + town.heightMetres() - (y - top) / pixelsPerMetre);

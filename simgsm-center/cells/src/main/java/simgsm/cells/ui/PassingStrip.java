@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
@@ -22,10 +22,10 @@ final class PassingStrip extends PaintedComponent {
     private static final int REPORTS_EACH = 3;
 
     /** A box of the strip. */
-    private record Box(Passing.Kind kind, String words) {}
+    private record Box(PassingStep.Kind kind, String words) {}
 
     private final TextBundle texts;
-    private transient List<Passing> shown = List.of();
+    private transient List<PassingStep> shown = List.of();
 
     PassingStrip(TextBundle texts) {
         super(AccessibleRole.LABEL);
@@ -35,8 +35,8 @@ final class PassingStrip extends PaintedComponent {
     }
 
     /** @param selected the mobile whose steps are shown, with those of the towers; empty for all */
-    void show(List<Passing> passing, Optional<String> selected) {
-        List<Passing> filtered = passing.stream()
+    void show(List<PassingStep> passing, Optional<String> selected) {
+        List<PassingStep> filtered = passing.stream()
                 .filter(step -> selected.isEmpty()
                         || step.number().isEmpty()
                         || step.number().equals(selected.get()))
@@ -48,7 +48,7 @@ final class PassingStrip extends PaintedComponent {
     }
 
     /** One step in words, as "report 17" or "Handover Command B". */
-    static String words(TextBundle texts, Passing step) {
+    static String words(TextBundle texts, PassingStep step) {
         return texts.of(
                 "passing." + step.kind().name().toLowerCase(Locale.ROOT),
                 String.valueOf(step.figure()),
@@ -66,13 +66,13 @@ final class PassingStrip extends PaintedComponent {
         int at = 0;
         while (at < shown.size()) {
             int end = at;
-            while (end < shown.size() && shown.get(end).kind() == Passing.Kind.REPORT) {
+            while (end < shown.size() && shown.get(end).kind() == PassingStep.Kind.REPORT) {
                 end++;
             }
             if (end - at > REPORTS_EACH + 1) {
                 int last = end - REPORTS_EACH - 1;
                 boxes.add(new Box(
-                        Passing.Kind.REPORT,
+                        PassingStep.Kind.REPORT,
                         texts.of(
                                 "passing.reports",
                                 String.valueOf(shown.get(at).figure()),
@@ -86,7 +86,7 @@ final class PassingStrip extends PaintedComponent {
         return boxes;
     }
 
-    private static Ink ink(Passing.Kind kind) {
+    private static Ink ink(PassingStep.Kind kind) {
         return switch (kind) {
             case HANDOVER_COMMAND, HANDOVER_ACCESS, PHYSICAL_INFORMATION, ASSIGNMENT_COMMAND -> Ink.ACCENT;
             case HANDOVER_COMPLETE, ASSIGNMENT_COMPLETE, LOCATION_UPDATE, TOWER_ON -> Ink.GOOD;

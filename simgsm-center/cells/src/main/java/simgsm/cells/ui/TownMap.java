@@ -21,8 +21,8 @@ import simgsm.cells.snapshot.CellState;
 import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.TownActions;
 import simgsm.cells.snapshot.TownSnapshot;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
+import simgsm.cells.town.TownPlace;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.GraphicsCanvas;
@@ -46,7 +46,7 @@ final class TownMap extends PaintedComponent {
     private final transient TownActions town;
     private final transient CoverageView coverage;
     private final transient Consumer<String> selected;
-    private final transient List<Place> drawn = new ArrayList<>();
+    private final transient List<TownPlace> drawn = new ArrayList<>();
     private transient TownSnapshot snapshot;
     private transient Optional<String> selection = Optional.empty();
     private transient Optional<String> dragged = Optional.empty();
@@ -95,7 +95,7 @@ final class TownMap extends PaintedComponent {
     private void step(double east, double north) {
         double side = Math.max(snapshot.town().widthMetres(), snapshot.town().heightMetres());
         selectedMobile().ifPresent(mobile -> {
-            Place place = mobile.place();
+            TownPlace place = mobile.place();
             town.place(
                     mobile.number(),
                     snapshot.town().within(place.xMetres() + east * side, place.yMetres() + north * side));
@@ -256,7 +256,7 @@ final class TownMap extends PaintedComponent {
         @Override
         public void mouseDragged(MouseEvent event) {
             MapScale scale = scale();
-            Place place = scale.place(event.getX(), event.getY());
+            TownPlace place = scale.place(event.getX(), event.getY());
             if (!drawn.isEmpty()) {
                 double apart = Theme.exact(PATH_UNITS) / scale.pixelsPerMetre();
                 if (drawn.get(drawn.size() - 1).distanceMetres(place) >= apart) {

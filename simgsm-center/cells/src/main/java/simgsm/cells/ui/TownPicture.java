@@ -9,9 +9,9 @@ import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.cells.town.Building;
 import simgsm.cells.town.Hill;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 import simgsm.cells.town.Walk;
 import simgsm.console.TextBundle;
 import simgsm.draw.Canvas;
@@ -57,7 +57,7 @@ final class TownPicture {
      * @param showsPaths whether the town's walks are shown
      * @param drawn a path that is being drawn; empty for none
      */
-    void draw(Optional<String> selected, boolean showsPaths, List<Place> drawn) {
+    void draw(Optional<String> selected, boolean showsPaths, List<TownPlace> drawn) {
         snapshot.town().hills().forEach(this::hill);
         snapshot.town().buildings().forEach(this::building);
         if (showsPaths) {
@@ -105,8 +105,8 @@ final class TownPicture {
 
     private void walk(Walk walk) {
         path(walk.points(), Ink.QUIET);
-        Place first = walk.points().get(0);
-        Place middle = first.towards(
+        TownPlace first = walk.points().get(0);
+        TownPlace middle = first.towards(
                 walk.points().get(1), first.distanceMetres(walk.points().get(1)) / 2);
         g.ink(Ink.TEXT);
         g.text(walk.name(), Face.SMALL, scale.x(middle.xMetres()), scale.y(middle.yMetres()) - g.px(9));
@@ -125,7 +125,7 @@ final class TownPicture {
         }
     }
 
-    private void path(List<Place> points, Ink ink) {
+    private void path(List<TownPlace> points, Ink ink) {
         if (points.size() > 1) {
             g.ink(ink, 0.8);
             g.pen(1.4, 4);
@@ -133,7 +133,7 @@ final class TownPicture {
         }
     }
 
-    private double[] pixels(List<Place> points) {
+    private double[] pixels(List<TownPlace> points) {
         double[] xy = new double[2 * points.size()];
         for (int i = 0; i < points.size(); i++) {
             xy[2 * i] = scale.x(points.get(i).xMetres());
@@ -146,7 +146,7 @@ final class TownPicture {
     private void connection(MobileState mobile) {
         Integer index = towerIndices.get(mobile.cell());
         if (index != null) {
-            Place mast = snapshot.town().towers().get(index).place();
+            TownPlace mast = snapshot.town().towers().get(index).place();
             g.ink(CellInk.of(index));
             if (mobile.state() == MobileState.State.IDLE) {
                 g.pen(1, 3);

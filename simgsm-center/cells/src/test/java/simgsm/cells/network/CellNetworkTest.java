@@ -38,7 +38,7 @@ import simgsm.air.Tmsi;
 import simgsm.cells.mobile.IdleSelection;
 import simgsm.cells.mobile.MobileEvent;
 import simgsm.cells.mobile.MobileRadioState;
-import simgsm.cells.town.Place;
+import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignmentReject;
 import simgsm.rr.RequestReference;
@@ -50,7 +50,7 @@ class CellNetworkTest {
     @Test
     void aRegistrationAsksForAChannelAndCarriesTheFirstMessageOnIt() throws ProtocolViolation {
         TownScene scene = new TownScene();
-        scene.network.place("5550100", new Place(500, 0));
+        scene.network.place("5550100", new TownPlace(500, 0));
         TownScene.Terminal terminal = scene.new Terminal("5550100");
         terminal.register();
 
@@ -69,7 +69,7 @@ class CellNetworkTest {
     @Test
     void anAnswerToAnotherRequestIsNotTaken() throws ProtocolViolation {
         TownScene scene = new TownScene();
-        scene.network.place("5550100", new Place(500, 0));
+        scene.network.place("5550100", new TownPlace(500, 0));
         TownScene.Terminal terminal = scene.new Terminal("5550100");
         terminal.register();
         RequestReference reference = scene.west.expectAccess();
@@ -84,7 +84,7 @@ class CellNetworkTest {
     @Test
     void afterMaxRetransTheTerminalIsReleased() {
         TownScene scene = new TownScene();
-        scene.network.place("5550100", new Place(500, 0));
+        scene.network.place("5550100", new TownPlace(500, 0));
         TownScene.Terminal terminal = scene.new Terminal("5550100");
         terminal.register();
         scene.pass(30 * SECOND);
@@ -97,7 +97,7 @@ class CellNetworkTest {
     @Test
     void aRefusedMobileAsksAgainAfterT3122() throws ProtocolViolation {
         TownScene scene = new TownScene();
-        scene.network.place("5550100", new Place(500, 0));
+        scene.network.place("5550100", new TownPlace(500, 0));
         scene.new Terminal("5550100").register();
         RequestReference reference = scene.west.expectAccess();
         long refused = scene.now;
@@ -193,7 +193,7 @@ class CellNetworkTest {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();
         scene.west.up.clear();
-        scene.network.place("5550100", new Place(1_000, 0));
+        scene.network.place("5550100", new TownPlace(1_000, 0));
         scene.pass(480 * MILLI * 5);
 
         assertEquals(5, scene.west.up.size());
@@ -216,7 +216,7 @@ class CellNetworkTest {
     void aHandoverGoesByAccessPhysicalInformationAndComplete() throws ProtocolViolation {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();
-        scene.network.place("5550100", new Place(2_200, 0));
+        scene.network.place("5550100", new TownPlace(2_200, 0));
         scene.pass(480 * MILLI);
         scene.east.activate(TCH, 2, Optional.of(77));
         scene.commandHandover(77);
@@ -264,7 +264,7 @@ class CellNetworkTest {
     void aSynchronisedHandoverNeedsNoPhysicalInformation() throws ProtocolViolation {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();
-        scene.network.place("5550100", new Place(2_200, 0));
+        scene.network.place("5550100", new TownPlace(2_200, 0));
         scene.pass(480 * MILLI);
         scene.east.activate(TCH, 3, Optional.of(77));
         scene.commandHandover(77);
@@ -281,7 +281,7 @@ class CellNetworkTest {
     void theSpeechGapOfAHandoverIsWhatTheTerminalDidNotHear() throws ProtocolViolation {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();
-        scene.network.place("5550100", new Place(2_200, 0));
+        scene.network.place("5550100", new TownPlace(2_200, 0));
         scene.pass(480 * MILLI);
         scene.east.activate(TCH, 2, Optional.of(77));
         scene.connectSpeech(scene.east, TCH);
@@ -341,7 +341,7 @@ class CellNetworkTest {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();
         scene.west.up.clear();
-        scene.network.place("5550100", new Place(-60_000, 0));
+        scene.network.place("5550100", new TownPlace(-60_000, 0));
         scene.pass(480 * MILLI * (TownScene.LINK_TIMEOUT + 1));
 
         scene.west.discardReports();
@@ -420,7 +420,7 @@ class CellNetworkTest {
         for (int run = 0; run < 2; run++) {
             TownScene scene = new TownScene();
             TownScene.Terminal terminal = scene.inCall();
-            scene.network.walk("5550100", List.of(new Place(9_000, 0)), 300);
+            scene.network.walk("5550100", List.of(new TownPlace(9_000, 0)), 300);
             scene.pass(40 * SECOND);
             StringBuilder text = new StringBuilder();
             scene.events.forEach(event -> text.append(event.toString().replaceAll("@[0-9a-f]+", "")));
@@ -434,7 +434,7 @@ class CellNetworkTest {
     @Test
     void withoutACellARegistrationWaitsAndACallFails() {
         TownScene scene = new TownScene();
-        scene.network.place("5550100", new Place(-60_000, 0));
+        scene.network.place("5550100", new TownPlace(-60_000, 0));
         TownScene.Terminal terminal = scene.new Terminal("5550100");
         terminal.register();
         scene.pass(10 * SECOND);

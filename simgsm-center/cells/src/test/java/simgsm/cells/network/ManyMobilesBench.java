@@ -29,9 +29,9 @@ import simgsm.cells.mobile.MobileRadioState;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.SpeechSocket;
 import simgsm.cells.tower.TowerPort;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignment;
 import simgsm.rr.RequestReference;
@@ -141,8 +141,8 @@ public final class ManyMobilesBench {
         run(network, SECONDS, MOBILES + " idle");
     }
 
-    private static Place place(Random random) {
-        return new Place(SIDE_METRES * (random.nextDouble() - 0.5), SIDE_METRES * (random.nextDouble() - 0.5));
+    private static TownPlace place(Random random) {
+        return new TownPlace(SIDE_METRES * (random.nextDouble() - 0.5), SIDE_METRES * (random.nextDouble() - 0.5));
     }
 
     private static Mobile connect(CellNetwork network, long number, Random random) {

@@ -40,9 +40,9 @@ import simgsm.cells.mobile.MobilePort;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.SpeechSocket;
 import simgsm.cells.tower.TowerPort;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.rr.ImmediateAssignment;
@@ -265,8 +265,8 @@ final class TownScene {
 
     TownScene(int westArea, int eastArea) {
         Town town = new Town(List.of(
-                new Tower("west", new Place(0, 0), 30, 43, 100, 10, westArea, 6969),
-                new Tower("east", new Place(4_000, 0), 30, 43, 110, 11, eastArea, 6970)));
+                new Tower("west", new TownPlace(0, 0), 30, 43, 100, 10, westArea, 6969),
+                new Tower("east", new TownPlace(4_000, 0), 30, 43, 110, 11, eastArea, 6970)));
         network = new CellNetwork(town, 7, events::add);
         west = new Controller(network.towers().get(0));
         east = new Controller(network.towers().get(1));
@@ -292,7 +292,7 @@ final class TownScene {
 
     /** A mobile near the west tower, on its SDCCH with its first message sent. */
     Terminal onSignallingChannel() throws ProtocolViolation {
-        network.place("5550100", new Place(500, 0));
+        network.place("5550100", new TownPlace(500, 0));
         Terminal terminal = new Terminal("5550100");
         terminal.register();
         RequestReference reference = west.expectAccess();

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.cells.town.Surroundings;
+import simgsm.cells.town.Clutter;
 
 /** Check values by hand from Hata's formulas and COST 231. */
 class PathLossTest {
@@ -23,13 +23,13 @@ class PathLossTest {
         "1800, 30, 1.5, METROPOLITAN, 139.2",
     })
     void theLossAtOneKilometreIsThatOfTheTables(
-            double megahertz, double base, double mobile, Surroundings surroundings, double decibels) {
+            double megahertz, double base, double mobile, Clutter surroundings, double decibels) {
         assertEquals(decibels, new PathLoss(megahertz, base, mobile, surroundings).decibels(1_000), 0.06);
     }
 
     @Test
     void tenTimesTheDistanceCosts35DecibelsFromATowerOf30Metres() {
-        PathLoss loss = new PathLoss(900, 30, 1.5, Surroundings.URBAN);
+        PathLoss loss = new PathLoss(900, 30, 1.5, Clutter.URBAN);
 
         assertEquals(35.2, loss.decibelsPerDecade(), 0.05);
         assertEquals(35.2, loss.decibels(10_000) - loss.decibels(1_000), 0.05);
@@ -37,7 +37,7 @@ class PathLossTest {
 
     @Test
     void theLossNeverFallsBelowFreeSpaceNorWithDistance() {
-        for (Surroundings surroundings : Surroundings.values()) {
+        for (Clutter surroundings : Clutter.values()) {
             PathLoss loss = new PathLoss(900, 200, 1.5, surroundings);
             double last = 0;
             for (double metres = 1; metres < 50_000; metres *= 1.1) {

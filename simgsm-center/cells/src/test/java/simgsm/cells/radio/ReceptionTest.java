@@ -8,8 +8,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Town;
+import simgsm.cells.town.TownPlace;
 import simgsm.cells.town.TownReader;
 
 /** The scales of reports, what becomes of bits and frames, and the levels in a town. */
@@ -160,7 +160,7 @@ class ReceptionTest {
     void theRadioOfTheTownAgreesWithItsParts() throws Exception {
         Town town = town("");
         TownRadio radio = new TownRadio(town, 3);
-        Place place = new Place(700, 20);
+        TownPlace place = new TownPlace(700, 20);
 
         assertEquals(
                 43 - new Propagation(town, 3).lossDecibels(1, 700, 20),

@@ -20,7 +20,7 @@ class TownReaderTest {
 
         assertEquals("t", town.name());
         assertEquals(
-                List.of(new Tower("A", new Place(0, 0), 30, 43, 20, 11, 1, 6969, 6969, 6, CellSelection.STANDARD)),
+                List.of(new Tower("A", new TownPlace(0, 0), 30, 43, 20, 11, 1, 6969, 6969, 6, CellSelection.STANDARD)),
                 town.towers());
     }
 
@@ -46,18 +46,19 @@ class TownReaderTest {
         assertEquals(-250, town.southMetres());
         assertEquals(2000, town.widthMetres());
         assertEquals(1000, town.heightMetres());
-        assertEquals(Surroundings.METROPOLITAN, town.surroundings());
+        assertEquals(Clutter.METROPOLITAN, town.surroundings());
         assertEquals(8, town.shadowDecibels());
         assertEquals(40, town.shadowMetres());
         assertEquals(32, town.radioLinkTimeout());
         CellSelection selection = new CellSelection(10, 6, 20, 10, 40);
         assertEquals(
-                List.of(new Tower("A", new Place(10, -20.5), 40, 46.5, 512, 63, 7, 9, 5, 2, selection)), town.towers());
+                List.of(new Tower("A", new TownPlace(10, -20.5), 40, 46.5, 512, 63, 7, 9, 5, 2, selection)),
+                town.towers());
         assertEquals(List.of(new Building("hall", 0, 20, 10, 30, 25)), town.buildings());
-        assertEquals(List.of(new Hill("top", new Place(100, 100), 50, 20)), town.hills());
-        assertEquals(new Place(5, 6), town.start("5550100"));
-        assertEquals(new Place(0, 0), town.start("5550101"));
-        assertEquals(new Place(500, 250), town.start("5550102"));
+        assertEquals(List.of(new Hill("top", new TownPlace(100, 100), 50, 20)), town.hills());
+        assertEquals(new TownPlace(5, 6), town.start("5550100"));
+        assertEquals(new TownPlace(0, 0), town.start("5550101"));
+        assertEquals(new TownPlace(500, 250), town.start("5550102"));
         assertEquals(20, town.walk("way").orElseThrow().lengthMetres());
         assertEquals("way", town.walkOf("5550101").orElseThrow().name());
     }
@@ -117,7 +118,7 @@ class TownReaderTest {
         Town town = TownFile.read(Path.of("../../worlds", name + ".town"));
 
         for (Tower tower : town.towers()) {
-            Place place = tower.place();
+            TownPlace place = tower.place();
             assertEquals(place, town.within(place.xMetres(), place.yMetres()));
         }
         for (Walk walk : town.walks()) {

@@ -18,12 +18,12 @@ import simgsm.cells.radio.TowerState;
 import simgsm.cells.snapshot.CellState;
 import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.MobileState.Level;
-import simgsm.cells.snapshot.Passing;
+import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.snapshot.TownActions;
 import simgsm.cells.snapshot.TownSnapshot;
-import simgsm.cells.town.Place;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
+import simgsm.cells.town.TownPlace;
 
 /** A town without a core: its mobiles are where actions put them and are served by the strongest tower. */
 final class SampleTown implements TownActions {
@@ -31,12 +31,12 @@ final class SampleTown implements TownActions {
     static final String ROBOT = "5550200";
 
     final List<String> acts = new ArrayList<>();
-    final List<Passing> passing = new ArrayList<>();
+    final List<PassingStep> passing = new ArrayList<>();
     final Town town;
     final Propagation propagation;
     private final RadioField field;
-    private final Map<String, Place> places = new LinkedHashMap<>();
-    private final Map<String, List<Place>> paths = new LinkedHashMap<>();
+    private final Map<String, TownPlace> places = new LinkedHashMap<>();
+    private final Map<String, List<TownPlace>> paths = new LinkedHashMap<>();
     private boolean isPaused;
 
     SampleTown(String name) throws IOException {
@@ -47,10 +47,10 @@ final class SampleTown implements TownActions {
         places.put(ROBOT, town.start(ROBOT));
     }
 
-    void pass(Passing.Kind kind, int figure) {
+    void pass(PassingStep.Kind kind, int figure) {
         String first = town.towers().get(0).name();
         String second = town.towers().get(1).name();
-        passing.add(new Passing(0, PHONE, kind, first, second, figure));
+        passing.add(new PassingStep(0, PHONE, kind, first, second, figure));
     }
 
     void removeMobiles() {
@@ -84,7 +84,7 @@ final class SampleTown implements TownActions {
     }
 
     private MobileState mobile(String number) {
-        Place place = places.get(number);
+        TownPlace place = places.get(number);
         boolean isInCall = number.equals(PHONE);
         double[] levels = new double[town.towers().size()];
         field.levelsDbm(place.xMetres(), place.yMetres(), levels);
@@ -139,14 +139,14 @@ final class SampleTown implements TownActions {
     }
 
     @Override
-    public void place(String number, Place place) {
+    public void place(String number, TownPlace place) {
         acts.add("place %s %.0f %.0f".formatted(number, place.xMetres(), place.yMetres()));
         places.put(number, place);
         paths.remove(number);
     }
 
     @Override
-    public void walk(String number, List<Place> points, double metresPerSecond) {
+    public void walk(String number, List<TownPlace> points, double metresPerSecond) {
         acts.add("walk " + number + " " + points.size() + " at " + metresPerSecond);
         paths.put(number, points);
     }

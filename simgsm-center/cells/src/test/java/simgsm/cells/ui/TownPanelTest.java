@@ -36,8 +36,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.cells.snapshot.MobileState;
-import simgsm.cells.snapshot.Passing;
-import simgsm.cells.town.Place;
+import simgsm.cells.snapshot.PassingStep;
+import simgsm.cells.town.TownPlace;
 import simgsm.draw.Appearance;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Slider;
@@ -110,7 +110,7 @@ class TownPanelTest {
         panel.show(town.snapshot());
     }
 
-    private void mouse(int id, Place place, int modifiers) {
+    private void mouse(int id, TownPlace place, int modifiers) {
         TownMap map = find("map", TownMap.class);
         MapScale scale = MapScale.fitting(town.town, map.getWidth(), map.getHeight());
         map.dispatchEvent(new MouseEvent(
@@ -137,9 +137,9 @@ class TownPanelTest {
     @ValueSource(strings = {"en", "es"})
     void everyControlHasANameAndEveryTextIsInTheBundle(String language) throws Exception {
         build("city", language);
-        for (Passing.Kind kind : Passing.Kind.values()) {
+        for (PassingStep.Kind kind : PassingStep.Kind.values()) {
             String words = PassingStrip.words(
-                    TownWindow.texts(Locale.forLanguageTag(language)), new Passing(0, "1", kind, "A", "B", 7));
+                    TownWindow.texts(Locale.forLanguageTag(language)), new PassingStep(0, "1", kind, "A", "B", 7));
             assertFalse(words.contains("passing."), words);
         }
         assertEquals(List.of(), ComponentNames.unnamed(panel));
@@ -212,10 +212,10 @@ class TownPanelTest {
 
     @Test
     void aMobileIsDraggedAndStaysWithinTheTown() {
-        mouse(MouseEvent.MOUSE_PRESSED, new Place(1_000, -150), 0);
-        mouse(MouseEvent.MOUSE_DRAGGED, new Place(2_000, 500), 0);
-        mouse(MouseEvent.MOUSE_DRAGGED, new Place(2_000, 9_000), 0);
-        mouse(MouseEvent.MOUSE_RELEASED, new Place(2_000, 9_000), 0);
+        mouse(MouseEvent.MOUSE_PRESSED, new TownPlace(1_000, -150), 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, new TownPlace(2_000, 500), 0);
+        mouse(MouseEvent.MOUSE_DRAGGED, new TownPlace(2_000, 9_000), 0);
+        mouse(MouseEvent.MOUSE_RELEASED, new TownPlace(2_000, 9_000), 0);
 
         assertEquals(2, town.acts.size());
         assertTrue(town.acts.get(0).matches("place 5550200 (199|200)\\d (49|50)\\d"), town.acts.toString());
@@ -225,9 +225,9 @@ class TownPanelTest {
 
     @Test
     void aClickOnATowerSwitchesIt() {
-        mouse(MouseEvent.MOUSE_PRESSED, new Place(4_000, 30), 0);
-        mouse(MouseEvent.MOUSE_RELEASED, new Place(4_000, 30), 0);
-        mouse(MouseEvent.MOUSE_PRESSED, new Place(4_000, 30), 0);
+        mouse(MouseEvent.MOUSE_PRESSED, new TownPlace(4_000, 30), 0);
+        mouse(MouseEvent.MOUSE_RELEASED, new TownPlace(4_000, 30), 0);
+        mouse(MouseEvent.MOUSE_PRESSED, new TownPlace(4_000, 30), 0);
 
         assertEquals(List.of("east off", "east on"), town.acts);
     }
@@ -236,11 +236,11 @@ class TownPanelTest {
     void withShiftAPathIsDrawnForTheChosenMobile() {
         find("speed", JSpinner.class).setValue(4.0);
         int shift = InputEvent.SHIFT_DOWN_MASK;
-        mouse(MouseEvent.MOUSE_PRESSED, new Place(600, 100), shift);
+        mouse(MouseEvent.MOUSE_PRESSED, new TownPlace(600, 100), shift);
         for (int x = 700; x <= 3_000; x += 100) {
-            mouse(MouseEvent.MOUSE_DRAGGED, new Place(x, 0), shift);
+            mouse(MouseEvent.MOUSE_DRAGGED, new TownPlace(x, 0), shift);
         }
-        mouse(MouseEvent.MOUSE_RELEASED, new Place(3_000, 0), shift);
+        mouse(MouseEvent.MOUSE_RELEASED, new TownPlace(3_000, 0), shift);
 
         assertEquals(1, town.acts.size());
         assertTrue(town.acts.get(0).matches("walk 5550100 \\d\\d at 4.0"), town.acts.toString());
@@ -319,10 +319,10 @@ class TownPanelTest {
     @Test
     void aRunOfReportsIsOneBoxAndItsLastThree() {
         for (int report = 4; report <= 17; report++) {
-            town.pass(Passing.Kind.REPORT, report);
+            town.pass(PassingStep.Kind.REPORT, report);
         }
-        town.pass(Passing.Kind.HANDOVER_COMMAND, 0);
-        town.pass(Passing.Kind.REPORT, 0);
+        town.pass(PassingStep.Kind.HANDOVER_COMMAND, 0);
+        town.pass(PassingStep.Kind.REPORT, 0);
         show();
 
         assertEquals(
@@ -331,13 +331,13 @@ class TownPanelTest {
     }
 
     private void handover() {
-        town.pass(Passing.Kind.REPORT, 16);
-        town.pass(Passing.Kind.REPORT, 17);
-        town.pass(Passing.Kind.HANDOVER_COMMAND, 0);
-        town.pass(Passing.Kind.HANDOVER_ACCESS, 0);
-        town.pass(Passing.Kind.PHYSICAL_INFORMATION, 3);
-        town.pass(Passing.Kind.HANDOVER_COMPLETE, 0);
-        town.pass(Passing.Kind.SPEECH_GAP, 60);
+        town.pass(PassingStep.Kind.REPORT, 16);
+        town.pass(PassingStep.Kind.REPORT, 17);
+        town.pass(PassingStep.Kind.HANDOVER_COMMAND, 0);
+        town.pass(PassingStep.Kind.HANDOVER_ACCESS, 0);
+        town.pass(PassingStep.Kind.PHYSICAL_INFORMATION, 3);
+        town.pass(PassingStep.Kind.HANDOVER_COMPLETE, 0);
+        town.pass(PassingStep.Kind.SPEECH_GAP, 60);
         show();
     }
 

@@ -9,7 +9,7 @@ package simgsm.cells.snapshot;
  * @param to the new tower of a handover; empty for the other kinds
  * @param figure the report's number, the cause of a failure, the gap in milliseconds, the location area
  */
-public record Passing(long nanos, String number, Kind kind, String from, String to, int figure) {
+public record PassingStep(long nanos, String number, Kind kind, String from, String to, int figure) {
     /** The kinds, in the order in which a handover shows them. */
     public enum Kind {
         /** MEASUREMENT REPORT; figure: its number. */

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What stands around, which Hata's formulas distinguish. */
-public enum Surroundings {
+/** What stands around (clutter in ITU-R P.1812), which Hata's formulas distinguish. */
+public enum Clutter {
     /** A large city with high buildings; COST 231 adds 3 dB. */
     METROPOLITAN,
     /** A town of medium size. */
@@ -19,7 +19,7 @@ public enum Surroundings {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    static Optional<Surroundings> of(String word) {
+    static Optional<Clutter> of(String word) {
         return Arrays.stream(values())
                 .filter(value -> value.word().equals(word))
                 .findFirst();

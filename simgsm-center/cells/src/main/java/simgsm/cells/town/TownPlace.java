@@ -1,20 +1,21 @@
 package simgsm.cells.town;
 
 /** A point of the town, metres east and north of its origin. */
-public record Place(double xMetres, double yMetres) {
-    public static final Place ORIGIN = new Place(0, 0);
+public record TownPlace(double xMetres, double yMetres) {
+    public static final TownPlace ORIGIN = new TownPlace(0, 0);
 
-    public double distanceMetres(Place other) {
+    public double distanceMetres(TownPlace other) {
         return Math.hypot(other.xMetres - xMetres, other.yMetres - yMetres);
     }
 
     /** The point so far on the way to a target; the target itself if it is not farther than that. */
-    public Place towards(Place target, double metres) {
+    public TownPlace towards(TownPlace target, double metres) {
         double distance = distanceMetres(target);
         if (distance <= metres) {
             return target;
         }
         double share = metres / distance;
-        return new Place(xMetres + share * (target.xMetres - xMetres), yMetres + share * (target.yMetres - yMetres));
+        return new TownPlace(
+                xMetres + share * (target.xMetres - xMetres), yMetres + share * (target.yMetres - yMetres));
     }
 }
