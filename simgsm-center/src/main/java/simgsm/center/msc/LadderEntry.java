@@ -6,10 +6,10 @@ import simgsm.octets.OctetString;
 /**
  * One signalling message of the ladder diagram.
  *
- * @param from a number, {@link #CENTER}, or the address of a terminal that has not registered
+ * @param from a number, {@link #CENTER}, a tower, or the address of a terminal that has not registered
  * @param to likewise
  * @param name the message's name in the standard
- * @param octets the layer 3 message; for paging and cell broadcast the RSL message
+ * @param octets the layer 3 message; for paging, cell broadcast and towers the RSL message
  */
 public record LadderEntry(Instant time, String from, String to, String name, OctetString octets) {
     /** The lifeline of the centre. */

@@ -3,9 +3,9 @@
  *
  * <pre>
  *   msc -> msc.sms, msc.ss, msc.call -> msc.mobility -> msc.link -> subscriber
- *    |                                       bsc ---------^
- *             |
- *           smsc
+ *    |        |                                            ^
+ *    |      smsc                                           |
+ *   bsc ---------------------------------------------------+
  * </pre>
  *
  * <p>Read first: {@link simgsm.center.msc.Exchange}, then the package of the procedure in question.

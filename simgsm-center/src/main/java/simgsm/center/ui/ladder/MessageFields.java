@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.StringJoiner;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.abis.rsl.RslPdu;
 import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
@@ -19,6 +20,7 @@ import simgsm.sms.TpduCodec;
 import simgsm.trace.FieldOctets;
 import simgsm.trace.MessageText;
 import simgsm.trace.MessageText.Field;
+import simgsm.trace.TowerText;
 import simgsm.trace.TpduText;
 
 /** All fields of a message of the ladder, those of the short message or broadcast page inside as well, and their octets. */
@@ -84,6 +86,15 @@ final class MessageFields {
                             MessageText.nameOf(message),
                             MessageText.ofRsl(message).fields(),
                             octets);
+        } catch (ProtocolViolation violation) {
+            return ofTower(octets);
+        }
+    }
+
+    private static MessageText ofTower(OctetString octets) {
+        try {
+            MessageText message = TowerText.of(RslPdu.decode(octets.toArray()));
+            return new MessageText(message.name(), message.fields(), octets);
         } catch (ProtocolViolation violation) {
             return new MessageText("?", List.of(new Field(FieldOctets.WRONG, violation.getMessage())), octets);
         }

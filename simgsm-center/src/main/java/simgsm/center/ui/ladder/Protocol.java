@@ -9,11 +9,10 @@ enum Protocol {
     MOBILITY_MANAGEMENT("MM", Ink.GOOD),
     SHORT_MESSAGES("SMS", Ink.WARNING),
     RADIO_RESOURCE("RR", Ink.QUIET),
-    /** Paging and cell broadcast. */
+    /** Paging, cell broadcast, and what a tower and its controller tell each other. */
     COMMON_CHANNEL("RSL", Ink.QUIET);
 
     private static final int DISCRIMINATOR_MASK = 0x0f;
-    private static final int RSL_COMMON_CHANNEL = 0x0c;
 
     private final String tag;
     private final Ink ink;
@@ -34,7 +33,9 @@ enum Protocol {
                 return MOBILITY_MANAGEMENT;
             case 9:
                 return SHORT_MESSAGES;
-            case RSL_COMMON_CHANNEL:
+            // Radio link layer, dedicated and common channels, transceiver, ip.access: no layer 3 protocol has these
+            // numbers.
+            case 0x2, 0x8, 0xc, 0x0, 0xe:
                 return COMMON_CHANNEL;
             default:
                 return RADIO_RESOURCE;

@@ -3,6 +3,7 @@ package simgsm.center.ui.ladder;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import org.junit.jupiter.api.Test;
 import simgsm.center.msc.LadderEntry;
 import simgsm.center.ui.Scene;
@@ -47,6 +48,28 @@ class MessageFieldsTest {
 
         assertTrue(words.contains("text                  ** #*#90 **\n"), words);
         assertTrue(words.contains("TP-DA                 5550200 (international, plan 1)"), words);
+    }
+
+    @Test
+    void aTowersMessageIsElementsAndOctets() {
+        LadderEntry entry = new LadderEntry(
+                Instant.EPOCH,
+                LadderEntry.CENTER,
+                "west",
+                "ip.access MDCX",
+                OctetString.ofHex("7e730109f80001f07f000001f10fa4f400f203"));
+
+        assertEquals(Protocol.COMMON_CHANNEL, Protocol.of(entry));
+        assertEquals("""
+                channel number        TCH/F 1
+                connection identifier 0001
+                remote ip             127.0.0.1
+                remote port           4004
+                speech mode           00
+                rtp payload           3
+
+                0000  7e 73 01 09 f8 00 01 f0 7f 00 00 01 f1 0f a4 f4
+                0010  00 f2 03""", words(entry));
     }
 
     @Test
