@@ -32,6 +32,7 @@ public final class CellsMain {
                         "java -jar simgsm-cells.jar --town FILE.town [OPTION]...",
                         "The cells of a town: towers between phones and robots, which connect here, and a controller.")
                 .commands(CellsCommands.COMMANDS)
+                .flag("console", Program.CONSOLE_HELP)
                 .value("town", "FILE", "town file with the towers; needed")
                 .value("center", "HOST:PORT", "the controller: centre or osmo-bsc; default 127.0.0.1:3003")
                 .value(
@@ -63,19 +64,29 @@ public final class CellsMain {
         FatalError.endOnMachineErrors(CellsSettings.PROGRAM);
         try (Console console = Console.onStandardOutput()) {
             CellsEvents events = new CellsEvents(console);
-            CellNetwork network =
-                    new CellNetwork(settings.town(), settings.seed(), window.isPresent() ? event -> {} : events);
+            boolean prints = window.isEmpty() || arguments.has("console");
+            CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
             try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()
                         .forEach(robot -> robot.start(place -> loop.post(cells -> cells.place(robot.number(), place))));
+                Event ready = Event.of("ready")
+                        .with("port", loop.port())
+                        .with("cells", settings.town().towers().size());
+                CellsCommands commands = new CellsCommands(loop, console, events);
+                if (prints) {
+                    console.ready(ready);
+                }
                 if (window.isPresent()) {
+                    if (prints) {
+                        window.get()
+                                .onLesson(
+                                        name -> console.emit(Event.of("lesson").with("name", name)));
+                        window.get().withConsole(() -> Program.runConsole(console, arguments, commands));
+                    }
                     return CellsWindow.run(loop, settings, window.get());
                 }
-                console.ready(Event.of("ready")
-                        .with("port", loop.port())
-                        .with("cells", settings.town().towers().size()));
-                Program.runConsole(console, arguments, new CellsCommands(loop, console, events));
+                Program.runConsole(console, arguments, commands);
                 return console.exitStatus();
             }
         }

@@ -89,12 +89,12 @@ public final class DemoPrograms implements AutoCloseable {
     /**
      * Starts any program of the suite with the centre's address, this run's language and these options.
      *
-     * @param number with which it registers
+     * @param number with which it registers; empty for one that does not
      */
     public Process start(String jar, String number, ProcessBuilder.Redirect output, List<String> options)
             throws IOException {
-        return children.start(
-                jar, number, words(center.home().wordsFor(number), options.toArray(String[]::new)), output);
+        List<String> own = number.isEmpty() ? List.of() : center.home().wordsFor(number);
+        return children.start(jar, number, words(own, options.toArray(String[]::new)), output);
     }
 
     private List<String> words(List<String> own, String... more) {

@@ -89,24 +89,40 @@ final class LessonSession implements AutoCloseable {
         List<LessonProgram> first = run.lesson().programs().stream()
                 .filter(program -> !program.isLater())
                 .toList();
+        List<String> started = new ArrayList<>();
         for (LessonProgram program : first) {
+            boolean needsPort = program.options().stream()
+                    .anyMatch(option -> replaced(option, true).contains("{"));
+            if (needsPort) {
+                for (String earlier : started) {
+                    events.await(earlier, Event.of("ready"), START_SECONDS);
+                }
+            }
             launch(program);
+            started.add(program.name());
         }
         for (LessonProgram program : first) {
-            events.await(program.name(), Event.of("registered"), START_SECONDS);
+            if (isTerminal(program)) {
+                events.await(program.name(), Event.of("registered"), START_SECONDS);
+            }
         }
+    }
+
+    /** Whether it registers with a number. */
+    private static boolean isTerminal(LessonProgram program) {
+        return program.options().contains("--number");
     }
 
     private void launch(LessonProgram program) throws IOException {
         List<String> options = new ArrayList<>();
-        program.options().forEach(option -> options.add(run.solved(option)));
+        program.options().forEach(option -> options.add(replaced(option, true)));
         options.addAll(manner.apply(program));
         int number = options.indexOf("--number");
         String name = program.name();
         events.skip(name);
         events.begun(name);
         Process process = programs.start(
-                program.jar() + ".jar", number < 0 ? name : options.get(number + 1), Redirect.PIPE, options);
+                program.jar() + ".jar", number < 0 ? "" : options.get(number + 1), Redirect.PIPE, options);
         consoles.put(name, new ChildConsole(name, process, new ChildConsole.Listener() {
             @Override
             public void line(String line) {}

@@ -112,8 +112,11 @@ public final class WindowedLesson implements LessonActs {
         return new WindowPlace(screen.x() + screen.width() - width, screen.y(), width, screen.height());
     }
 
-    /** A second phone stands at the bottom, so that the display of the first and the robot stay in view. */
+    /** Robot and town have the same place. A second phone stands at the bottom, so that the display of the first and the robot stay in view. */
     private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout, WindowPlace screen) {
+        if (program.options().contains("--headless")) {
+            return List.of("--no-sound");
+        }
         int before = (int) lesson.programs().stream()
                 .takeWhile(each -> !each.equals(program))
                 .filter(each -> each.jar().equals(program.jar()))
