@@ -1,2 +1,2 @@
-/** What a mobile receives where. Read {@link simgsm.cells.radio.Radio}. */
+/** What a mobile receives where. Read {@link simgsm.cells.radio.RadioField}. */
 package simgsm.cells.radio;

@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.cells.town.Town;
-import simgsm.cells.town.TownPlace;
 import simgsm.cells.town.TownReader;
 
 /** The scales of reports, what becomes of bits and frames, and the levels in a town. */
@@ -154,17 +153,5 @@ class ReceptionTest {
         assertEquals(Float.POSITIVE_INFINITY, one.leadDecibels()[0]);
         Coverage none = raster.coverage(List.of(new TowerState(false, 43), new TowerState(false, 43)));
         assertEquals(Coverage.NONE, none.best()[0]);
-    }
-
-    @Test
-    void theRadioOfTheTownAgreesWithItsParts() throws Exception {
-        Town town = town("");
-        TownRadio radio = new TownRadio(town, 3);
-        TownPlace place = new TownPlace(700, 20);
-
-        assertEquals(
-                43 - new Propagation(town, 3).lossDecibels(1, 700, 20),
-                radio.levelDbm(town.towers().get(1), place));
-        assertEquals(0.08, radio.bitErrorRate(-102, Double.NEGATIVE_INFINITY), 0.0005);
     }
 }
