@@ -1,7 +1,6 @@
 package simrobot.camera;
 
 import simrobot.world.Area;
-import simrobot.world.Goal;
 import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.Treadmill;
@@ -15,7 +14,6 @@ final class BackgroundPainter {
     private static final int BELT = 0x4A4F57;
     private static final int BELT_STRIPE = 0x6B727C;
     private static final int HOME = 0x3D6FB0;
-    private static final int GOAL = 0x2E8B57;
 
     private static final double TILE_METERS = 0.5;
     private static final double JOINT_METERS = 0.012;
@@ -53,8 +51,8 @@ final class BackgroundPainter {
         for (Home home : world.homes()) {
             mark(home.position(), HOME);
         }
-        for (Goal goal : world.goals()) {
-            mark(goal.position(), GOAL);
+        for (int i = 0; i < world.goals().size(); i++) {
+            mark(world.goals().get(i).position(), SignPainter.goalColour(i));
         }
         // marks lie on the floor, so every upright object hides them
         canvas.clearDepth();

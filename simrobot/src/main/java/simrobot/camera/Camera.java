@@ -27,6 +27,7 @@ public final class Camera {
     private final PixelBuffer canvas = new PixelBuffer(WIDTH, HEIGHT);
     private World world;
     private WallPainter walls;
+    private SignPainter signs;
 
     /** Returns the image of this robot's camera, {@link #WIDTH} x {@link #HEIGHT} pixels; dark if the robot is off. */
     public BufferedImage picture(SimulationSnapshot scene, RobotSnapshot robot) {
@@ -42,6 +43,7 @@ public final class Camera {
         if (scene.world() != world) {
             world = scene.world();
             walls = new WallPainter(world);
+            signs = new SignPainter(world);
         }
         double heading = robot.headingRadians();
         PinholeView eye = PinholeView.at(
@@ -54,6 +56,7 @@ public final class Camera {
                 OPENING_RADIANS);
         new BackgroundPainter(canvas, eye).paint(world);
         walls.paint(canvas, eye);
+        signs.paint(canvas, eye);
         ObjectPainter bodies = new ObjectPainter(canvas, eye);
         for (Box box : world.boxes()) {
             bodies.furniture(box);

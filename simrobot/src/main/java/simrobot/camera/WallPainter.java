@@ -2,7 +2,6 @@ package simrobot.camera;
 
 import java.util.Arrays;
 import java.util.List;
-import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 
@@ -29,6 +28,9 @@ final class WallPainter {
     private static final double LEAST_POST_METERS = 0.01;
 
     private final double[] segments;
+    /** Walls of scanned points, see {@link ScannedWalls}. */
+    private final double[] pieces;
+
     private final double[] points;
     private final double postRadius;
 
@@ -42,12 +44,9 @@ final class WallPainter {
             segments[4 * i + 2] = wall.x2Meters();
             segments[4 * i + 3] = wall.y2Meters();
         }
-        List<Position> posts = world.points();
-        points = new double[2 * posts.size()];
-        for (int i = 0; i < posts.size(); i++) {
-            points[2 * i] = posts.get(i).xMeters();
-            points[2 * i + 1] = posts.get(i).yMeters();
-        }
+        ScannedWalls scanned = new ScannedWalls(world.points());
+        pieces = scanned.pieces();
+        points = scanned.single();
         postRadius = Math.max(LEAST_POST_METERS, world.pointDiameterMeters() / 2);
     }
 
@@ -55,6 +54,9 @@ final class WallPainter {
         Nearest nearest = new Nearest(eye);
         for (int i = 0; i < segments.length; i += 4) {
             nearest.wall(segments, i);
+        }
+        for (int i = 0; i < pieces.length; i += ScannedWalls.NUMBERS) {
+            nearest.piece(pieces, i);
         }
         for (int i = 0; i < points.length; i += 2) {
             nearest.post(points[i], points[i + 1], postRadius);
@@ -101,6 +103,28 @@ final class WallPainter {
                 if (ahead < depth[c]) {
                     double toEnd = Math.min(share, 1 - share) * length;
                     set(c, ahead, toEnd < Math.max(EDGE_METERS, ahead / eye.focal()) ? EDGE : WALL, lit);
+                }
+            }
+        }
+
+        /** A piece of a wall, without edges. */
+        void piece(double[] s, int i) {
+            double a1 = eye.ahead(s[i], s[i + 1]);
+            double a2 = eye.ahead(s[i + 2], s[i + 3]);
+            if (Math.max(a1, a2) < PinholeView.NEAR_METERS || Math.min(a1, a2) > RANGE_METERS) {
+                return;
+            }
+            double l1 = eye.left(s[i], s[i + 1]);
+            double l2 = eye.left(s[i + 2], s[i + 3]);
+            ColumnRange columns = ColumnRange.of(eye, a1, l1, a2, l2);
+            if (columns.first() > columns.last()) {
+                return;
+            }
+            double lit = Lit.towards(eye, s[i], s[i + 1], s[i] + s[i + 4], s[i + 1] + s[i + 5]);
+            for (int c = columns.first(); c <= columns.last(); c++) {
+                double ahead = a1 + ColumnRange.share(eye.slope(c), a1, l1, a2, l2) * (a2 - a1);
+                if (ahead < depth[c]) {
+                    set(c, ahead, WALL, lit);
                 }
             }
         }

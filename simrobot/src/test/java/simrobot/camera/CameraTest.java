@@ -7,15 +7,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.function.IntPredicate;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Goal;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
+import simrobot.world.WorldBuilder;
 
 class CameraTest {
     private static final int MIDDLE = Camera.WIDTH / 2;
@@ -183,5 +190,86 @@ class CameraTest {
         assertTrue(PictureFile.hasKnownEnding(Path.of("a.jpeg")));
         assertFalse(PictureFile.hasKnownEnding(Path.of("a.gif")));
         assertFalse(PictureFile.hasKnownEnding(Path.of("png")));
+    }
+
+    // ---- what one finds one's way by
+    // ---------------------------------------------------------------------------------
+
+    private static int count(BufferedImage picture, IntPredicate colour) {
+        return (int) pixels(picture).stream().filter(colour::test).count();
+    }
+
+    /** Neither wall nor floor, whose red, green and blue are nearly the same, nor sky. */
+    private static boolean isColoured(int rgb) {
+        int red = rgb >> 16 & 0xFF;
+        int green = rgb >> 8 & 0xFF;
+        int blue = rgb & 0xFF;
+        return Math.max(red, Math.max(green, blue)) - Math.min(red, Math.min(green, blue)) > 60;
+    }
+
+    @Test
+    void aLongWallHasPostersThatDiffer() {
+        Simulation simulation = new Simulation(wallAt(2), 1);
+        SimulatedRobot seer = simulation.addRobot("seer", new Position(0, 0), 0);
+        Set<List<Integer>> pictures = new HashSet<>();
+        for (int poster = 0; poster < 8; poster++) {
+            seer.place(0.8, -19.1 + 2.5 * poster, 0);
+            BufferedImage picture = seen(simulation);
+            pictures.add(pixels(picture));
+            assertTrue(count(picture, rgb -> (rgb & 0xFFFFFF) < 0x404040) > 100, "its rim is dark");
+        }
+        assertEquals(8, pictures.size());
+    }
+
+    @Test
+    void aShortWallHasNone() {
+        World world = World.ofSegments("short", List.of(new Segment(2, -0.5, 2, 0.5)));
+        assertEquals(0, count(seen(world), CameraTest::isColoured));
+    }
+
+    @Test
+    void aDoorHasItsNumberOnBothSides() {
+        Simulation simulation = new Simulation(
+                World.ofSegments("door", List.of(new Segment(2, -1.2, 2, -0.5), new Segment(2, 0.5, 2, 1.2))), 1);
+        SimulatedRobot seer = simulation.addRobot("seer", new Position(0, 0), 0);
+        IntPredicate blue = rgb -> (rgb & 0xFF) - (rgb >> 16 & 0xFF) > 40 && (rgb & 0xFF) < 130;
+        for (double x : new double[] {1.2, 2.8}) {
+            seer.place(x, -0.69, x < 2 ? 0 : Math.PI);
+            assertTrue(count(seen(simulation), blue) > 1500, "from x = " + x);
+        }
+        seer.place(1.2, 0.69, 0);
+        assertEquals(0, count(seen(simulation), blue), "the other side of the door has none");
+    }
+
+    @Test
+    void goalsHaveFlagsInColoursOfTheirOwn() {
+        List<Integer> colours = new ArrayList<>();
+        for (double y : new double[] {0, 3}) {
+            WorldBuilder world = World.bare().toBuilder();
+            world.addGoal(new Goal("Goal", "one", new Position(1.5, y), 0));
+            world.addGoal(new Goal("Goal", "two", new Position(1.5, 3 - y), 0));
+            BufferedImage picture = seen(world.build());
+            int flag = picture.getRGB(MIDDLE - 15, (int) (HORIZON - 266 * 0.12 / 1.4));
+            assertTrue(isColoured(flag), Integer.toHexString(flag));
+            colours.add(flag);
+        }
+        assertEquals(2, Set.copyOf(colours).size());
+    }
+
+    /** A laser's points lie up to 1 cm beside the wall; as posts they looked like corrugated iron. */
+    @Test
+    void aWallOfScannedPointsIsSmooth() {
+        Random noise = new Random(1);
+        WorldBuilder world = World.bare().toBuilder();
+        for (double y = -2; y < 2; y += 0.03) {
+            world.addPoint(new Position(2 + noise.nextGaussian() * 0.005, y));
+        }
+        BufferedImage picture = seen(world.build());
+        for (int column = 1; column < Camera.WIDTH; column++) {
+            int here = picture.getRGB(column, HORIZON) & 0xFF;
+            int before = picture.getRGB(column - 1, HORIZON) & 0xFF;
+            assertEquals(before, here, 3, "column " + column);
+        }
+        assertFalse(isSky(picture.getRGB(MIDDLE, HORIZON - 10)), "and without gaps");
     }
 }
