@@ -3,7 +3,10 @@ package simgsm.center.ui.ladder;
 import java.awt.BorderLayout;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.BitSet;
+import java.util.Locale;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -13,6 +16,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
+import simgsm.ui.lesson.GlossaryNote;
 
 /**
  * A message in full: its fields, and its octets next to them or, in a narrow place, below. A chosen field marks its octets,
@@ -30,6 +34,7 @@ public final class MessageDetail extends JPanel {
     private final HexDump octets;
     private final JScrollPane fieldPane = new JScrollPane(fields);
     private final JScrollPane octetPane;
+    private final GlossaryNote note;
     private MessageFields shown;
     /** Whether a choice in one part is being shown in the other. */
     private boolean isFollowing;
@@ -39,6 +44,7 @@ public final class MessageDetail extends JPanel {
         this.texts = texts;
         setOpaque(false);
         setName("ladder.message");
+        note = new GlossaryNote(Locale.forLanguageTag(texts.of("window.language")));
         octets = new HexDump(texts, this::octetChosen);
         octetPane = new JScrollPane(new ScrolledColumn(octets));
         octetPane.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
@@ -50,6 +56,14 @@ public final class MessageDetail extends JPanel {
         parts.add(octetPane);
         add(ComponentNames.name(title, "ladder.title", texts.of("window.ladder.detail")), BorderLayout.NORTH);
         add(parts, BorderLayout.CENTER);
+        add(note, BorderLayout.SOUTH);
+        title.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                note.explain(
+                        shown == null || note.isVisible() ? "" : shown.message().name());
+            }
+        });
         setMinimumSize(new Dimension(0, 0));
         dress();
     }
@@ -61,6 +75,7 @@ public final class MessageDetail extends JPanel {
         title.setToolTipText(title.getText());
         fields.show(shown.message().fields());
         octets.show(shown.message().octets());
+        note.explain("");
     }
 
     /** The message in lines of text; empty before the first. */
@@ -75,6 +90,7 @@ public final class MessageDetail extends JPanel {
             octets.mark(
                     shown.octets().of(field),
                     shown.message().fields().get(field).name());
+            note.explain(shown.message().fields().get(field).name());
         }
     }
 
