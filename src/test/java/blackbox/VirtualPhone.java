@@ -62,6 +62,12 @@ public final class VirtualPhone {
         suite.seconds(pressed.size() * SECONDS_PER_KEY);
     }
 
+    /** Begins to press the keys; time passes outside. */
+    public void begin(String keys) {
+        assertEquals(Optional.empty(), handset.press(DtmfKey.sequence(keys.replace(" ", ""))));
+        suite.settle();
+    }
+
     public void hangUp() {
         assertEquals(Optional.empty(), handset.hangUp());
         suite.settle();

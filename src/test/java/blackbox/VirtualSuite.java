@@ -40,7 +40,7 @@ public final class VirtualSuite {
 
     public final SimulatedRobot robot;
     public final TelephoneRobot telephone;
-    public final Simulation simulation = new Simulation(World.bare(), 1);
+    public final Simulation simulation;
     private final Deque<Runnable> underWay = new ArrayDeque<>();
     private final SplittableRandom equipment = new SplittableRandom(1);
     private final List<VirtualLink> links = new ArrayList<>();
@@ -77,6 +77,17 @@ public final class VirtualSuite {
         this(trace, home, journal, 0, VeriCommandSettings.OnHangup.STOP);
     }
 
+    /** With the robot in a world, at its first home. The modem rings. */
+    public VirtualSuite(World world, int answerAfterMillis) {
+        this(
+                new Simulation(world, 1),
+                SuiteTrace.NONE,
+                HomeRegister.OPEN,
+                Optional.empty(),
+                answerAfterMillis,
+                VeriCommandSettings.OnHangup.STOP);
+    }
+
     private VirtualSuite(
             SuiteTrace trace,
             HomeRegister home,
@@ -84,6 +95,18 @@ public final class VirtualSuite {
             int answerAfterMillis,
             VeriCommandSettings.OnHangup onHangup,
             String... operators) {
+        this(new Simulation(World.bare(), 1), trace, home, journal, answerAfterMillis, onHangup, operators);
+    }
+
+    private VirtualSuite(
+            Simulation simulation,
+            SuiteTrace trace,
+            HomeRegister home,
+            Optional<Path> journal,
+            int answerAfterMillis,
+            VeriCommandSettings.OnHangup onHangup,
+            String... operators) {
+        this.simulation = simulation;
         this.trace = trace;
         center = new VirtualCenter(underWay, () -> nowNanos, trace, home, journal);
         robot = simulation.addRobot("robot");
