@@ -91,10 +91,20 @@ done | while read -r number; do
     echo "subscriber imsi $imsi update msisdn $number"
 done | vty 4258
 
-# OML, by which the controller starts each base station.
+# OML, by which the controller starts each base station; it ends with the tower's RSL link and begins anew.
+announce() {
+    cd "$run" || exit
+    trap 'kill "$child" 2>/dev/null; exit' TERM
+    while :; do
+        osmo-bts-omldummy 127.0.0.1 "$1" 1 &
+        child=$!
+        wait "$child"
+        sleep 1
+    done
+}
 sed -n 's/^  ipa unit-id \([0-9]*\) 0$/\1/p' "$run/bsc.cfg" >"$run/sites"
 while read -r site; do
-    (cd "$run" && exec osmo-bts-omldummy 127.0.0.1 "$site" 1) >"$run/oml-$site.log" 2>&1 &
+    announce "$site" >"$run/oml-$site.log" 2>&1 &
     pids+=($!)
 done <"$run/sites"
 listens 3003

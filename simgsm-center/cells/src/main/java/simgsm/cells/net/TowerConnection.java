@@ -21,6 +21,8 @@ final class TowerConnection extends IpaConnection implements TowerPort {
 
     private final CellsLoop cells;
     private final BaseStation tower;
+    private final EndListener listener;
+    private boolean wasInService;
 
     private record UdpSpeech(Datagrams socket) implements SpeechSocket {
         @Override
@@ -52,10 +54,16 @@ final class TowerConnection extends IpaConnection implements TowerPort {
         }
     }
 
-    TowerConnection(Endpoint endpoint, CellsLoop cells, BaseStation tower) {
+    /** Is told of the end of a connection. */
+    interface EndListener {
+        void ended(String reason, boolean wasInService);
+    }
+
+    TowerConnection(Endpoint endpoint, CellsLoop cells, BaseStation tower, EndListener listener) {
         super(endpoint, new RateLimit(Integer.MAX_VALUE, 1), MOST_FRAMES, written -> {});
         this.cells = cells;
         this.tower = tower;
+        this.listener = listener;
     }
 
     @Override
@@ -92,11 +100,12 @@ final class TowerConnection extends IpaConnection implements TowerPort {
     protected void closing(boolean isByPeer) {
         super.closing(isByPeer);
         cells.now();
+        wasInService = tower.isInService();
         tower.disconnected();
     }
 
     @Override
     protected void lost(String reason) {
-        LOG.log(Level.WARNING, "{0}: the connection to the controller is lost ({1})", tower, reason);
+        listener.ended(reason, wasInService);
     }
 }

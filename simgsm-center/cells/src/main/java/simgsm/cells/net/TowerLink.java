@@ -46,9 +46,13 @@ final class TowerLink implements Connector.Listener {
 
     @Override
     public Connection connected(Connection.Endpoint endpoint) {
-        isAbsenceLogged = false;
-        LOG.log(Level.INFO, "{0}: connected to the controller", tower);
-        return new TowerConnection(endpoint, cells, tower);
+        return new TowerConnection(endpoint, cells, tower, this::lost);
+    }
+
+    /** A connection has ended. A controller that closes each one, as osmo-bsc before its OML, is logged once. */
+    private void lost(String reason, boolean wasInService) {
+        isAbsenceLogged &= !wasInService;
+        failed(reason);
     }
 
     @Override

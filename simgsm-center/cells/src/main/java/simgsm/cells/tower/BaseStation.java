@@ -244,6 +244,13 @@ public final class BaseStation {
     private void informed(OctetString octets) throws ProtocolViolation {
         SystemInformation information = SystemInformation.decode(octets).orElse(null);
         if (information instanceof SystemInformation.Type3 type3) {
+            if (cell.isEmpty()) {
+                LOG.log(
+                        Level.INFO,
+                        "{0}: in service, location area {1}",
+                        this,
+                        Integer.toString(type3.area().areaCode()));
+            }
             cell = Optional.of(type3);
             listener.changed(this);
         } else if (information instanceof SystemInformation.Type5 type5) {
