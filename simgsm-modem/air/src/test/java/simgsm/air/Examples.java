@@ -8,9 +8,15 @@ import simgsm.air.CallControl.CallProceeding;
 import simgsm.air.CallControl.Connect;
 import simgsm.air.CallControl.ConnectAcknowledge;
 import simgsm.air.CallControl.Disconnect;
+import simgsm.air.CallControl.Hold;
+import simgsm.air.CallControl.HoldAcknowledge;
+import simgsm.air.CallControl.HoldReject;
 import simgsm.air.CallControl.Progress;
 import simgsm.air.CallControl.Release;
 import simgsm.air.CallControl.ReleaseComplete;
+import simgsm.air.CallControl.Retrieve;
+import simgsm.air.CallControl.RetrieveAcknowledge;
+import simgsm.air.CallControl.RetrieveReject;
 import simgsm.air.CallControl.Setup;
 import simgsm.air.CallControl.StartDtmf;
 import simgsm.air.CallControl.StartDtmfAcknowledge;
@@ -134,6 +140,12 @@ public final class Examples {
             down(new StartDtmfAcknowledge(theirs(0), '5'), "83362c35"),
             down(new StartDtmfReject(theirs(0), Cause.SERVICE_NOT_AVAILABLE), "833702e0bf"),
             up(new StopDtmf(ours(0)), "0331"),
+            up(new Hold(theirs(0)), "8318"),
+            down(new HoldAcknowledge(ours(0)), "0319"),
+            down(new HoldReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031a02e0e5"),
+            up(new Retrieve(theirs(0)), "831c"),
+            down(new RetrieveAcknowledge(ours(0)), "031d"),
+            down(new RetrieveReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031e02e0e5"),
             down(new StopDtmfAcknowledge(theirs(0)), "8332"),
             up(new Disconnect(ours(0), Cause.NORMAL_CALL_CLEARING), "032502e090"),
             down(new Release(theirs(0), Optional.of(Cause.NORMAL_CALL_CLEARING)), "832d0802e090"),

@@ -135,7 +135,7 @@ class RefusedMessagesTest {
     void anyOtherCallMessageIsAnsweredByStatus() {
         assertEquals(
                 List.of(new CallControl.Status(Examples.theirs(0), Cause.MESSAGE_TYPE_NON_EXISTENT, ACTIVE)),
-                ProtocolErrorAnswers.to(refused("0318", Direction.UPLINK), ACTIVE));
+                ProtocolErrorAnswers.to(refused("0317", Direction.UPLINK), ACTIVE));
         assertEquals(
                 List.of(new CallControl.Status(Examples.ours(0), Cause.INVALID_MANDATORY_INFORMATION, ACTIVE)),
                 ProtocolErrorAnswers.to(refused("8303", Direction.DOWNLINK), ACTIVE));
