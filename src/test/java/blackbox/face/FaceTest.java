@@ -153,6 +153,9 @@ class FaceTest {
             String what = name() + " \"" + text.text() + "\"";
             boolean hasToolTip = component instanceof JComponent it && it.getToolTipText() != null;
             boolean isCell = component instanceof JTable;
+            if (text.text().matches("[0-9 ]+\u2026")) {
+                return Optional.of("a number cut behind: " + what);
+            }
             boolean isCut = text.text().endsWith("\u2026") || text.text().endsWith("...");
             if (isCut && !isCell && !hasToolTip) {
                 return Optional.of("cut: " + what);

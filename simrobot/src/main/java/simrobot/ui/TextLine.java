@@ -17,6 +17,7 @@ public final class TextLine extends PaintedComponent {
     private Ink ink;
     private int rows = 1;
     private boolean shrinking;
+    private boolean isNumber;
 
     public TextLine(String name, Supplier<Font> font, Ink ink) {
         super(AccessibleRole.LABEL);
@@ -28,6 +29,12 @@ public final class TextLine extends PaintedComponent {
     /** Two rows high; a text that is too wide for one breaks at a blank. */
     public TextLine overTwoRows() {
         rows = 2;
+        return this;
+    }
+
+    /** Cut in front where it does not fit: of numbers the last digits differ. */
+    public TextLine ofDigits() {
+        isNumber = true;
         return this;
     }
 
@@ -79,7 +86,8 @@ public final class TextLine extends PaintedComponent {
         double row = height / rows;
         double base = row / 2 + Drawing.capHeight(g, face) / 2;
         if (rest.isEmpty()) {
-            g.drawString(Drawing.fitted(face, text, width), 0, (float) (height - row + base));
+            String fitted = isNumber ? Drawing.fittedEnd(face, text, width) : Drawing.fitted(face, text, width);
+            g.drawString(fitted, 0, (float) (height - row + base));
         } else {
             g.drawString(Drawing.fitted(face, text.substring(0, end), width), 0, (float) base);
             g.drawString(Drawing.fitted(face, rest, width), 0, (float) (row + base));

@@ -35,6 +35,8 @@ public final class MonitorPanel extends JPanel {
     private static final int LOW_UNITS = 420;
 
     private static final int MARGIN_UNITS = 12;
+    private static final int LOW_MARGIN_UNITS = 6;
+    private static final int GAP_UNITS = 8;
     /** Of what room is to spare or to give up. */
     private static final double LEFT_SHARE = 0.3;
 
@@ -52,6 +54,9 @@ public final class MonitorPanel extends JPanel {
     private double shownZoom;
     private final JLabel notice = new JLabel(" ");
     private final JPanel lists = new JPanel(new BorderLayout());
+    private final Card listsCard = new Card(lists);
+    private final Card ladderCard;
+    private final Card passingCard;
     private final JButton newPhone;
     private final JButton newRobot;
     private boolean isLow;
@@ -62,7 +67,7 @@ public final class MonitorPanel extends JPanel {
         this.texts = texts;
         this.background = background;
         passing = new PassingPanel(texts, operator.port());
-        Card passingCard = new Card(passing);
+        passingCard = new Card(passing);
         header = new HeaderPanel(texts, operator, passingCard::setVisible);
         ladder = new LadderPanel(texts);
         subscribers = Tables.subscribers(texts)
@@ -75,11 +80,12 @@ public final class MonitorPanel extends JPanel {
         addTabs();
         arrangeLists();
         ladder.whenChosen(this::showMessage);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(lists), new Card(ladder));
+        ladderCard = new Card(ladder);
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, listsCard, ladderCard);
         split.setResizeWeight(LEFT_SHARE);
         split.setBorder(null);
         split.setOpaque(false);
-        add(Arrange.column(MARGIN_UNITS, header, passingCard, Arrange.growing(split)), BorderLayout.CENTER);
+        add(Arrange.column(GAP_UNITS, header, passingCard, Arrange.growing(split)), BorderLayout.CENTER);
         dress();
     }
 
@@ -140,6 +146,7 @@ public final class MonitorPanel extends JPanel {
             arrangeLists();
             ladder.setHeadingVisible(!low);
             ladder.setDetailElsewhere(low);
+            space();
             if (!low) {
                 tabs.remove(ladder.detail());
             }
@@ -198,7 +205,7 @@ public final class MonitorPanel extends JPanel {
     private void dress() {
         notice.setForeground(Theme.color(Ink.DANGER));
         setBackground(Theme.color(Ink.SURFACE));
-        setBorder(Theme.padding(MARGIN_UNITS));
+        space();
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();
             setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
@@ -206,6 +213,13 @@ public final class MonitorPanel extends JPanel {
             measure(split.getRightComponent(), LADDER_UNITS, LEAST_LADDER_UNITS);
             split.resetToPreferredSizes();
         }
+    }
+
+    /** A low panel spares its margins for the lists and the ladder. */
+    private void space() {
+        int units = isLow ? LOW_MARGIN_UNITS : MARGIN_UNITS;
+        setBorder(Theme.padding(units));
+        List.of(passingCard, listsCard, ladderCard).forEach(card -> card.setPadding(units));
     }
 
     private static void measure(Component half, int widthUnits, int leastUnits) {

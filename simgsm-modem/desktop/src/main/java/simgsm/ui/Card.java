@@ -69,6 +69,12 @@ public final class Card extends JPanel {
         revalidate();
     }
 
+    /** The distance of the content from the border, in units; 12 at first. */
+    public void setPadding(int units) {
+        setBorder(Theme.padding(units));
+        revalidate();
+    }
+
     /** Shows the title, or gives its height to the content. */
     public void setTitleVisible(boolean visible) {
         title.setVisible(visible);

@@ -3,12 +3,12 @@ package simgsm.scope;
 /** Two cursors on a picture with a time axis and, for a spectrogram, a frequency axis. Not thread-safe. */
 public final class ScopeCursors {
     /** A place: milliseconds from the left edge, and a frequency; 0 Hz where there is no such axis. */
-    public record Place(double millis, double hertz) {}
+    public record CursorPlace(double millis, double hertz) {}
 
     private final double spanMillis;
     private final double leastHertz;
     private final double mostHertz;
-    private final Place[] places;
+    private final CursorPlace[] places;
 
     /**
      * Cursors at a third and two thirds of the picture.
@@ -20,13 +20,14 @@ public final class ScopeCursors {
         this.leastHertz = leastHertz;
         this.mostHertz = mostHertz;
         double range = mostHertz - leastHertz;
-        places = new Place[] {
-            new Place(spanMillis / 3, leastHertz + range / 3), new Place(spanMillis * 2 / 3, leastHertz + range * 2 / 3)
+        places = new CursorPlace[] {
+            new CursorPlace(spanMillis / 3, leastHertz + range / 3),
+            new CursorPlace(spanMillis * 2 / 3, leastHertz + range * 2 / 3)
         };
     }
 
     /** @param cursor 0 or 1 */
-    public Place place(int cursor) {
+    public CursorPlace place(int cursor) {
         return places[cursor];
     }
 
@@ -41,8 +42,8 @@ public final class ScopeCursors {
 
     /** Puts a cursor to a place, or the nearest one on the picture. */
     public void put(int cursor, double millis, double hertz) {
-        places[cursor] =
-                new Place(Math.max(0, Math.min(spanMillis, millis)), Math.max(leastHertz, Math.min(mostHertz, hertz)));
+        places[cursor] = new CursorPlace(
+                Math.max(0, Math.min(spanMillis, millis)), Math.max(leastHertz, Math.min(mostHertz, hertz)));
     }
 
     /** The cursor nearest to a place, by the shares of the axes between them. */

@@ -41,7 +41,7 @@ public final class ModemPanel extends JPanel {
     private final TextLine network = new TextLine("modem.network", Theme::base, Ink.QUIET);
     private final SignalBars signal;
     private final Lamp call;
-    private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT);
+    private final TextLine peer = new TextLine("modem.peer", Theme::monoStrong, Ink.TEXT).ofDigits();
     private final TextLine codec = new TextLine("modem.codec", Theme::small, Ink.QUIET);
     private final JLabel sound = ComponentNames.name(Theme.label("", Theme::small, Ink.QUIET), "modem.sound", "");
     private final ToneScopePanel scope;

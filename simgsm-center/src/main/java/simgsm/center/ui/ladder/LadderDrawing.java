@@ -12,6 +12,9 @@ import simgsm.draw.Outline;
  */
 record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     static final double HEAD_UNITS = 36;
+    /** In a low window. */
+    static final double LOW_HEAD_UNITS = 26;
+
     static final double RUNG_UNITS = 30;
     /** In a low window. */
     static final double LOW_RUNG_UNITS = 24;
@@ -25,25 +28,26 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         return canvas.px(units);
     }
 
-    /** The names of the lifelines. */
-    void heads() {
+    /** The names of the lifelines. @param heightUnits the height of their boxes and the space around them */
+    void heads(double heightUnits) {
+        double boxUnits = Math.min(BOX_UNITS, heightUnits - 4);
         for (String name : lifelines.names()) {
             boolean isCenter = name.equals(LadderEntry.CENTER);
             double room = Math.min(lifelines.gap(widthUnits), WIDEST_BOX_UNITS) - 8;
             String fitted = fittedEnd(name, Face.MONO_STRONG, px(room - 12));
             double width = Math.min(px(room), canvas.width(fitted, Face.MONO_STRONG) + px(20));
             double x = px(lifelines.x(name, widthUnits));
-            Outline box = Outline.round(x - width / 2, px((HEAD_UNITS - BOX_UNITS) / 2), width, px(BOX_UNITS), px(6));
+            Outline box = Outline.round(x - width / 2, px((heightUnits - boxUnits) / 2), width, px(boxUnits), px(6));
             canvas.ink(isCenter ? Ink.ACCENT : Ink.CARD);
             canvas.fill(box);
             canvas.ink(isCenter ? Ink.ACCENT : Ink.CONTROL_LINE);
             canvas.pen(1);
             canvas.draw(box);
             canvas.ink(isCenter ? Ink.ON_ACCENT : Ink.TEXT);
-            canvas.text(fitted, Face.MONO_STRONG, x, px(HEAD_UNITS / 2));
+            canvas.text(fitted, Face.MONO_STRONG, x, px(heightUnits / 2));
         }
         canvas.ink(Ink.LINE);
-        canvas.bar(0, px(HEAD_UNITS) - 1, px(widthUnits), 1);
+        canvas.bar(0, px(heightUnits) - 1, px(widthUnits), 1);
     }
 
     /** A message. @param behind the colour of the background */

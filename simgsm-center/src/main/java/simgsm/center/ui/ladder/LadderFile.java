@@ -27,7 +27,7 @@ final class LadderFile {
                 LEAST_WIDTH_UNITS,
                 2 * LINE_UNITS + LINE_UNITS * lifelines.names().size());
         LadderDrawing drawing = new LadderDrawing(canvas, lifelines, width);
-        drawing.heads();
+        drawing.heads(LadderDrawing.HEAD_UNITS);
         double y = LadderDrawing.HEAD_UNITS;
         for (LadderRow row : rows) {
             canvas.moved(0, y, 0, () -> drawing.rung(row, LadderDrawing.RUNG_UNITS, Ink.CARD));

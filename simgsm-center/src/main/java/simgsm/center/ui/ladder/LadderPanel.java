@@ -104,7 +104,7 @@ public final class LadderPanel extends JPanel {
     private JPanel tools() {
         heading.setText(texts.of("window.ladder"));
         JPanel row = Arrange.row(Theme.GRID, heading, Arrange.growing(filter), pause, follow, undo, clear, save);
-        row.setBorder(Theme.padding(0, 0, 8, 0));
+        row.setBorder(Theme.padding(0, 0, Theme.HALF, 0));
         return row;
     }
 
@@ -291,6 +291,7 @@ public final class LadderPanel extends JPanel {
         showPause();
         heading.setVisible(isHeadingWanted && getWidth() >= Theme.px(HEADING_UNITS));
         cell.setLow(getHeight() < Theme.px(LOW_UNITS));
+        header.setLow(getHeight() < Theme.px(LOW_UNITS));
         if (list.getFixedCellHeight() != cell.getPreferredSize().height) {
             list.fit();
         }

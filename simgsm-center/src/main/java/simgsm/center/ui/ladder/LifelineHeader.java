@@ -12,11 +12,16 @@ import simgsm.ui.Theme;
 final class LifelineHeader extends PaintedComponent {
 
     private Lifelines lifelines = Lifelines.NONE;
+    private double heightUnits = LadderDrawing.HEAD_UNITS;
 
     void show(Lifelines newLifelines) {
         lifelines = newLifelines;
         revalidate();
         repaint();
+    }
+
+    void setLow(boolean low) {
+        heightUnits = low ? LadderDrawing.LOW_HEAD_UNITS : LadderDrawing.HEAD_UNITS;
     }
 
     LifelineHeader() {
@@ -25,14 +30,14 @@ final class LifelineHeader extends PaintedComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(lifelines.leastWidth(), Theme.px(LadderDrawing.HEAD_UNITS));
+        return new Dimension(lifelines.leastWidth(), Theme.px(heightUnits));
     }
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
         g.setColor(Theme.color(Ink.CARD));
         g.fillRect(0, 0, getWidth(), getHeight());
-        new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / Theme.zoom()).heads();
+        new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / Theme.zoom()).heads(heightUnits);
     }
 
     @Override

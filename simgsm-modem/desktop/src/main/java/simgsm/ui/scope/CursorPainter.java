@@ -6,7 +6,7 @@ import java.util.Locale;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.scope.ScopeCursors;
-import simgsm.scope.ScopeCursors.Place;
+import simgsm.scope.ScopeCursors.CursorPlace;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
@@ -19,7 +19,7 @@ final class CursorPainter {
     /** @param spanMillis the width of the area */
     static void paint(Graphics2D g, ScopeCursors cursors, Rectangle2D area, double spanMillis) {
         for (int i = 0; i < 2; i++) {
-            Place place = cursors.place(i);
+            CursorPlace place = cursors.place(i);
             double x = area.getX() + area.getWidth() * place.millis() / spanMillis;
             g.setColor(Theme.color(Ink.DANGER));
             g.setStroke(Theme.dashed(1.3, 3));
