@@ -154,6 +154,9 @@ public final class CenterMain {
         if (given.has("check")) {
             return LessonCheck.run(given);
         }
+        if (given.has("lesson") && given.has("headless")) {
+            throw new UsageException("--lesson with --headless needs --check");
+        }
         if (given.has("demo")) {
             OptionalInt status = QuickDemo.run(given, words);
             if (status.isPresent()) {
@@ -167,7 +170,7 @@ public final class CenterMain {
             if (arguments.has("class")) {
                 return ClassDemo.run(arguments, settings);
             }
-            if (isHeadless || !Display.isAvailable()) {
+            if (!arguments.has("lesson") && (isHeadless || !Display.isAvailable())) {
                 return HeadlessDemo.run(arguments, settings);
             }
             return lessons(

@@ -34,8 +34,11 @@ final class LessonNetwork {
 
     /** Opens the centre of a lesson; nothing is started. */
     static DemoPrograms open(Lesson lesson, Path folder, Arguments arguments) throws IOException, UsageException {
-        // The seed is that of the student's numbers; with it all phones would be one equipment.
-        Arguments own = arguments.without("seed");
+        // The seed is that of the student's numbers; with it all phones would be one equipment. The user's own network
+        // and
+        // messages stay out of a lesson.
+        Arguments own = arguments.without(
+                "seed", "data", "hlr", "barred-imeis", "smpp", "http", "cdr", "capture", "call-waiting", "tones");
         if (!lesson.closed().isEmpty()) {
             Set<Msisdn> numbers = new LinkedHashSet<>();
             lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));

@@ -113,6 +113,13 @@ final class LessonSession implements AutoCloseable {
         return program.options().contains("--number");
     }
 
+    private void startAgain(LessonProgram program) throws IOException, LessonFailure {
+        if (running().contains(program.name())) {
+            throw new LessonFailure(program.name() + " runs already");
+        }
+        launch(program);
+    }
+
     private void launch(LessonProgram program) throws IOException {
         List<String> options = new ArrayList<>();
         program.options().forEach(option -> options.add(replaced(option, true)));
@@ -154,7 +161,7 @@ final class LessonSession implements AutoCloseable {
             switch (parts[0]) {
                 case "predict" -> events.withRun(each -> each.predict(rest));
                 case "answer" -> answer(rest);
-                case "start" -> launch(program(rest));
+                case "start" -> startAgain(program(rest));
                 case "stop" -> stop(rest);
                 case "tool" -> tell(tools.tool(words(rest)));
                 case "java" -> tell(tools.source(words(rest)));

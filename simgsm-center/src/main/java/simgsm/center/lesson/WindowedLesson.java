@@ -80,6 +80,7 @@ public final class WindowedLesson implements LessonActs {
                 : ThreadLocalRandom.current().nextInt(MOST_RANDOM_SEED);
         Arguments arguments = given.with("seed", Long.toString(seed));
         Lesson lesson = LessonCheck.lesson(arguments);
+        ProgramWindow.of(arguments, Optional.empty()); // ends here without a display
         WindowPlace screen = Display.usableArea();
         WindowPlace place = place(screen);
         DemoLayout layout = DemoLayout.of(
@@ -112,7 +113,10 @@ public final class WindowedLesson implements LessonActs {
         return new WindowPlace(screen.x() + screen.width() - width, screen.y(), width, screen.height());
     }
 
-    /** Robot and town have the same place. A second phone stands at the bottom, so that the display of the first and the robot stay in view. */
+    /**
+     * Robot and town have the same place. A second phone stands at the bottom, so that the display of the first one and the
+     * robot stay in view.
+     */
     private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout, WindowPlace screen) {
         if (program.options().contains("--headless")) {
             return List.of("--no-sound");

@@ -155,11 +155,9 @@ public final class LessonPanel extends JPanel {
     private JComponent work() {
         List<Component> parts = new ArrayList<>();
         for (LessonProgram program : lesson.programs()) {
-            if (program.isLater()) {
-                ProgramButton button = new ProgramButton(program.name());
-                programs.add(button);
-                parts.add(button.button);
-            }
+            ProgramButton button = new ProgramButton(program);
+            programs.add(button);
+            parts.add(button.button);
         }
         lesson.actions().forEach(action -> parts.add(action(action)));
         for (LessonStep step : lesson.steps()) {
@@ -222,14 +220,16 @@ public final class LessonPanel extends JPanel {
         repaint();
     }
 
-    /** Starts or stops a program that the lesson does not start itself. */
+    /** Starts or stops a program that the lesson does not start itself, and starts one again whose window was closed. */
     private final class ProgramButton {
         private final String name;
+        private final boolean isLater;
         private final JButton button;
         private boolean isRunning;
 
-        ProgramButton(String name) {
-            this.name = name;
+        ProgramButton(LessonProgram program) {
+            name = program.name();
+            isLater = program.isLater();
             button = new JButton(new UserAction("lesson.program." + name, "", () -> {
                 if (isRunning) {
                     acts.stopProgram(name);
@@ -242,6 +242,7 @@ public final class LessonPanel extends JPanel {
 
         void show(boolean running) {
             isRunning = running;
+            button.setVisible(isLater || !running);
             String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", name);
             button.setText(text);
             ComponentNames.name(button, "lesson.program." + name, text);
