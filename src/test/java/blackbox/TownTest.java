@@ -137,4 +137,12 @@ class TownTest {
         assertEquals("", refused.output());
         assertTrue(refused.error().contains("wrong.town:2: found \"70\", expected bsic, 0 to 63"), refused.error());
     }
+
+    @Test
+    void aTownOfTheSuiteIsFoundByItsNameAlone() throws Exception {
+        FinishedProgram printed = FinishedProgram.run("simgsm-cells", "--print-osmo-bsc", "--town", "city.town");
+
+        assertEquals(0, printed.status(), printed.error());
+        assertTrue(printed.output().contains("radio-link-timeout 16"), printed.output());
+    }
 }

@@ -5,8 +5,6 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import simgsm.console.Arguments;
@@ -23,8 +21,6 @@ import simrobot.world.WorldReader;
 public final class WorldFile {
     private static final Path FOLDER = Path.of("worlds");
     private static final Path DEFAULT = FOLDER.resolve("demo.map");
-    /** The jar lies in target/dist of the source tree, or next to worlds/. */
-    private static final int FOLDERS_UPWARD = 3;
 
     private WorldFile() {}
 
@@ -67,18 +63,6 @@ public final class WorldFile {
 
     /** The place of the world's file; as named if it is not found. */
     public static Path find(Optional<Path> name) {
-        Path wanted = name.orElse(DEFAULT);
-        return places(wanted).stream().filter(Files::exists).findFirst().orElse(wanted);
-    }
-
-    private static List<Path> places(Path wanted) {
-        List<Path> places = new ArrayList<>(List.of(wanted, FOLDER.resolve(wanted)));
-        Path folder = ProgramFolder.above(WorldFile.class).orElse(null);
-        for (int i = 0; i < FOLDERS_UPWARD && folder != null; i++) {
-            places.add(folder.resolve(wanted));
-            places.add(folder.resolve(FOLDER).resolve(wanted));
-            folder = folder.getParent();
-        }
-        return places;
+        return ProgramFolder.find(WorldFile.class, FOLDER, name.orElse(DEFAULT));
     }
 }

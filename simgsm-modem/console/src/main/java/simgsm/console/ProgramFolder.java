@@ -22,6 +22,8 @@ import java.util.Optional;
  */
 public record ProgramFolder(Path path, boolean isImage) {
     private static final String IMAGE_SCHEME = "jrt";
+    /** The jar lies in target/dist of the source tree, or next to the suite's folders. */
+    private static final int FOLDERS_UPWARD = 3;
 
     /**
      * The folder of a program's own class.
@@ -48,6 +50,24 @@ public record ProgramFolder(Path path, boolean isImage) {
                 .map(own -> own.getScheme().equals(IMAGE_SCHEME)
                         ? Path.of(System.getProperty("java.home"))
                         : Path.of(own).toAbsolutePath().getParent());
+    }
+
+    /**
+     * Finds a file that comes with the suite: as named, in a folder of that name, or upward from the files of a program's own
+     * class, with or without the folder.
+     *
+     * @param folder as {@code worlds}
+     * @return the file as named if it is not found
+     */
+    public static Path find(Class<?> member, Path folder, Path wanted) {
+        List<Path> places = new ArrayList<>(List.of(wanted, folder.resolve(wanted)));
+        Path above = above(member).orElse(null);
+        for (int i = 0; i < FOLDERS_UPWARD && above != null; i++) {
+            places.add(above.resolve(wanted));
+            places.add(above.resolve(folder).resolve(wanted));
+            above = above.getParent();
+        }
+        return places.stream().filter(Files::exists).findFirst().orElse(wanted);
     }
 
     private static Optional<URI> location(Class<?> member) {

@@ -5,6 +5,7 @@ import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -14,6 +15,7 @@ import simgsm.cells.town.TownFile;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
+import simgsm.console.ProgramFolder;
 import simgsm.console.UsageException;
 
 /**
@@ -36,6 +38,7 @@ public record CellsSettings(
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
     private static final int MAX_PORT = 0xffff;
+    private static final Path TOWNS = Path.of("worlds");
 
     /** @throws IOException naming the town file that cannot be read */
     public static CellsSettings read(Arguments arguments) throws UsageException, IOException {
@@ -44,8 +47,8 @@ public record CellsSettings(
         HostPort controller = arguments.hostPort("center").orElse(HostPort.parse("127.0.0.1:3003"));
         InetAddress address = arguments.value("bind", CellsSettings::address).orElse(InetAddress.getLoopbackAddress());
         long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
-        Town town = TownFile.read(
-                arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed")));
+        Path file = arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed"));
+        Town town = TownFile.read(ProgramFolder.find(CellsSettings.class, TOWNS, file));
         List<FollowedRobot> followed = new ArrayList<>();
         for (String text : arguments.all("follow")) {
             followed.add(Arguments.checked(() -> FollowedRobot.parse(text)));
