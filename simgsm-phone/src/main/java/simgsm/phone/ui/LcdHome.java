@@ -174,7 +174,8 @@ final class LcdHome {
         party(pen, phone);
         if (call.phase() == CallPhase.CONNECTED) {
             keyed(pen, call.keyed());
-            tone(pen, call.heard(), 143);
+            boolean hasSecond = call.waiting().isPresent() || call.held().isPresent();
+            tone(pen, call.heard(), hasSecond ? 134 : 143);
         }
         if (call.waiting().isPresent()) {
             second(pen, phone, "lcd.waiting", call.waiting().get());
@@ -205,7 +206,7 @@ final class LcdHome {
     /** The other party, in inverse video. @param key of the bundle: does it wait, or is it held? */
     private void second(LcdPen pen, HandsetSnapshot phone, String key, String number) {
         String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
-        pen.inverse(texts.of(key, party), pen.sans(13, true), LcdPen.MARGIN, 153, 17);
+        pen.inverse(texts.of(key, party), pen.sans(12, true), LcdPen.MARGIN, 155, 15);
     }
 
     private static String hintKey(HandsetSnapshot phone) {

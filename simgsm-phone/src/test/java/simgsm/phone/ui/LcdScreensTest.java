@@ -21,6 +21,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
+import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.PhoneKey;
@@ -132,6 +133,12 @@ class LcdScreensTest {
         screens.put("connected, another is held", with(bench -> {
             held(bench);
             bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+        }));
+        screens.put("connected, a tone has come, another is held", with(bench -> {
+            held(bench);
+            bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+            bench.handset.press(DtmfKey.sequence("** #**20 **"));
+            bench.farEndPlays('3');
         }));
         screens.put("held", with(LcdScreensTest::held));
         screens.put("what to do in a call", with(bench -> {
