@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.rsl.RslType;
 import simgsm.air.Msisdn;
+import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeEvent;
 
 /** Mobiles that move between towers and location areas. */
@@ -86,5 +87,20 @@ class TowerMobilityTest {
 
         assertEquals(0, stage.exchange.attachedCount());
         assertEquals(0, stage.exchange.linkCount());
+    }
+
+    @Test
+    void aBroadcastGoesOnceToEachTowerHoweverManyMobilesItHas() {
+        update(west, TowerStage.IMEI);
+        west.register("5550200", TowerStage.OTHER_IMEI);
+        west.received.clear();
+        east.received.clear();
+
+        stage.exchange.broadcast(stage.nowNanos, BroadcastOrder.once(50, "Attention"));
+
+        for (TestTower tower : List.of(west, east)) {
+            assertEquals(1, tower.received.size());
+            assertTrue(tower.received.remove().toString().startsWith("0c1d019029002a58"));
+        }
     }
 }
