@@ -7,10 +7,13 @@ package simgsm.modem;
 final class OutageWatch {
     /** Shorter outages leave enough of a key, whose tone is 65 ms or longer; 3 frames. */
     private static final int LEAST_FRAMES = 3;
-    /** An interval with a lost key has twice the length of the others; people who press keys vary more than programs. */
-    private static final double LONGER = 1.5;
-    /** 330 ms at 8 kHz: 1.5 times the interval of the phones here. */
-    private static final int LONG_SAMPLES = 2_640;
+    /**
+     * An interval with a lost key has twice the length of the others; one whose second key is decided late, because the outage
+     * took its beginning, has less than this.
+     */
+    private static final double LONGER = 1.7;
+    /** 340 ms at 8 kHz: 1.7 times the interval of the phones here. */
+    private static final int LONG_SAMPLES = 2_720;
 
     private long samples;
     private long lastKey;
@@ -19,6 +22,8 @@ final class OutageWatch {
     private long shortest;
 
     private boolean isOutage;
+    /** Whether the interval before had an outage: a key that was decided late makes the next interval short. */
+    private boolean wasOutage;
 
     OutageWatch() {
         reset();
@@ -30,6 +35,7 @@ final class OutageWatch {
         hasKey = false;
         shortest = Long.MAX_VALUE;
         isOutage = false;
+        wasOutage = false;
     }
 
     /** So many frames in a row did not arrive. */
@@ -46,11 +52,12 @@ final class OutageWatch {
     boolean keyDecided() {
         long interval = samples - lastKey;
         boolean isLost = isOutage && hasKey && interval > Math.min(LONG_SAMPLES, LONGER * shortest);
-        if (hasKey && !isOutage) {
+        if (hasKey && !isOutage && !wasOutage) {
             shortest = Math.min(shortest, interval);
         }
         hasKey = true;
         lastKey = samples;
+        wasOutage = isOutage;
         isOutage = false;
         return isLost;
     }

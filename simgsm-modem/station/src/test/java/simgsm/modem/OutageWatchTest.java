@@ -49,6 +49,17 @@ class OutageWatchTest {
         assertTrue(keyAfter(260));
     }
 
+    @Test
+    void aKeyThatIsDecidedLateAfterAnOutageIsNotSuspectedNorTakenAsMeasure() {
+        assertFalse(keyAfter(200));
+        assertFalse(keyAfter(200));
+        watch.lost(4);
+        assertFalse(keyAfter(280));
+        assertFalse(keyAfter(120));
+        watch.lost(4);
+        assertFalse(keyAfter(280));
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void aKeySurvivesTheLossOfOneOrTwoFrames(int frames) {
