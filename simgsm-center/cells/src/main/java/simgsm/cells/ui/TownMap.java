@@ -271,7 +271,7 @@ final class TownMap extends PaintedComponent {
         @Override
         public void mouseReleased(MouseEvent event) {
             if (drawn.size() > 1) {
-                town.walk(selection.orElseThrow(), List.copyOf(drawn), walkMetresPerSecond);
+                selection.ifPresent(number -> town.walk(number, List.copyOf(drawn), walkMetresPerSecond));
             }
             drawn.clear();
             dragged = Optional.empty();
