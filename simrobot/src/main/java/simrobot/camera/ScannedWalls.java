@@ -1,10 +1,7 @@
 package simrobot.camera;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import simrobot.world.Position;
 
 /**
@@ -19,105 +16,146 @@ final class ScannedWalls {
     private static final double JOINED_METERS = 0.12;
 
     /** The points around that give a wall its direction. */
-    private static final double AROUND_METERS = 0.3;
+    private static final double AROUND_METERS = 0.25;
 
-    private final Map<Long, List<Position>> cells = new HashMap<>();
-    private final List<double[]> joined = new ArrayList<>();
-    private final List<double[]> alone = new ArrayList<>();
+    private static final int MOST_CELLS = 1_000_000;
+    private static final int NONE = -1;
+
+    private final double[] xs;
+    private final double[] ys;
+
+    // a grid of square cells, each with a list of the points in it
+    private final double left;
+    private final double bottom;
+    private final double cellMeters;
+    private final int columns;
+    private final int[] heads;
+    private final int[] nexts;
+
+    /** The two neighbours of each point. */
+    private final int[] partners;
+
+    private double[] pieces = new double[64];
+    private int pieceNumbers;
+    private double[] single = new double[64];
+    private int singleNumbers;
+
+    // of the point that is looked at
+    private double ux;
+    private double uy;
 
     ScannedWalls(List<Position> points) {
-        points.forEach(point -> cells.computeIfAbsent(cell(point, 0, 0), key -> new ArrayList<>())
-                .add(point));
-        points.forEach(this::join);
+        xs = points.stream().mapToDouble(Position::xMeters).toArray();
+        ys = points.stream().mapToDouble(Position::yMeters).toArray();
+        left = Arrays.stream(xs).min().orElse(0);
+        bottom = Arrays.stream(ys).min().orElse(0);
+        double wide = Arrays.stream(xs).max().orElse(0) - left;
+        double high = Arrays.stream(ys).max().orElse(0) - bottom;
+        double least = Math.max(wide, high) / Math.sqrt(MOST_CELLS);
+        cellMeters = Math.max(AROUND_METERS, least);
+        columns = (int) (wide / cellMeters) + 3;
+        heads = new int[columns * ((int) (high / cellMeters) + 3)];
+        nexts = new int[xs.length];
+        partners = new int[2 * xs.length];
+        Arrays.fill(heads, NONE);
+        for (int i = 0; i < xs.length; i++) {
+            int cell = cell(i);
+            nexts[i] = heads[cell];
+            heads[cell] = i;
+        }
+        for (int i = 0; i < xs.length; i++) {
+            join(i);
+        }
     }
 
     double[] pieces() {
-        return flat(joined);
+        return Arrays.copyOf(pieces, pieceNumbers);
     }
 
     /** The points that are joined to none, x and y of each. */
     double[] single() {
-        return flat(alone);
+        return Arrays.copyOf(single, singleNumbers);
     }
 
-    private static double[] flat(List<double[]> rows) {
-        return rows.stream().flatMapToDouble(Arrays::stream).toArray();
-    }
-
-    private static long cell(Position point, int right, int up) {
-        long column = (long) Math.floor(point.xMeters() / AROUND_METERS) + right;
-        long row = (long) Math.floor(point.yMeters() / AROUND_METERS) + up;
-        return column << 32 ^ row & 0xFFFF_FFFFL;
+    /** There is a cell more on each side. */
+    private int cell(int i) {
+        int column = 1 + (int) ((xs[i] - left) / cellMeters);
+        int row = 1 + (int) ((ys[i] - bottom) / cellMeters);
+        return row * columns + column;
     }
 
     /** Joins a point to its nearest neighbour on either side along the wall. */
-    private void join(Position point) {
-        List<Position> around = around(point);
-        double direction = direction(around);
-        double ux = Math.cos(direction);
-        double uy = Math.sin(direction);
-        Position before = nearest(point, around, -ux, -uy);
-        Position after = nearest(point, around, ux, uy);
-        if (before == null && after == null) {
-            alone.add(new double[] {point.xMeters(), point.yMeters()});
+    private void join(int i) {
+        findDirection(i);
+        int before = nearest(i, -1);
+        int after = nearest(i, 1);
+        partners[2 * i] = before;
+        partners[2 * i + 1] = after;
+        if (before == NONE && after == NONE) {
+            single = Arrays.copyOf(single, singleNumbers == single.length ? 2 * singleNumbers : single.length);
+            single[singleNumbers++] = xs[i];
+            single[singleNumbers++] = ys[i];
         }
-        if (before != null) {
-            add(before, point, ux, uy);
+        add(i, before);
+        add(i, after);
+    }
+
+    /** Adds a piece, unless the other point has added it. */
+    private void add(int i, int other) {
+        if (other == NONE || (other < i && (partners[2 * other] == i || partners[2 * other + 1] == i))) {
+            return;
         }
-        if (after != null) {
-            add(point, after, ux, uy);
+        if (pieceNumbers + NUMBERS > pieces.length) {
+            pieces = Arrays.copyOf(pieces, 2 * pieces.length);
+        }
+        for (double number : new double[] {xs[i], ys[i], xs[other], ys[other], ux, uy}) {
+            pieces[pieceNumbers++] = number;
         }
     }
 
-    private void add(Position from, Position to, double ux, double uy) {
-        joined.add(new double[] {from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters(), ux, uy});
-    }
-
-    private List<Position> around(Position point) {
-        List<Position> around = new ArrayList<>();
-        for (int right = -1; right <= 1; right++) {
-            for (int up = -1; up <= 1; up++) {
-                for (Position other : cells.getOrDefault(cell(point, right, up), List.of())) {
-                    if (distance(point, other) < AROUND_METERS) {
-                        around.add(other);
-                    }
-                }
-            }
-        }
-        return around;
-    }
-
-    private static double distance(Position a, Position b) {
-        return Math.hypot(a.xMeters() - b.xMeters(), a.yMeters() - b.yMeters());
-    }
-
-    /** The axis of the points' largest spread, radians. */
-    private static double direction(List<Position> around) {
-        double meanX = around.stream().mapToDouble(Position::xMeters).average().orElse(0);
-        double meanY = around.stream().mapToDouble(Position::yMeters).average().orElse(0);
+    /** The axis of the largest spread of the points around. */
+    private void findDirection(int i) {
+        double n = 0;
+        double sumX = 0;
+        double sumY = 0;
         double xx = 0;
         double xy = 0;
         double yy = 0;
-        for (Position other : around) {
-            double dx = other.xMeters() - meanX;
-            double dy = other.yMeters() - meanY;
-            xx += dx * dx;
-            xy += dx * dy;
-            yy += dy * dy;
+        int middle = cell(i);
+        for (int at = 0; at < 9; at++) {
+            for (int j = heads[middle + (at / 3 - 1) * columns + at % 3 - 1]; j != NONE; j = nexts[j]) {
+                double dx = xs[j] - xs[i];
+                double dy = ys[j] - ys[i];
+                if (dx * dx + dy * dy < AROUND_METERS * AROUND_METERS) {
+                    n++;
+                    sumX += dx;
+                    sumY += dy;
+                    xx += dx * dx;
+                    xy += dx * dy;
+                    yy += dy * dy;
+                }
+            }
         }
-        return Math.atan2(2 * xy, xx - yy) / 2;
+        double direction = Math.atan2(2 * (xy - sumX * sumY / n), xx - sumX * sumX / n - yy + sumY * sumY / n) / 2;
+        ux = Math.cos(direction);
+        uy = Math.sin(direction);
     }
 
-    /** The nearest point on one side; null if there is none to join. */
-    private static Position nearest(Position point, List<Position> around, double ux, double uy) {
-        Position nearest = null;
-        double least = JOINED_METERS;
-        for (Position other : around) {
-            double along = (other.xMeters() - point.xMeters()) * ux + (other.yMeters() - point.yMeters()) * uy;
-            double meters = distance(point, other);
-            if (along > meters / 2 && meters < least) {
-                least = meters;
-                nearest = other;
+    /** The nearest point on one side. @param side 1 along the direction, -1 against it */
+    private int nearest(int i, int side) {
+        int nearest = NONE;
+        double least = JOINED_METERS * JOINED_METERS;
+        int middle = cell(i);
+        for (int at = 0; at < 9; at++) {
+            for (int j = heads[middle + (at / 3 - 1) * columns + at % 3 - 1]; j != NONE; j = nexts[j]) {
+                double dx = xs[j] - xs[i];
+                double dy = ys[j] - ys[i];
+                double square = dx * dx + dy * dy;
+                double along = side * (dx * ux + dy * uy);
+                if (square < least && along > 0 && along * along > square / 4) {
+                    least = square;
+                    nearest = j;
+                }
             }
         }
         return nearest;

@@ -71,12 +71,16 @@ final class WallPainter {
     /** The nearest wall or post of each column. */
     private static final class Nearest {
         final PinholeView eye;
+        /** Left per ahead at the picture's edges. */
+        final double edgeSlope;
+
         final double[] depth;
         final int[] colour;
         final double[] brightness;
 
         Nearest(PinholeView eye) {
             this.eye = eye;
+            edgeSlope = eye.width() / 2.0 / eye.focal();
             depth = new double[eye.width()];
             colour = new int[eye.width()];
             brightness = new double[eye.width()];
@@ -116,6 +120,11 @@ final class WallPainter {
             }
             double l1 = eye.left(s[i], s[i + 1]);
             double l2 = eye.left(s[i + 2], s[i + 3]);
+            boolean isBeside =
+                    l1 > a1 * edgeSlope && l2 > a2 * edgeSlope || l1 < -a1 * edgeSlope && l2 < -a2 * edgeSlope;
+            if (isBeside) {
+                return;
+            }
             ColumnRange columns = ColumnRange.of(eye, a1, l1, a2, l2);
             if (columns.first() > columns.last()) {
                 return;
