@@ -10,7 +10,7 @@ public enum Ink {
     /** What lies on the surface and carries content. */
     CARD(0xFFFFFF, 0x272B31, 0xFFFFFF),
     /** Borders and rules. */
-    LINE(0xD5D9E0, 0x3B4149, 0x595959),
+    LINE(0xD5D9E0, 0x3B4149, 0x8C8C8C),
     /** Borders of things that can be used; 3 to 1 against the card. */
     CONTROL_LINE(0x848D9A, 0x79828D, 0x404040),
     TEXT(0x1B1F24, 0xE8EAED, 0x000000),
