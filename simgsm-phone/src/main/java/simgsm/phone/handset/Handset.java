@@ -382,7 +382,7 @@ public final class Handset {
             case ANSWER -> answer();
             case HANG_UP -> hangUp();
             case SILENCE -> silence();
-            case HOLD -> hold();
+            case HOLD -> hold().ifPresent(refusal -> screens.note(Note.Kind.REFUSED, ""));
             case REJECT_SECOND -> rejectSecond();
             case END_USSD -> station.endUssd();
             case LOUDER -> set(settings.withVolume(settings.volume() + 1));
@@ -574,6 +574,8 @@ public final class Handset {
             ringIsSilent = false;
             home.clear();
             screens.home();
+        } else if (event instanceof StationEvent.HoldRefused) {
+            screens.note(Note.Kind.REFUSED, "");
         }
     }
 

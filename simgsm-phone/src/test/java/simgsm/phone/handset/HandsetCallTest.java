@@ -257,6 +257,17 @@ class HandsetCallTest {
     }
 
     @Test
+    void aCallThatTheNetworkDoesNotHoldIsANoteAndGoesOn() {
+        Bench bench = Bench.connected();
+        bench.tap(PhoneKey.SOFT_RIGHT);
+        bench.handset.accept(new StationEvent.HoldRefused());
+        assertEquals(
+                new Screen.Note(Screen.Note.Kind.REFUSED, ""), bench.snapshot().screen());
+        bench.tap(PhoneKey.OK);
+        assertEquals(CallPhase.CONNECTED, bench.snapshot().call().phase());
+    }
+
+    @Test
     void theRedKeyEndsACallThatIsHeldAlone() {
         Bench bench = Bench.connected();
         bench.handset.accept(new StationEvent.CallHeld(Optional.of(ROBOT)));
