@@ -24,7 +24,9 @@ import simgsm.ui.Theme;
 
 /** The content of the town's window: shows snapshots and passes the user's actions on. Needs no display. */
 public final class TownPanel extends JPanel {
-    private static final Dimension SIZE_UNITS = new Dimension(1100, 760);
+    /** Of the window at first, where the screen has room for it. */
+    static final Dimension SIZE_UNITS = new Dimension(1100, 760);
+
     private static final int MARGIN_UNITS = 12;
     private static final int SIDE_UNITS = 350;
     private static final int LEAST_SIDE_UNITS = 300;

@@ -47,7 +47,7 @@ public final class TownWindow {
                 texts.of("window.help"),
                 Symbol.BROADCAST,
                 panel,
-                Optional.empty(),
+                Optional.of(TownPanel.SIZE_UNITS),
                 Optional.of(SuiteWindow.CELLS.least()),
                 Runnable::run,
                 panel::requestFocusInWindow,
