@@ -44,7 +44,7 @@ class LayeringTest {
             simgsm.scope             : simgsm.dtmf
             simgsm.console           :
             simgsm.lesson            : simgsm.console
-            simgsm.web               :
+            simgsm.web               : simgsm.console
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw

@@ -14,32 +14,11 @@ final class ConsoleQuoting {
         if (!value.isEmpty() && value.chars().allMatch(ConsoleQuoting::isBare)) {
             return value;
         }
-        StringBuilder text = new StringBuilder("\"");
-        value.chars().forEach(c -> writeEscaped(text, (char) c));
-        return text.append('"').toString();
+        return JsonString.quoted(value);
     }
 
     private static boolean isBare(int c) {
         return c >= 'A' && c <= 'Z' || c >= 'a' && c <= 'z' || c >= '0' && c <= '9' || BARE_PUNCTUATION.indexOf(c) >= 0;
-    }
-
-    private static void writeEscaped(StringBuilder text, char c) {
-        switch (c) {
-            case '"' -> text.append("\\\"");
-            case '\\' -> text.append("\\\\");
-            case '\n' -> text.append("\\n");
-            case '\r' -> text.append("\\r");
-            case '\t' -> text.append("\\t");
-            case '\b' -> text.append("\\b");
-            case '\f' -> text.append("\\f");
-            default -> {
-                if (c < 0x20 || c == 0x7f || c >= 0x80 && c < 0xa0 || c == 0x2028 || c == 0x2029) {
-                    text.append(String.format("\\u%04x", (int) c));
-                } else {
-                    text.append(c);
-                }
-            }
-        }
     }
 
     /**

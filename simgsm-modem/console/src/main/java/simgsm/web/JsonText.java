@@ -1,6 +1,7 @@
 package simgsm.web;
 
 import java.util.Locale;
+import simgsm.console.JsonString;
 
 /** Writes JSON (RFC 8259) field by field. */
 public final class JsonText {
@@ -35,9 +36,7 @@ public final class JsonText {
 
     public JsonText value(String value) {
         separate();
-        text.append('"');
-        value.chars().forEach(this::character);
-        text.append('"');
+        text.append(JsonString.quoted(value));
         return this;
     }
 
@@ -66,16 +65,6 @@ public final class JsonText {
             text.append(',');
         }
         first = false;
-    }
-
-    private void character(int c) {
-        if (c == '"' || c == '\\') {
-            text.append('\\').append((char) c);
-        } else if (c < ' ') {
-            text.append(String.format("\\u%04x", c));
-        } else {
-            text.append((char) c);
-        }
     }
 
     @Override

@@ -38,7 +38,7 @@ class JsonTextTest {
     void quotesBackslashesAndControlsAreEscapedAndNothingElse() {
         String text = "a\"b\\c\n\t\u0000\u001f /\u007f\u00f1\ud83e\udd16";
         assertEquals(
-                "\"a\\\"b\\\\c\\u000a\\u0009\\u0000\\u001f /\u007f\u00f1\ud83e\udd16\"",
+                "\"a\\\"b\\\\c\\n\\t\\u0000\\u001f /\\u007f\u00f1\ud83e\udd16\"",
                 new JsonText().value(text).toString());
     }
 
