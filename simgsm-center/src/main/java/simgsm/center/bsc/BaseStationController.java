@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.rsl.RslElement;
@@ -69,13 +71,19 @@ public final class BaseStationController implements BroadcastChannel {
         this.known = known;
     }
 
-    /** A peer has said that it is a tower; an older link of the same unit id is replaced. */
+    /**
+     * A peer has said that it is a tower; an older link of the same unit id is replaced.
+     *
+     * @throws IllegalArgumentException if it cannot be one beside the others, which stay as they are
+     */
     public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
         TowerControl old = towers.get(identity.unitId());
         if (old != null) {
             old.replace();
         }
-        TowerControl tower = new TowerControl(this, peer, identity.unitId(), TowerPlan.of(identity, towers.size()));
+        TowerPlan plan = TowerPlan.of(identity, towers.size());
+        checkFrequencies(plan);
+        TowerControl tower = new TowerControl(this, peer, identity.unitId(), plan);
         towers.put(identity.unitId(), tower);
         LOG.log(
                 Level.INFO,
@@ -87,6 +95,13 @@ public final class BaseStationController implements BroadcastChannel {
         listNeighbours(tower);
         tower.start();
         return tower;
+    }
+
+    /** All cells must fit one frequency list, because each lists all others. */
+    private void checkFrequencies(TowerPlan newcomer) {
+        Set<Integer> frequencies = new TreeSet<>(Set.of(newcomer.cell().frequency()));
+        towers.values().forEach(tower -> frequencies.add(tower.plan().cell().frequency()));
+        FrequencyList.encode(frequencies);
     }
 
     void towerLost(TowerControl tower) {

@@ -3,6 +3,9 @@ package simgsm.center.bsc;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
@@ -40,6 +43,20 @@ class TowerDialogueTest {
     }
 
     @Test
+    void aTowerWhoseFrequencyFitsNoListWithTheOthersIsRefusedAndTheOthersStay() {
+        TestTower west = stage.west();
+        west.received.clear();
+
+        TestTower far = stage.tower("far arfcn=900 bsic=1 lac=1", "7000/0/0");
+
+        assertTrue(
+                far.closedFor.orElse("").startsWith("is no tower: the neighbours' ARFCNs 100 to 900"),
+                far.closedFor.toString());
+        west.quiet();
+        assertEquals(Set.of("west"), stage.exchange.towers().keySet());
+    }
+
+    @Test
     void locationUpdatingRunsFromTheChannelRequestToTheFreeChannel() {
         TestTower west = stage.west();
         west.received.clear();
@@ -60,10 +77,10 @@ class TowerDialogueTest {
         west.quiet();
         stage.passMillis(1);
         west.down("082e 0120");
-        assertEquals(java.util.Map.of("west", 10L), stage.exchange.towers());
+        assertEquals(Map.of("west", 10L), stage.exchange.towers());
         west.up("0833 0120");
-        assertEquals(java.util.Map.of("west", 11L), stage.exchange.towers());
-        assertEquals(java.util.List.of(new ExchangeEvent.Attached(new Msisdn("5550100"))), stage.events);
+        assertEquals(Map.of("west", 11L), stage.exchange.towers());
+        assertEquals(List.of(new ExchangeEvent.Attached(new Msisdn("5550100"))), stage.events);
     }
 
     @Test
