@@ -48,12 +48,6 @@ final class LessonResult {
         return text + Event.of("hash").with("sha256", hash(text.toString())).toString() + "\n";
     }
 
-    /** Whether the last line of a result holds the hash of those above it. */
-    static boolean isUnchanged(String text) {
-        int last = text.stripTrailing().lastIndexOf('\n') + 1;
-        return text.substring(last).strip().equals("hash sha256=" + hash(text.substring(0, last)));
-    }
-
     private static String hash(String text) {
         try {
             return HexFormat.of()
