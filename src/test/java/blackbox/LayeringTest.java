@@ -107,7 +107,6 @@ class LayeringTest {
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simrobot.behaviour       :
             simrobot.world           :
-            simrobot.worlds          :
             simrobot.bitmap          : simgsm.octets simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world
