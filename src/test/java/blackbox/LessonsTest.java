@@ -85,6 +85,25 @@ class LessonsTest {
     }
 
     @Test
+    void aStudentsFileCannotSendWhatIsToBeFound(@TempDir Path folder) throws Exception {
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("act send {hex}"));
+        FinishedProgram run = FinishedProgram.run(
+                "simgsm-center", "--lesson", "write-a-submit", "--check", solution.toString(), "--lang", "en");
+        assertEquals(1, run.status(), run.output() + run.error());
+        assertTrue(run.output().contains("check step=decoded result=fail"), run.output());
+    }
+
+    @Test
+    void linesThatLackWordsAreNamed(@TempDir Path folder) throws Exception {
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("tool"));
+        FinishedProgram run = FinishedProgram.run(
+                "simgsm-center", "--lesson", "twelve-keys", "--check", solution.toString(), "--lang", "en");
+        assertEquals(1, run.status(), run.output() + run.error());
+        assertTrue(run.error().contains("line 1: expected more words"), run.error());
+        assertTrue(run.output().contains("score=0 of=7"), run.output());
+    }
+
+    @Test
     void anUnknownLessonIsAUsageError() throws Exception {
         FinishedProgram run = FinishedProgram.run("simgsm-center", "--lesson", "nothing", "--check", "right");
         assertEquals(2, run.status(), run.error());

@@ -17,6 +17,8 @@ public final class ChildPrograms implements AutoCloseable {
     private static final long FAREWELL_MILLIS = 8_000;
     private final ProgramFolder programs;
     private final List<Child> started = new CopyOnWriteArrayList<>();
+    /** They read no input, so its end does not end them. */
+    private final List<Process> tools = new CopyOnWriteArrayList<>();
 
     private record Child(String jar, String number, Process process) {}
 
@@ -71,13 +73,15 @@ public final class ChildPrograms implements AutoCloseable {
         return start(command, arguments, folder);
     }
 
-    private static Process start(List<String> command, List<String> arguments, Path folder) throws IOException {
+    private Process start(List<String> command, List<String> arguments, Path folder) throws IOException {
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .directory(folder.toFile())
                 .redirectErrorStream(true)
                 .start();
         process.getOutputStream().close();
+        tools.removeIf(tool -> !tool.isAlive());
+        tools.add(process);
         return process;
     }
 
@@ -89,9 +93,10 @@ public final class ChildPrograms implements AutoCloseable {
                 .findFirst();
     }
 
-    /** Closes their standard input, and destroys those that have not ended after 8 s. */
+    /** Closes their standard input, and destroys those that have not ended after 8 s; tools at once. */
     @Override
     public void close() {
+        tools.forEach(Process::destroyForcibly);
         for (Child child : started) {
             try {
                 child.process.getOutputStream().close();

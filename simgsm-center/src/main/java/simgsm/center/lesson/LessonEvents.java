@@ -17,6 +17,9 @@ import simgsm.lesson.LessonRun;
 final class LessonEvents {
     private static final System.Logger LOG = System.getLogger(LessonEvents.class.getName());
 
+    /** Events of a source that nothing has waited for yet; the oldest are dropped. */
+    private static final int MOST_UNREAD = 10_000;
+
     private final LessonRun run;
     private final Map<String, ArrayDeque<Event>> unread = new HashMap<>();
     private final Set<String> ended = new HashSet<>();
@@ -42,7 +45,11 @@ final class LessonEvents {
         Runnable listener;
         synchronized (this) {
             run.event(source, event);
-            unread.computeIfAbsent(source, key -> new ArrayDeque<>()).addLast(event);
+            ArrayDeque<Event> queue = unread.computeIfAbsent(source, key -> new ArrayDeque<>());
+            queue.addLast(event);
+            if (queue.size() > MOST_UNREAD) {
+                queue.removeFirst();
+            }
             listener = event.name().equals("lesson")
                     ? () -> chosen.accept(event.fields().getOrDefault("name", ""))
                     : changed;

@@ -198,8 +198,11 @@ final class LessonSession implements AutoCloseable {
     }
 
     /** {@code give FILE}: copies a file that the student has chosen into the lesson's folder. */
-    private void give(String file) throws IOException {
+    private void give(String file) throws LessonFailure, IOException {
         Path from = Path.of(file);
+        if (!Files.isRegularFile(from)) {
+            throw new LessonFailure("expected a file, found " + (file.isEmpty() ? "nothing" : file));
+        }
         Path to = folder.resolve(from.getFileName());
         if (!from.toAbsolutePath().equals(to.toAbsolutePath())) {
             Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);
@@ -288,7 +291,8 @@ final class LessonSession implements AutoCloseable {
         String input = parts.length == 2 ? parts[1].replace('\\', '/') : "";
         String name = input.substring(input.lastIndexOf('/') + 1).replaceFirst("[.][a-z]+$", "");
         for (String line : action.lines()) {
-            perform(replaced(line.replace("{input}", input).replace("{name}", name), true));
+            // The input comes last: a name in braces in it would be replaced by what the student has to find.
+            perform(replaced(line, true).replace("{input}", input).replace("{name}", name));
         }
     }
 
@@ -325,7 +329,11 @@ final class LessonSession implements AutoCloseable {
 
     private static List<String> words(String text) throws LessonFailure {
         try {
-            return new ConsoleCommand("", text).words();
+            List<String> words = new ConsoleCommand("", text).words();
+            if (words.isEmpty()) {
+                throw new LessonFailure("expected more words in this line");
+            }
+            return words;
         } catch (CommandException e) {
             throw new LessonFailure(e.getMessage());
         }

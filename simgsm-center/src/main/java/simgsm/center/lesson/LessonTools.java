@@ -1,16 +1,23 @@
 package simgsm.center.lesson;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import simgsm.center.app.ChildPrograms;
 import simgsm.console.Event;
 
 /** Runs tools in the folder of a lesson and makes an event of what they print. */
 final class LessonTools {
     private static final int PATIENCE_SECONDS = 60;
+    /** Octets of a tool's output that are kept. */
+    static final int MOST_OUTPUT = 1 << 20;
 
     private final ChildPrograms programs;
     private final Path folder;
@@ -59,11 +66,32 @@ final class LessonTools {
     }
 
     private static Printed ended(Process process) throws IOException, InterruptedException {
-        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+        return ended(process, PATIENCE_SECONDS);
+    }
+
+    /** Waits for the end of a program, and ends one that runs on: a student's program may never end, nor its output. */
+    static Printed ended(Process process, long seconds) throws IOException, InterruptedException {
+        FutureTask<byte[]> output = new FutureTask<>(() -> read(process.getInputStream()));
+        Thread reader = new Thread(output, "output of a tool");
+        reader.setDaemon(true);
+        reader.start();
+        try {
+            if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
+                throw new IOException("a tool has not ended within " + seconds + " s");
+            }
+            String text = new String(output.get(seconds, TimeUnit.SECONDS), StandardCharsets.UTF_8);
+            return new Printed(process.exitValue(), text);
+        } catch (ExecutionException | TimeoutException e) {
+            throw new IOException("the output of a tool cannot be read", e);
+        } finally {
             process.destroyForcibly();
-            throw new IOException("a tool has not ended within " + PATIENCE_SECONDS + " s");
         }
-        return new Printed(process.exitValue(), output);
+    }
+
+    /** The beginning of an output, which is read to its end. */
+    private static byte[] read(InputStream in) throws IOException {
+        byte[] first = in.readNBytes(MOST_OUTPUT);
+        in.transferTo(OutputStream.nullOutputStream());
+        return first;
     }
 }

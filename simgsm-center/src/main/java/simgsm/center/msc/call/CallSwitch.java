@@ -149,7 +149,9 @@ public final class CallSwitch implements LinkUser {
     }
 
     private void reach(NetworkCall call) {
-        if (divert(call, SsCode.FORWARDING_UNCONDITIONAL)) {
+        if (forwarding(call, SsCode.FORWARDING_UNCONDITIONAL).isPresent()) {
+            // Forwarded too often, the call ends: this subscriber is not to be rung.
+            fail(call, SsCode.FORWARDING_UNCONDITIONAL, Cause.CALL_REJECTED);
             return;
         }
         Optional<Link> location = subscriberOf(call).flatMap(mobility::locationOf);
