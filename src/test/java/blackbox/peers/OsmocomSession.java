@@ -7,6 +7,7 @@ import blackbox.ConsoleEvent;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,6 +22,7 @@ final class OsmocomSession extends Scenario {
 
     private final Path capture;
     private RunningProgram cells;
+    /** Where terminals connect. */
     private String cellsAddress;
 
     private OsmocomSession(Path capture) {
@@ -28,13 +30,13 @@ final class OsmocomSession extends Scenario {
         this.capture = capture;
     }
 
-    /** @param args what to play, session or crowd, and the capture to write */
+    /** @param args what to play, session, crowd or halves, and the capture to write */
     public static void main(String[] args) throws Exception {
         try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
-            if (args[0].equals("crowd")) {
-                session.crowd();
-            } else {
-                session.play();
+            switch (args[0]) {
+                case "crowd" -> session.crowd();
+                case "halves" -> session.halves();
+                default -> session.play();
             }
         }
     }
@@ -69,8 +71,12 @@ final class OsmocomSession extends Scenario {
     }
 
     private void openCells(Path town) {
+        openCells("cells", town);
+    }
+
+    private void openCells(String name, Path town) {
         cells = start(
-                "cells",
+                name,
                 "simgsm-cells",
                 "--headless",
                 "--town",
@@ -120,9 +126,7 @@ final class OsmocomSession extends Scenario {
     private void awaitIdle() {
         String state;
         do {
-            cells.say("mobiles");
-            state = cells.expect("mobile", "number", PHONE).field("state");
-            cells.expect("end");
+            state = place(cells, PHONE).field("state");
         } while (!state.equals("idle"));
     }
 
@@ -140,6 +144,44 @@ final class OsmocomSession extends Scenario {
         phone.expect("tone", "key", "3");
         robot.expect("pose", "heading", "270.00");
         tell("handed over in the middle of an order; speech gap " + gap + " ms; the next order was done");
+    }
+
+    /** Two cells programs, each with one of the village's towers: the phone is on the one, the robot on the other. */
+    private void halves() throws IOException, InterruptedException {
+        openCells("west cells", half("west"));
+        RunningProgram west = cells;
+        RunningProgram phone = terminal("phone", "simgsm-phone", PHONE);
+        openCells("east cells", half("east"));
+        RunningProgram robot = terminal(
+                "robot", "simrobot", ROBOT, "--world", world("empty.map").toString(), "--answer-after", "1500");
+        assertEquals("east", place(cells, ROBOT).field("cell"));
+        RunningProgram east = cells;
+        cells = west;
+        assertEquals("west", place(west, PHONE).field("cell"));
+        order(phone, robot);
+        phone.say("hangup");
+        phone.expect("released", "cause", "16");
+        robot.expect("released", "cause", "16");
+        tell("two cells programs on one core: an order by short message and a call with an order went from one to the other");
+        assertEquals(0, phone.quit());
+        assertEquals(0, robot.quit());
+        assertEquals(0, west.quit());
+        assertEquals(0, east.quit());
+    }
+
+    /** The village's town file with one of its towers only. */
+    private Path half(String tower) throws IOException {
+        List<String> lines = Files.readAllLines(world("village.town"));
+        lines.removeIf(line -> line.startsWith("tower ") && !line.startsWith("tower " + tower + " "));
+        return Files.write(capture.resolveSibling(tower + ".town"), lines);
+    }
+
+    /** What a cells program says of a mobile. */
+    private static ConsoleEvent place(RunningProgram cells, String number) {
+        cells.say("mobiles");
+        ConsoleEvent mobile = cells.expect("mobile", "number", number);
+        cells.expect("end");
+        return mobile;
     }
 
     /** A hundred phones register and send each other a hundred messages. */

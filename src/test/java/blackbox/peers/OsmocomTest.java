@@ -50,6 +50,13 @@ class OsmocomTest {
         assertTrue(told.contains("100 phones: "), told);
     }
 
+    @Test
+    void twoCellsProgramsShareOneCore(@TempDir Path folder) throws Exception {
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told = session(folder, "halves", town, "5550100,5550200");
+        assertTrue(told.contains("two cells programs on one core: "), told);
+    }
+
     /** Runs {@link OsmocomSession} beside a core for a town's towers. */
     private static String session(Path folder, String kind, Path town, String numbers)
             throws IOException, InterruptedException {
