@@ -162,7 +162,8 @@ final class OsmocomSession extends Scenario {
         phone.say("hangup");
         phone.expect("released", "cause", "16");
         robot.expect("released", "cause", "16");
-        tell("two cells programs on one core: an order by short message and a call with an order went from one to the other");
+        tell(
+                "two cells programs on one core: an order by short message and a call with an order went from one to the other");
         assertEquals(0, phone.quit());
         assertEquals(0, robot.quit());
         assertEquals(0, west.quit());
