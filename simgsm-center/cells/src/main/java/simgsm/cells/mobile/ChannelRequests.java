@@ -31,7 +31,6 @@ final class ChannelRequests implements AccessUser {
     private final Timers timers;
     private final Outcome outcome;
     private final Deque<RequestReference> sent = new ArrayDeque<>();
-    /** Null while no access is under way. */
     private BaseStation tower;
 
     private int cause;
@@ -58,6 +57,11 @@ final class ChannelRequests implements AccessUser {
         delay = timingAdvance;
         left = 1 + parameters().attempts();
         schedule(delayNanos + spread(parameters().spreadSlots()));
+    }
+
+    /** The tower that is asked; null while no access is under way. */
+    BaseStation tower() {
+        return tower;
     }
 
     boolean isUnderWay() {

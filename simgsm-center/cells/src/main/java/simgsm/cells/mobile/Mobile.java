@@ -324,8 +324,9 @@ public final class Mobile {
     }
 
     private void establish() {
+        // Idle mode goes on during the access, and may have chosen another cell by now.
+        BaseStation tower = requests.tower();
         requests.end();
-        BaseStation tower = network.towers().get(selection.serving());
         Optional<TowerChannel> assigned =
                 tower.channel(granted.channel().channel()).filter(active -> !active.isUsed());
         if (assigned.isEmpty()) {

@@ -109,6 +109,33 @@ class CellNetworkTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"east", ""})
+    void aGrantCountsAtTheTowerThatWasAskedWhateverCellIdleModeHasChosenSince(String chosen) throws ProtocolViolation {
+        TownScene scene = new TownScene();
+        scene.network.place("5550100", new TownPlace(500, 0));
+        TownScene.Terminal terminal = scene.new Terminal("5550100");
+        terminal.register();
+        RequestReference refused = scene.west.expectAccess();
+        scene.west.down(RslPdu.of(RslType.IMMEDIATE_ASSIGN_COMMAND, ChannelNumber.of(Kind.PCH_AGCH, 0))
+                .with(RslElement.FULL_IMMEDIATE_ASSIGN, new ImmediateAssignmentReject(List.of(refused), 20).encode()));
+        if (chosen.isEmpty()) {
+            scene.network.place("5550100", new TownPlace(200_000, 0));
+        } else {
+            scene.network.place("5550100", new TownPlace(3_500, 0));
+        }
+        RequestReference reference = scene.west.expectAccess();
+        assertEquals(chosen, terminal.mobile.cell());
+        scene.network.place("5550100", new TownPlace(500, 0));
+        scene.east.activate(SDCCH, 0, Optional.empty());
+        scene.west.activate(SDCCH, 0, Optional.empty());
+        scene.west.grant(SDCCH, reference);
+
+        assertEquals(SDCCH, scene.west.expect(RslType.ESTABLISH_INDICATION).channel());
+        scene.east.expectNothing();
+        assertEquals("west", terminal.mobile.cell());
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"MOBILE_ORIGINATED_CALL 7", "SHORT_MESSAGE 1"})
     void theCauseOfAChannelRequestTellsTheService(String row) throws ProtocolViolation {
         String[] words = row.split(" ");

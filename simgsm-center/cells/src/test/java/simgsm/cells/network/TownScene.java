@@ -188,7 +188,7 @@ final class TownScene {
         }
 
         void passUntilSent() {
-            for (int i = 0; up.isEmpty() && i < 10_000; i++) {
+            for (int i = 0; up.isEmpty() && i < 30_000; i++) {
                 pass(MILLI);
             }
         }
