@@ -14,6 +14,9 @@ public final class TownReader {
 
     private static final double SIDE_MAX_METRES = 100_000;
     private static final double STRIP_METRES = 1_000;
+    /** A mobile that walks to and fro must get somewhere. */
+    private static final double SHORTEST_WALK_METRES = 1;
+
     private static final int FIRST_SITE = 6969;
     private static final int LARGEST_16_BIT = 0xFFFF;
     /** LAC 0 and 0xFFFE are reserved (TS 23.003, 4.1). */
@@ -203,6 +206,9 @@ public final class TownReader {
         }
         if (points.size() < 2) {
             throw line.fault(points.size() + " points", "at least two points X Y");
+        }
+        if (new Walk(walk, "", 1, points).lengthMetres() < SHORTEST_WALK_METRES) {
+            throw line.fault("points at one place", "a walk of at least 1 m");
         }
         double speed = line.setting("speed", 1.5, 0.01, 150);
         String number = line.text("number", "");

@@ -89,6 +89,7 @@ class TownReaderTest {
                 "timeout 10|\"10.0\"|SACCH blocks, 4 to 64 in steps of 4",
                 "mobile anna 0 0|\"anna\"|a telephone number of 1 to 15 digits",
                 "walk w 0 0|1 points|at least two points X Y",
+                "walk w 5 5 5 5|points at one place|a walk of at least 1 m",
                 "walk w 0 0 1|the line's end|y of point 2 in metres",
                 "shadow NaN|\"NaN\"|the standard deviation in dB, a finite number",
                 "building b 0 0 1 1 2|\"2\"|settings of [loss]",
