@@ -154,6 +154,9 @@ final class SystemInformationCodec {
         int second = in.octet("control channel description");
         ControlChannel control = new ControlChannel(
                 (first & 0x40) != 0, first >> 3 & 7, (first & 7) == COMBINED, (second & 7) + 2, in.octet("T3212"));
+        if (control.pagingBlocks() < 1) {
+            throw ProtocolViolation.invalid("a control channel description without a block for paging");
+        }
         int timeout = readTimeout(in);
         int power = in.octet("cell selection");
         int access = in.octet("cell selection");

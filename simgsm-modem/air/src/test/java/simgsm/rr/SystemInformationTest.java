@@ -77,7 +77,17 @@ class SystemInformationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "49", "49061b", "49061b1b3900f110", "49061d8000", "4906 1b1b39ffffff00014900000000"})
+    @ValueSource(
+            strings = {
+                "",
+                "49",
+                "49061b",
+                "49061b1b3900f110",
+                "49061d8000",
+                "4906 1b1b39ffffff00014900000000",
+                // Combined common channels, all 7 blocks for access grant.
+                "4906 1b1b3900f1100001790305274e40e50400292b2b2b"
+            })
     void brokenInformationIsRefused(String hex) {
         assertThrows(ProtocolViolation.class, () -> SystemInformation.decode(OctetString.ofHex(hex.replace(" ", ""))));
     }
