@@ -1,5 +1,6 @@
 package simgsm.center.bsc;
 
+import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
@@ -30,6 +31,8 @@ import simgsm.timer.Timer;
 
 /** One mobile's radio connection: {@link ConnectionTable} driven by its channels, its messages and the exchange. */
 final class RadioConnection {
+    private static final System.Logger LOG = System.getLogger(RadioConnection.class.getName());
+
     private static final int SAPI_0 = 0;
     /** MS power control level in commands. */
     private static final int POWER_LEVEL = 14;
@@ -197,7 +200,8 @@ final class RadioConnection {
             }
             case HANDOVER_DETECTION -> isDetected |= from == target;
             case MEASUREMENT_RESULT -> measured(from, message);
-            default -> from.tower().violated("reports " + message.type().title() + " on " + from.number());
+            // ERROR INDICATION: a mobile's link layer has failed, which is no protocol error of the tower.
+            default -> LOG.log(Level.DEBUG, "{0}: {1}", this, message.type().title());
         }
     }
 
