@@ -81,7 +81,7 @@ public final class BaseStationController implements BroadcastChannel {
         if (old != null) {
             old.replace();
         }
-        TowerPlan plan = TowerPlan.of(identity, towers.size());
+        TowerPlan plan = planOf(identity);
         checkFrequencies(plan);
         TowerControl tower = new TowerControl(this, peer, identity.unitId(), plan);
         towers.put(identity.unitId(), tower);
@@ -95,6 +95,19 @@ public final class BaseStationController implements BroadcastChannel {
         listNeighbours(tower);
         tower.start();
         return tower;
+    }
+
+    /** What the tower tells; the rest from the first position whose cell no other tower has. */
+    private TowerPlan planOf(CcmMessage.IdentityResponse identity) {
+        TowerPlan plan = TowerPlan.of(identity, 0);
+        for (int position = 1; position <= towers.size() && hasTower(plan.cell()); position++) {
+            plan = TowerPlan.of(identity, position);
+        }
+        return plan;
+    }
+
+    private boolean hasTower(RadioResource.CellDescription cell) {
+        return towers.values().stream().anyMatch(tower -> tower.plan().cell().equals(cell));
     }
 
     /** All cells must fit one frequency list, because each lists all others. */

@@ -9,8 +9,8 @@ import simgsm.air.LocationArea;
 import simgsm.air.RadioResource.CellDescription;
 
 /**
- * A tower's place in the network. A tower that tells nothing but its unit id gets ARFCN 100, 110 ... and BSIC 10, 11 ... in the order
- * of connection, location area 1.
+ * A tower's place in the network. A tower that tells nothing but its unit id gets the first of ARFCN 100 with BSIC 10, 110 with
+ * 11 ... that no connected tower has, and location area 1.
  *
  * @param cell ARFCN of its one carrier, and BSIC
  * @param cellIdentity 0 to 65535
@@ -29,7 +29,7 @@ record TowerPlan(
         int hysteresisDecibels) {
     private static final int TIMESLOTS = 8;
 
-    /** The plan of a tower. @param position of the tower among those connected, from 0 */
+    /** The plan of a tower. @param position from 0, which gives what the tower does not tell */
     static TowerPlan of(CcmMessage.IdentityResponse identity, int position) {
         TowerIdentity tower = TowerIdentity.of(identity, position);
         return new TowerPlan(

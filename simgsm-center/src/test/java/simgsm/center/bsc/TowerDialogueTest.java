@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import simgsm.abis.rsl.RslType;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
 
@@ -40,6 +42,36 @@ class TowerDialogueTest {
                 "0c1101801e02271759061a00000008000000000000000000000000ffe50400",
                 "101a1e050b001349061d10000008000000000000000000000000");
         east.quiet();
+    }
+
+    @Test
+    void aTowerThatTellsNoCellGetsOneThatNoOtherHasAlsoWhenItComesBack() {
+        TestTower first = stage.tower("", "6969/0/0");
+        TestTower second = stage.tower("", "6970/0/0");
+        second.received.clear();
+        first.vanish();
+        second.received.clear();
+
+        stage.tower("", "6969/0/0");
+
+        // The neighbour that came back is ARFCN 100 again, and not the 110 of this cell.
+        second.down(
+                "0c1101801e02271759061a00000008000000000000000000000000ffe50400",
+                "101a1e050b001349061d10000008000000000000000000000000");
+        second.quiet();
+    }
+
+    @Test
+    void linkErrorsOfMobilesDoNotCountAgainstTheirTower() {
+        TestTower west = stage.west();
+        String channel = west.access("05", "0508 70 00f110 fffe 33 " + TestTower.imsi("5550100"));
+        for (int i = 0; i < 200; i++) {
+            west.up("0203 01" + channel + "0200 160101");
+        }
+
+        assertEquals(Optional.empty(), west.closedFor);
+        west.tell(channel, "0559 08 " + TowerStage.IMEI);
+        west.next(RslType.DATA_REQUEST);
     }
 
     @Test
