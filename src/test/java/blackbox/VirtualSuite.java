@@ -77,15 +77,15 @@ public final class VirtualSuite {
         this(trace, home, journal, 0, VeriCommandSettings.OnHangup.STOP);
     }
 
-    /** With the robot in a world, at its first home. The modem rings. */
-    public VirtualSuite(World world, int answerAfterMillis) {
+    /** With the robot in a world, at its first home, and its texts in a language. The modem rings. */
+    public VirtualSuite(World world, int answerAfterMillis, Locale language) {
         this(
                 new Simulation(world, 1),
                 SuiteTrace.NONE,
                 HomeRegister.OPEN,
                 Optional.empty(),
                 answerAfterMillis,
-                VeriCommandSettings.OnHangup.STOP);
+                new VeriCommandSettings(language, Set.of(), VeriCommandSettings.OnHangup.STOP));
     }
 
     private VirtualSuite(
@@ -95,7 +95,13 @@ public final class VirtualSuite {
             int answerAfterMillis,
             VeriCommandSettings.OnHangup onHangup,
             String... operators) {
-        this(new Simulation(World.bare(), 1), trace, home, journal, answerAfterMillis, onHangup, operators);
+        this(
+                new Simulation(World.bare(), 1),
+                trace,
+                home,
+                journal,
+                answerAfterMillis,
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup));
     }
 
     private VirtualSuite(
@@ -104,8 +110,7 @@ public final class VirtualSuite {
             HomeRegister home,
             Optional<Path> journal,
             int answerAfterMillis,
-            VeriCommandSettings.OnHangup onHangup,
-            String... operators) {
+            VeriCommandSettings settings) {
         this.simulation = simulation;
         this.trace = trace;
         center = new VirtualCenter(underWay, () -> nowNanos, trace, home, journal);
@@ -115,7 +120,7 @@ public final class VirtualSuite {
                 identity(ROBOT, "SimGSM robot"),
                 Sim.WITHOUT_KEY,
                 new ModemOptions(StationOptions.STANDARD, answerAfterMillis),
-                new VeriCommandSettings(Locale.ENGLISH, Set.of(operators), onHangup),
+                settings,
                 new ControlThreads(underWay::add, underWay::add, () -> nowNanos));
         telephone.listen(event -> robotLine(event.line("robot").toString()));
         connect(telephone.station());

@@ -27,7 +27,7 @@ final class FilmedSession {
      * @param taken run on the event thread every 0.2 s of the session, when the windows show its state
      */
     FilmedSession(Path worlds, Locale language, Consumer<SuitePicture> taken) throws IOException {
-        suite = new VirtualSuite(WorldReader.read(worlds.resolve("demo.map")), RINGING_MILLIS);
+        suite = new VirtualSuite(WorldReader.read(worlds.resolve("demo.map")), RINGING_MILLIS, language);
         phone = suite.phone(VirtualSuite.PHONE);
         this.taken = taken;
         SuitePicture[] made = new SuitePicture[1];

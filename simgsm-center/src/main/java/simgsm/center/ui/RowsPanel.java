@@ -42,7 +42,6 @@ final class RowsPanel<T> extends JPanel {
         model = new RowsModel<>(columns);
         table = ComponentNames.name(new EmptyTable(empty), name, title);
         table.setModel(model);
-        table.setDefaultRenderer(Object.class, new CellRenderer());
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
         table.getTableHeader().setReorderingAllowed(false);
@@ -108,6 +107,13 @@ final class RowsPanel<T> extends JPanel {
 
         EmptyTable(String empty) {
             this.empty = empty;
+        }
+
+        /** A look that goes takes the renderers with it. */
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setDefaultRenderer(Object.class, new CellRenderer());
         }
 
         @Override

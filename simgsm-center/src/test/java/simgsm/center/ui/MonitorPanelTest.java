@@ -164,6 +164,20 @@ class MonitorPanelTest {
         assertEquals("5550200", String.valueOf(subscribers.getValueAt(0, 0)));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"subscribers", "ladder.detail"})
+    void aTableKeepsItsCellsWhenTheThemeChanges(String name) {
+        panel.show(Scene.busy());
+        find("ladder.list", JList.class).setSelectedIndex(1);
+        JTable table = find(name, JTable.class);
+        Class<?> cells = table.getDefaultRenderer(Object.class).getClass();
+
+        Theme.install(Appearance.DARK);
+        SwingUtilities.updateComponentTreeUI(panel);
+
+        assertEquals(cells, table.getDefaultRenderer(Object.class).getClass());
+    }
+
     @Test
     void theLadderHoldsEveryMessageAndTellsTheChosenOne() {
         panel.show(Scene.busy());

@@ -30,7 +30,6 @@ final class FieldTable extends JTable {
         setTableHeader(null);
         setShowGrid(false);
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        setDefaultRenderer(Object.class, cell);
         setAutoResizeMode(AUTO_RESIZE_LAST_COLUMN);
         setIntercellSpacing(new Dimension());
         setFillsViewportHeight(true);
@@ -73,6 +72,8 @@ final class FieldTable extends JTable {
     @Override
     public void updateUI() {
         super.updateUI();
+        // A look that goes takes the renderers with it.
+        setDefaultRenderer(Object.class, new Cell());
         laidOutWidth = -1;
         setBackground(Theme.color(Ink.CARD));
     }
