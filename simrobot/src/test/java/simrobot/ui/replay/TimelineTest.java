@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
@@ -111,7 +114,12 @@ class TimelineTest {
         for (String name : List.of("tool.power", "tool.motors", "tool.brake", "tool.world", "tool.record")) {
             assertFalse(bench.component(name).isVisible(), name);
         }
-        assertFalse(bench.component("robot.add").getParent().isVisible());
+        for (String name : List.of("robot.add", "robot.remove", "robot.restore")) {
+            assertTrue(
+                    Stream.<Component>iterate(bench.component(name), Objects::nonNull, Component::getParent)
+                            .anyMatch(part -> !part.isVisible()),
+                    name);
+        }
         var robot = bench.simulation.robots().get(0);
         bench.floor().nudge(1, 0, 0);
         assertEquals(0, robot.xMeters());
