@@ -23,15 +23,23 @@ final class TowerStage {
     final List<ExchangeEvent> events = new ArrayList<>();
     private final Deque<Long> uncommitted = new ArrayDeque<>();
     long nowNanos;
-    final Exchange exchange = new Exchange(
-            new ExchangeSettings(
-                    "SimGSM",
-                    new SplittableRandom(1),
-                    Instant.parse("2026-11-21T12:00:00Z"),
-                    HomeRegister.OPEN,
-                    Optional.empty()),
-            (ticket, entries) -> uncommitted.add(ticket),
-            events::add);
+    final Exchange exchange;
+
+    TowerStage() {
+        this(HomeRegister.OPEN);
+    }
+
+    TowerStage(HomeRegister home) {
+        exchange = new Exchange(
+                new ExchangeSettings(
+                        "SimGSM",
+                        new SplittableRandom(1),
+                        Instant.parse("2026-11-21T12:00:00Z"),
+                        home,
+                        Optional.empty()),
+                (ticket, entries) -> uncommitted.add(ticket),
+                events::add);
+    }
 
     /** The towers of the recorded dialogues. */
     TestTower west() {

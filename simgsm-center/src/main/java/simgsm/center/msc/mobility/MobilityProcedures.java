@@ -148,8 +148,20 @@ public final class MobilityProcedures implements LinkUser {
 
     /** The mobile has answered paging. */
     public void receivePagingResponse(Link link, RadioResource.PagingResponse response) {
-        if (isSubscriberOf(link, response.identity())) {
+        if (!isSubscriberOf(link, response.identity())) {
+            return;
+        }
+        Optional<SimCard> card = register.home().cardOf(link.subscriber().imsi());
+        if (card.isEmpty() || !link.access().isShared()) {
             heard(link);
+        } else {
+            authenticate(link, card.get(), hasKey -> {
+                if (hasKey) {
+                    heard(link);
+                } else {
+                    refuse(link);
+                }
+            });
         }
     }
 
@@ -177,23 +189,35 @@ public final class MobilityProcedures implements LinkUser {
             return;
         }
         Optional<SimCard> card = register.home().cardOf(link.subscriber().imsi());
-        if (card.isEmpty() || authenticationOf(link).useKey(request.keySequence())) {
+        // Any mobile of a tower can name the identity and key number of another, which are not ciphered.
+        boolean isKeyTrusted =
+                !link.access().isShared() && authenticationOf(link).useKey(request.keySequence());
+        if (card.isEmpty() || isKeyTrusted) {
             grant(link);
         } else {
             authenticate(link, card.get(), hasKey -> serviceAuthenticated(link, hasKey));
         }
     }
 
-    /** A card without its key is not the registered one, which is detached (TS 24.008, 4.3.2.5). */
     private void serviceAuthenticated(Link link, boolean hasKey) {
         if (hasKey) {
             grant(link);
         } else {
-            link.send(new MobilityManagement.AuthenticationReject());
-            link.loseTransactions();
-            detach(link);
-            link.radio().release();
+            refuse(link);
         }
+    }
+
+    /**
+     * A card without its key is not the registered one. On a terminal's own link it has taken that one's place, which is detached
+     * (TS 24.008, 4.3.2.5); over towers the registered one stays attached.
+     */
+    private void refuse(Link link) {
+        link.send(new MobilityManagement.AuthenticationReject());
+        link.loseTransactions();
+        if (!link.access().isShared()) {
+            detach(link);
+        }
+        link.radio().release();
     }
 
     private void grant(Link link) {

@@ -1,0 +1,97 @@
+package simgsm.center.bsc;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Imsi;
+import simgsm.air.Msisdn;
+import simgsm.center.msc.ExchangeEvent;
+import simgsm.center.subscriber.HomeRegister;
+import simgsm.octets.OctetString;
+import simgsm.sim.GsmVector;
+import simgsm.sim.SimCard;
+import simgsm.sim.Subscription;
+
+/** A closed network over towers, where a mobile may name the identity of another. */
+class TowerAuthenticationTest {
+    private static final SimCard ANA = card("5550100", 1);
+    private static final SimCard EVA = card("5550200", 2);
+    private static final String SERVICE = "0524 14 03331981 05f4";
+
+    private final TowerStage stage = new TowerStage(
+            HomeRegister.closed(List.of(new Subscription(ANA, false), new Subscription(EVA, false)), List.of()));
+    private final TestTower west = stage.west();
+
+    private static SimCard card(String number, int key) {
+        OctetString k = OctetString.ofHex(String.format("%032x", key));
+        return new SimCard(Imsi.ofOpenNumber(new Msisdn(number)), new Msisdn(number), k, k);
+    }
+
+    /** Answers the challenge that must come next. @param header of the answer, with its sequence number */
+    private void prove(SimCard card, String channel, String header) {
+        String request = west.nextLayer3();
+        assertTrue(request.startsWith("0512"), request);
+        OctetString rand = OctetString.ofHex(request.substring(6));
+        west.tell(channel, header + GsmVector.of(card.functions(), rand).sres());
+    }
+
+    private String register(SimCard card, String imei) {
+        String channel = west.access(
+                "05", "0508 70 00f110 fffe 33 " + TestTower.imsi(card.number().digits()));
+        prove(card, channel, "0554");
+        assertEquals("051802", west.nextLayer3());
+        west.tell(channel, "0519 08 " + imei);
+        String accept = west.nextLayer3();
+        west.tell(channel, "055b");
+        west.leave(channel);
+        return accept.substring(accept.length() - 8);
+    }
+
+    @Test
+    void aMobileThatNamesAnothersIdentityAndKeyNumberIsChallengedAndTheOtherStaysAttached() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+
+        String channel = west.access("11", SERVICE + tmsi);
+        prove(EVA, channel, "0554");
+
+        assertEquals("0511", west.nextLayer3());
+        assertEquals("060d00", west.nextLayer3());
+        assertEquals(List.of(new ExchangeEvent.Attached(ANA.number())), stage.events);
+    }
+
+    @Test
+    void aCardThatAnswersThePagingOfAnotherGetsNoMessage() {
+        String answer = answerPaging();
+        prove(ANA, answer, "0514");
+
+        assertEquals("0511", west.nextLayer3());
+        assertFalse(isSapi3Opened(answer));
+    }
+
+    @Test
+    void theCardThatIsPagedGetsItsMessageAfterAChallenge() {
+        String answer = answerPaging();
+        prove(EVA, answer, "0514");
+
+        assertTrue(isSapi3Opened(answer), west.received.toString());
+    }
+
+    /** A message from the first card for the second, whose paging is answered. @return the channel */
+    private String answerPaging() {
+        String sender = register(ANA, TowerStage.IMEI);
+        String receiver = register(EVA, TowerStage.OTHER_IMEI);
+        String channel = west.access("11", SERVICE + sender);
+        prove(ANA, channel, "0554");
+        assertEquals("0521", west.nextLayer3());
+        west.up("0206 01" + channel + "0203");
+        west.tellSms(channel, "3901 17 00 01 00 0291f1 10 1101 0781 550502f0 0000 a7 04 f4f29c0e");
+        return west.access("91", "0627 07 03331981 05f4" + receiver);
+    }
+
+    private boolean isSapi3Opened(String channel) {
+        return west.received.contains(OctetString.ofHex("020401" + channel + "0203"));
+    }
+}
