@@ -137,6 +137,19 @@ public final class RunningProgram implements AutoCloseable {
         }
     }
 
+    /** Like {@link #expect}; returns the events passed over too, the match last. */
+    List<ConsoleEvent> expectAll(String event, String... keysAndValues) {
+        int from = position();
+        await(event, fields(keysAndValues), Set.of());
+        synchronized (this) {
+            return List.copyOf(events.subList(from, cursor));
+        }
+    }
+
+    private synchronized int position() {
+        return cursor;
+    }
+
     /** The first event of this name among all that have come, wherever the last match was. */
     public synchronized ConsoleEvent said(String event) {
         return events.stream()

@@ -56,7 +56,7 @@ final class RadioConnection {
     private OctetString firstMessage;
     private boolean isReleaseWaiting;
     private boolean isSpeechNeeded;
-    /** Whether the mobile has reached the target cell, so that its speech goes there. */
+    /** Whether the mobile has reached the target cell, so that its speech goes only there. */
     private boolean isDetected;
 
     private Timer guard;
@@ -137,9 +137,15 @@ final class RadioConnection {
         }
     }
 
+    /** While the mobile may be in either cell, speech goes to both, so that it does not miss what is sent before we know where it is. */
     void sendSpeech(byte[] rtp) {
-        DedicatedChannel current = isDetected && target != null ? target : channel;
-        current.speech().send(rtp);
+        boolean isMoving = target != null && machine.state() == ConnectionState.HANDING_OVER;
+        if (!isMoving || !isDetected) {
+            channel.speech().send(rtp);
+        }
+        if (isMoving) {
+            target.speech().send(rtp);
+        }
     }
 
     void heard(byte[] rtp) {
@@ -329,13 +335,13 @@ final class RadioConnection {
                 target.speech().create();
             }
             case COMMAND_HANDOVER -> {
+                target.speech().create();
                 command(new RadioResource.HandoverCommand(
                         target.tower().plan().cell(),
                         target.description(),
                         target.handoverReference(),
                         POWER_LEVEL,
                         Optional.of(RadioResource.SPEECH_FULL_RATE)));
-                target.speech().create();
             }
             case SWITCH -> switchChannels();
             case SEND_WAITING -> sendWaiting();

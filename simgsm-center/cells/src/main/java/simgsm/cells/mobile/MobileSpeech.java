@@ -11,9 +11,10 @@ import simgsm.timer.Timers;
 final class MobileSpeech {
     private static final long NANOS_PER_MILLI = 1_000_000;
     private static final int FRAME_MILLIS = 20;
-    private static final int SEQUENCE_MASK = 0xffff;
     /** A larger jump is another stream. */
     private static final int MOST_FRAMES = 500;
+    /** So is a larger jump back; 1 s, as in the terminals. */
+    private static final int MOST_REPEATED_FRAMES = 50;
 
     private static final long NONE = Long.MIN_VALUE;
 
@@ -56,32 +57,41 @@ final class MobileSpeech {
         isHandedOver = false;
     }
 
-    /** A frame reaches the terminal. */
+    /**
+     * A frame reaches the terminal. The controller may send frames into both cells of a handover; the first ones of the new cell
+     * are passed over if they were heard in the old one.
+     */
     void deliver(byte[] rtp) {
         long now = timers.nowNanos();
-        port.send(new IpaFrame(IpaFrame.SPEECH, rtp));
         if (isHandedOver) {
-            isHandedOver = false;
             int millis = gapMillis(rtp, now);
+            if (millis < 0) {
+                return;
+            }
+            isHandedOver = false;
             gap = OptionalInt.of(millis);
             gapEnded.accept(millis);
         }
+        port.send(new IpaFrame(IpaFrame.SPEECH, rtp));
         deliveredNanos = now;
         delivered = rtp;
     }
 
-    /** The frames that the terminal missed, counted by RTP; of another stream the time between the frames. */
+    /**
+     * How long the frames are that the terminal missed, counted by RTP; of another stream the time between the frames. Negative for a
+     * frame that it has heard.
+     */
     private int gapMillis(byte[] rtp, long nowNanos) {
         try {
             RtpPacket last = RtpPacket.decode(delivered);
             RtpPacket first = RtpPacket.decode(rtp);
-            int missed = first.sequence() - last.sequence() - 1 & SEQUENCE_MASK;
-            if (first.source() == last.source() && missed <= MOST_FRAMES) {
+            int missed = (short) (first.sequence() - last.sequence()) - 1;
+            if (first.source() == last.source() && missed >= -MOST_REPEATED_FRAMES && missed <= MOST_FRAMES) {
                 return missed * FRAME_MILLIS;
             }
         } catch (ProtocolViolation broken) {
             // The terminal drops it; the time tells the gap as well.
         }
-        return (int) (Math.max(0, nowNanos - deliveredNanos) / NANOS_PER_MILLI) - FRAME_MILLIS;
+        return Math.max(0, (int) ((nowNanos - deliveredNanos) / NANOS_PER_MILLI) - FRAME_MILLIS);
     }
 }

@@ -331,6 +331,28 @@ class CellNetworkTest {
         assertEquals(50 - gap / 20, terminal.heardNanos.size());
     }
 
+    @Test
+    void aFrameThatWasHeardInTheOldCellIsNotHeardAgainInTheNewOne() throws ProtocolViolation {
+        TownScene scene = new TownScene();
+        TownScene.Terminal terminal = scene.inCall();
+        scene.network.place("5550100", new TownPlace(2_200, 0));
+        scene.pass(480 * MILLI);
+        scene.east.activate(TCH, 2, Optional.of(77));
+        scene.connectSpeech(scene.east, TCH);
+        scene.west.speech.accept(speech(0xffff));
+        scene.commandHandover(77);
+        scene.pass(200 * MILLI);
+        assertEquals("east", terminal.mobile.cell());
+
+        scene.east.speech.accept(speech(0xfffe));
+        scene.east.speech.accept(speech(0xffff));
+        assertEquals(1, terminal.heardNanos.size());
+        scene.east.speech.accept(speech(3));
+
+        assertEquals(2, terminal.heardNanos.size());
+        assertTrue(scene.events.contains(new MobileEvent.SpeechGap(terminal.mobile, 60)));
+    }
+
     private static byte[] speech(int number) {
         byte[] frame = new byte[33];
         frame[0] = (byte) 0xd0;
