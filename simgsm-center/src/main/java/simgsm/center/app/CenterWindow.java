@@ -24,6 +24,7 @@ import simgsm.console.Arguments;
 import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowMemory;
 import simgsm.ui.window.WindowPlace;
 
 /** The centre with its window: performs the window's actions and waits for its end. */
@@ -45,9 +46,14 @@ public final class CenterWindow implements CenterActions {
      * What else happens with the centre and its window.
      *
      * @param opened run on the event thread when the window is made
+     * @param mayBeginLesson whether the window's help begins lessons, each of which ends what runs
      */
-    public record Watch(Consumer<ExchangeEvent> events, Consumer<ExchangeSnapshot> snapshots, Runnable opened) {
-        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {});
+    public record Watch(
+            Consumer<ExchangeEvent> events,
+            Consumer<ExchangeSnapshot> snapshots,
+            Runnable opened,
+            boolean mayBeginLesson) {
+        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {}, true);
     }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
@@ -74,7 +80,9 @@ public final class CenterWindow implements CenterActions {
         operator.children = children;
         center.publishSnapshots(watch.snapshots());
         center.start(watch.events());
-        window.onLesson(operator::beginLesson);
+        if (watch.mayBeginLesson()) {
+            window.onLesson(operator::beginLesson);
+        }
         AtomicBoolean isOpen = new AtomicBoolean();
         window.show(language -> {
             if (!isOpen.getAndSet(true)) {
@@ -186,6 +194,7 @@ public final class CenterWindow implements CenterActions {
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
         words.addAll(List.of("--zoom", String.valueOf(Math.round(Theme.zoom() * 100))));
         words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
+        words.addAll(WindowMemory.passedOn(arguments));
         children.start(jar, number, words, ProcessBuilder.Redirect.DISCARD);
     }
 

@@ -215,7 +215,8 @@ public final class ClassDemo {
                         screen.y(),
                         column,
                         screen.height(),
-                        () -> rows));
+                        () -> rows),
+                false);
         CenterWindow.run(programs.center(), arguments, settings, programs.children(), window, watch);
         printResults();
         return ExitStatus.OK;

@@ -15,6 +15,7 @@ import simgsm.center.app.ChildPrograms;
 import simgsm.center.app.HomeSettings;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.ui.window.WindowMemory;
 
 /** The demo's centre with its temporary data, and its phone and SimRobot as child processes. */
 public final class DemoPrograms implements AutoCloseable {
@@ -107,9 +108,7 @@ public final class DemoPrograms implements AutoCloseable {
         if (arguments.has("no-sound")) {
             words.add("--no-sound");
         }
-        if (!arguments.has("remember-as")) {
-            words.add("--fresh");
-        }
+        words.addAll(WindowMemory.passedOn(arguments));
         words.addAll(List.of(more));
         return words;
     }

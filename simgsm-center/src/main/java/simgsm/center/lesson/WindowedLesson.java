@@ -100,7 +100,7 @@ public final class WindowedLesson implements LessonActs {
                     CenterSettings.read(arguments),
                     programs.children(),
                     window,
-                    new CenterWindow.Watch(session.centerEvents(), session.trace(), () -> opened.open(place)));
+                    new CenterWindow.Watch(session.centerEvents(), session.trace(), () -> opened.open(place), true));
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
         } finally {

@@ -102,6 +102,21 @@ class CallHoldTest extends ThreePhones {
     }
 
     @Test
+    void whileTheHeldCallIsGivenBackNoNumberIsDialled() {
+        aliceTalksWithBob();
+        hold(bob);
+        bob.news();
+        assertTrue(bob.station.hold());
+        assertFalse(bob.station.dial(new Msisdn(CAROL)));
+        settle();
+        assertEquals(List.of("retrieved 5550100"), bob.news());
+        assertEquals(List.of(), carol.news());
+        bob.level = 4000;
+        seconds(1);
+        assertTrue(alice.hears());
+    }
+
+    @Test
     void theHeldCallFollowsTheOneThatIsEndedIfItIsAskedFor() {
         bobTalksWithCarolAndHoldsAlice();
         bob.station.hangUp();

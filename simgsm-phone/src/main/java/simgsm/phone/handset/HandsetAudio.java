@@ -91,7 +91,7 @@ final class HandsetAudio {
             beginLocally();
         } else if (event instanceof StationEvent.CallHeld) {
             connected = false;
-            sender.drop();
+            dropKeys();
             earpiece.callEnded();
             stopTones();
         } else if (event instanceof StationEvent.CallRetrieved) {

@@ -63,6 +63,20 @@ class HandsetKeysTest {
     }
 
     @Test
+    void aPlayedSoundEndsWithTheHoldOfItsCall() {
+        short[] sound = new short[8 * 400];
+        DtmfGenerator generator = new DtmfGenerator();
+        DtmfKey.sequence("58").forEach(generator::enqueue);
+        generator.read(sound);
+        Bench bench = Bench.connected();
+        bench.handset.play(sound);
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550200"))));
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550102"))));
+        bench.speechMillis(500);
+        assertEquals("", bench.heardByFarEnd());
+    }
+
+    @Test
     void hangingUpDropsWhatHasNotLeft() {
         Bench bench = Bench.connected();
         bench.handset.press(FORWARD_20);

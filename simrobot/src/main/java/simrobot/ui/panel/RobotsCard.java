@@ -50,6 +50,8 @@ final class RobotsCard extends JPanel {
     private Optional<Removed> removed = Optional.empty();
 
     private Optional<Removed> removable = Optional.empty();
+    /** The name on the button that puts a robot back. */
+    private Optional<String> offered = Optional.empty();
 
     /** What is needed to put a removed robot back. */
     private record Removed(String name, String number, Pose pose) {}
@@ -129,8 +131,10 @@ final class RobotsCard extends JPanel {
                         new Pose(robot.xMeters(), robot.yMeters(), Math.toDegrees(robot.headingRadians()))));
         Optional<String> gone = removed.map(Removed::name)
                 .filter(name -> rows.stream().noneMatch(row -> row.name().equals(name)));
-        if (gone.isPresent() != restoring.isVisible()) {
-            removed = gone.isPresent() || !restoring.isVisible() ? removed : Optional.empty();
+        if (!gone.equals(offered)) {
+            boolean isBack = gone.isEmpty() && offered.equals(removed.map(Removed::name));
+            removed = isBack ? Optional.empty() : removed;
+            offered = gone;
             gone.ifPresent(name -> restoring.setText(texts.of("robot.restore", name)));
             restoring.setVisible(gone.isPresent());
             revalidate();

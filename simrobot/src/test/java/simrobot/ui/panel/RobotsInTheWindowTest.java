@@ -124,6 +124,17 @@ class RobotsInTheWindowTest {
     }
 
     @Test
+    void ofTwoRemovedRobotsTheLastIsPutBack() throws Exception {
+        bench = new WindowBench("office.map", Locale.ENGLISH, "anna", "bert", "carl");
+        bench.show().click("robot.remove");
+        bench.show().click("robot.remove");
+        bench.show();
+        assertEquals("Put back bert", ((AbstractButton) bench.component("robot.restore")).getText());
+        bench.click("robot.restore");
+        assertTrue(bench.acts.stream().anyMatch(act -> act.startsWith("add bert ")), bench.acts.toString());
+    }
+
+    @Test
     void ctrlAndAnArrowGoFromRobotToRobot() {
         act("robots.step.1");
         assertTrue(bench.spoken("world").contains("robot bert"));

@@ -115,6 +115,11 @@ public final class WindowMemory {
         return arguments.has(NAME) && !arguments.has("fresh") ? Optional.of(ofUser()) : Optional.empty();
     }
 
+    /** The options with which a program that this one starts remembers nothing where this one does not. */
+    public static List<String> passedOn(Arguments arguments) {
+        return arguments.has(NAME) && !arguments.has("fresh") ? List.of() : List.of("--fresh");
+    }
+
     static String nameOf(Arguments arguments) {
         return arguments.text(NAME).orElseThrow();
     }

@@ -114,6 +114,13 @@ class WindowMemoryTest {
     }
 
     @Test
+    void programsThatAreStartedRememberNothingWhereThisOneDoesNot() throws Exception {
+        assertEquals(List.of(), WindowMemory.passedOn(given("--remember-as", "center")));
+        assertEquals(List.of("--fresh"), WindowMemory.passedOn(given("--remember-as", "center", "--fresh")));
+        assertEquals(List.of("--fresh"), WindowMemory.passedOn(given()));
+    }
+
+    @Test
     void theFolderIsThatOfTheUsersSettings() {
         Properties system = new Properties();
         system.setProperty("user.home", home.toString());

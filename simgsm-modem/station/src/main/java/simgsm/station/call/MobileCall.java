@@ -81,7 +81,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return peer;
     }
 
-    /** Begins a call, or lets it follow the one that is being cleared. @return false if a call is under way */
+    /** Begins a call, or lets it follow the one that is being cleared. @return false if a call is under way or given back */
     public boolean dial(Msisdn number) {
         if (MobileCallTable.CLEARING.contains(state()) && next.isEmpty()) {
             next = Optional.of(number);
@@ -90,7 +90,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             }
             return true;
         }
-        return state() == MobileCallState.NULL && begin(number);
+        boolean isRetrieving = hold.state() == CallHoldState.RETRIEVE_REQUEST;
+        return state() == MobileCallState.NULL && !isRetrieving && begin(number);
     }
 
     private boolean begin(Msisdn number) {
