@@ -3,8 +3,11 @@ package blackbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -91,6 +94,29 @@ class LessonsTest {
                 "simgsm-center", "--lesson", "write-a-submit", "--check", solution.toString(), "--lang", "en");
         assertEquals(1, run.status(), run.output() + run.error());
         assertTrue(run.output().contains("check step=decoded result=fail"), run.output());
+    }
+
+    @Test
+    void aSignalLeavesNoFolderBehind(@TempDir Path folder) throws Exception {
+        Path temporary = Files.createDirectory(folder.resolve("temporary"));
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("robot wait never 60"));
+        List<String> command = new ArrayList<>(Dist.command(
+                "simgsm-center",
+                List.of("--lesson", "twelve-keys", "--check", solution.toString(), "--log-level", "debug")));
+        command.add(1, "-Djava.io.tmpdir=" + temporary);
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        try (BufferedReader lines = process.inputReader()) {
+            String line = lines.readLine();
+            while (line != null && !line.contains("registered number=")) {
+                line = lines.readLine();
+            }
+            process.toHandle().destroy();
+            lines.transferTo(Writer.nullWriter());
+        }
+        process.waitFor();
+        try (Stream<Path> left = Files.list(temporary)) {
+            assertEquals(List.of(), left.toList());
+        }
     }
 
     @Test

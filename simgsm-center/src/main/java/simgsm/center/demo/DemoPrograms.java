@@ -8,6 +8,7 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import simgsm.air.Msisdn;
 import simgsm.center.app.Center;
 import simgsm.center.app.CenterSettings;
@@ -24,14 +25,16 @@ public final class DemoPrograms implements AutoCloseable {
     private static final String WORLD = "worlds/demo.map";
 
     private final Arguments arguments;
-    private final Path temporary;
+    private final List<Path> temporary = new CopyOnWriteArrayList<>();
     private final Center center;
     private final ChildPrograms children;
     private final Thread atExit;
 
     private DemoPrograms(Arguments arguments, Path temporary, Center center, ChildPrograms children) {
         this.arguments = arguments;
-        this.temporary = temporary;
+        if (temporary != null) {
+            this.temporary.add(temporary);
+        }
         this.center = center;
         this.children = children;
         this.atExit = new Thread(this::end, "end of the demo");
@@ -126,12 +129,16 @@ public final class DemoPrograms implements AutoCloseable {
     private void end() {
         children.close();
         center.close();
-        if (temporary != null) {
-            remove(temporary);
-        }
+        temporary.forEach(DemoPrograms::remove);
     }
 
-    private static void remove(Path directory) {
+    /** Has a directory removed at the end, too, after the programs have ended; also if a signal ends this one. */
+    public void removeAtEnd(Path directory) {
+        temporary.add(directory);
+    }
+
+    /** Removes a directory with all that is in it, if it is there. */
+    public static void remove(Path directory) {
         try {
             Files.walkFileTree(directory, new SimpleFileVisitor<>() {
                 @Override

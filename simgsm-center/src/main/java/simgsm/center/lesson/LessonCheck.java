@@ -67,7 +67,7 @@ public final class LessonCheck {
                 session.events().withRun(each -> write(result.get(), LessonResult.text(each, "", Instant.now())));
             }
         } finally {
-            LessonNetwork.remove(folder);
+            DemoPrograms.remove(folder);
         }
         return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
     }

@@ -4,11 +4,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.SimpleFileVisitor;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import simgsm.air.Msisdn;
@@ -35,8 +32,7 @@ final class LessonNetwork {
     /** Opens the centre of a lesson; nothing is started. */
     static DemoPrograms open(Lesson lesson, Path folder, Arguments arguments) throws IOException, UsageException {
         // The seed is that of the student's numbers; with it all phones would be one equipment. The user's own network
-        // and
-        // messages stay out of a lesson.
+        // and messages stay out of a lesson.
         Arguments own = arguments.without(
                 "seed", "data", "hlr", "barred-imeis", "smpp", "http", "cdr", "capture", "call-waiting", "tones");
         if (!lesson.closed().isEmpty()) {
@@ -49,26 +45,8 @@ final class LessonNetwork {
         if (lesson.isCaptured()) {
             own = own.with("capture", folder.resolve(CAPTURE).toString());
         }
-        return DemoPrograms.open(own, CenterSettings.read(own));
-    }
-
-    static void remove(Path folder) {
-        try {
-            Files.walkFileTree(folder, new SimpleFileVisitor<>() {
-                @Override
-                public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
-                    Files.delete(file);
-                    return FileVisitResult.CONTINUE;
-                }
-
-                @Override
-                public FileVisitResult postVisitDirectory(Path visited, IOException failure) throws IOException {
-                    Files.delete(visited);
-                    return FileVisitResult.CONTINUE;
-                }
-            });
-        } catch (IOException e) {
-            // The system clears its folder of temporary files some day.
-        }
+        DemoPrograms programs = DemoPrograms.open(own, CenterSettings.read(own));
+        programs.removeAtEnd(folder);
+        return programs;
     }
 }

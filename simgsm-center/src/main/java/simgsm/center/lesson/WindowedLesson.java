@@ -104,7 +104,7 @@ public final class WindowedLesson implements LessonActs {
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
         } finally {
-            LessonNetwork.remove(folder);
+            DemoPrograms.remove(folder);
         }
     }
 
