@@ -2,6 +2,7 @@ package simgsm.tools.load;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -43,6 +44,11 @@ public final class LoadGenerator implements LoadStation.Observer {
     private final TaskWindow calling;
     private final TaskWindow clearing;
     private final DelayHistogram speechDelays = new DelayHistogram();
+    /** The calls that are connected; of the stations' thread. */
+    private final BitSet held = new BitSet();
+
+    private boolean isClearing;
+    private volatile int callsLost;
     private volatile boolean isCounting;
     private volatile long framesSent;
     private volatile long framesHeard;
@@ -50,13 +56,14 @@ public final class LoadGenerator implements LoadStation.Observer {
     public LoadGenerator(LoadPlan plan) {
         this.plan = plan;
         this.center = new InetSocketAddress(plan.center().host(), plan.center().port());
+        long answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(plan.answerAfterMillis());
         for (int i = 0; i < plan.phones(); i++) {
-            phones.add(new LoadStation(i, plan.number(i), this));
+            phones.add(new LoadStation(i, plan.number(i), answerAfterNanos, this));
         }
         attaching = new TaskWindow(plan.phones(), ATTACHING, i -> stations.add(phones.get(i).station, center));
         messages = new MessageLoad(phones, plan.messages(), SENDING);
         calling = new TaskWindow(plan.calls(), CALLING, this::call);
-        clearing = new TaskWindow(plan.calls(), CALLING, i -> caller(i).station.hangUp());
+        clearing = new TaskWindow(plan.calls(), CALLING, this::clear);
     }
 
     private void failed(Throwable cause) {
@@ -97,6 +104,7 @@ public final class LoadGenerator implements LoadStation.Observer {
         isCounting = false;
         awaitLastSpeech();
         if (calling.done() > 0) {
+            stations.execute(() -> isClearing = true);
             perform(clearing);
         }
     }
@@ -123,6 +131,14 @@ public final class LoadGenerator implements LoadStation.Observer {
         }
     }
 
+    private void clear(int call) {
+        if (held.get(call)) {
+            caller(call).station.hangUp();
+        } else {
+            clearing.ended(call, false);
+        }
+    }
+
     private void fail(LoadStation phone, String what) {
         firstError.compareAndSet(null, phone.number() + ": " + what);
     }
@@ -141,6 +157,7 @@ public final class LoadGenerator implements LoadStation.Observer {
     @Override
     public void connected(LoadStation phone) {
         if (phone.index % 2 == 0) {
+            held.set(phone.index / 2);
             calling.ended(phone.index / 2, true);
         }
     }
@@ -149,6 +166,10 @@ public final class LoadGenerator implements LoadStation.Observer {
     public void released(LoadStation phone, Cause cause) {
         int call = phone.index / 2;
         if (phone.index % 2 == 0) {
+            if (held.get(call) && !isClearing) {
+                callsLost = callsLost + 1;
+            }
+            held.clear(call);
             calling.ended(call, false);
             clearing.ended(call, true);
         }
@@ -191,6 +212,7 @@ public final class LoadGenerator implements LoadStation.Observer {
         return new LoadResult(
                 attaching,
                 calling,
+                callsLost,
                 framesSent,
                 framesSent - framesHeard,
                 speechDelays,

@@ -7,11 +7,13 @@ import simgsm.console.Event;
 /**
  * The measurements of a run.
  *
+ * @param callsLost calls that ended before their time
  * @param firstError station and cause of the first failure
  */
 public record LoadResult(
         TaskWindow attached,
         TaskWindow called,
+        int callsLost,
         long framesSent,
         long framesLost,
         DelayHistogram speechDelays,
@@ -19,9 +21,12 @@ public record LoadResult(
         DelayHistogram messageDelays,
         Optional<String> firstError) {
 
-    /** Whether every phone attached, every call was connected and every message arrived. */
+    /** Whether every phone attached, every call was connected and held, and every message arrived. */
     public boolean isComplete() {
-        return attached.done() == attached.count() && called.done() == called.count() && sent.done() == sent.count();
+        return attached.done() == attached.count()
+                && called.done() == called.count()
+                && callsLost == 0
+                && sent.done() == sent.count();
     }
 
     /** All figures in one line; {@code -} for a figure that the plan did not request. */
@@ -31,6 +36,7 @@ public record LoadResult(
                 .with("attachrate", rate(attached))
                 .with("calls", called.done())
                 .with("callrate", rate(called))
+                .with("callslost", callsLost)
                 .with("frames", framesSent)
                 .with("lost", framesLost)
                 .with("p50ms", millis(speechDelays, 0.5))
@@ -45,7 +51,8 @@ public record LoadResult(
     /** The missing phones, calls and messages in words. */
     public String shortfall() {
         return "attached " + attached.done() + " of " + attached.count() + " phones, connected " + called.done()
-                + " of " + called.count() + " calls, delivered " + sent.done() + " of " + sent.count() + " messages"
+                + " of " + called.count() + " calls, of which " + callsLost + " ended early, delivered " + sent.done()
+                + " of " + sent.count() + " messages"
                 + firstError.map(error -> "; first " + error).orElse("");
     }
 

@@ -45,19 +45,20 @@ final class LoadStation implements SpeechSource {
         void heard(long nanos);
     }
 
-    /** Frames of 20 ms whose times are kept: 5 s; later ones count as lost. */
-    private static final int KEPT_FRAMES = 256;
-
     final int index;
     final MobileStation station;
     private final Observer observer;
-    private final long[] sentNanos = new long[KEPT_FRAMES];
+    private final long answerAfterNanos;
+    private final long[] sentNanos = new long[SpeechFrameNumber.COUNT];
     private int nextNumber;
+    private int heardNumber = SpeechFrameNumber.NONE;
     /** The other end of a call of the generator; null otherwise. */
     private LoadStation partner;
 
-    LoadStation(int index, Msisdn number, Observer observer) {
+    /** @param answerAfterNanos how long it rings; 0 for not at all */
+    LoadStation(int index, Msisdn number, long answerAfterNanos, Observer observer) {
         this.index = index;
+        this.answerAfterNanos = answerAfterNanos;
         this.observer = observer;
         Imei imei = Imei.of(TYPE_ALLOCATION_CODE, (int) (Long.parseLong(number.digits()) % SERIAL_NUMBERS));
         StationIdentity identity = StationIdentity.ofOpenNumber(number, imei, "SimGSM load");
@@ -80,7 +81,9 @@ final class LoadStation implements SpeechSource {
         } else if (event instanceof StationEvent.StationUnregistered unregistered) {
             observer.refused(
                     this, unregistered.cause().map(RejectCause::toString).orElse("no service"));
-        } else if (event instanceof StationEvent.Ringing) {
+        } else if (event instanceof StationEvent.Ringing && answerAfterNanos > 0) {
+            station.remindToAnswer(answerAfterNanos);
+        } else if (event instanceof StationEvent.Ringing || event instanceof StationEvent.AnswerDue) {
             station.answer();
         } else if (event instanceof StationEvent.Connected) {
             observer.connected(this);
@@ -101,15 +104,17 @@ final class LoadStation implements SpeechSource {
             return;
         }
         SpeechFrameNumber.put(frame, nextNumber);
-        sentNanos[nextNumber % KEPT_FRAMES] = System.nanoTime();
-        nextNumber = nextNumber + 1 & SpeechFrameNumber.LARGEST;
+        sentNanos[nextNumber] = System.nanoTime();
+        nextNumber = (nextNumber + 1) % SpeechFrameNumber.COUNT;
         observer.spoke();
     }
 
+    /** The substitute of a lost frame repeats the last one, so the same number again is none. */
     private void hear(short[] samples) {
         int number = SpeechFrameNumber.read(samples);
-        if (partner != null && number != SpeechFrameNumber.NONE) {
-            observer.heard(System.nanoTime() - partner.sentNanos[number % KEPT_FRAMES]);
+        if (partner != null && number != SpeechFrameNumber.NONE && number != heardNumber) {
+            heardNumber = number;
+            observer.heard(System.nanoTime() - partner.sentNanos[number]);
         }
     }
 }

@@ -1,39 +1,83 @@
 package simgsm.tools.load;
 
-import java.util.Arrays;
-
 /**
- * A number coded into a speech frame, one bit per sample as the sign of a loud sample, which survives every speech codec
- * that keeps such signs. Silence has no number.
+ * A number coded into a speech frame as two tones, each by its frequency and sign, which survives A-law and GSM 06.10, also
+ * one after the other. Silence has no number.
  */
 final class SpeechFrameNumber {
     /** No number: silence, or other speech. */
     static final int NONE = -1;
 
-    /** The number after which 0 follows. */
-    static final int LARGEST = 0xffff;
+    private static final int TONES = 2;
+    /** 200 to 500 Hz and 550 to 850 Hz in steps of 50 Hz, orthogonal over 20 ms; GSM 06.10 keeps the signs of no higher ones. */
+    private static final int FREQUENCIES = 7;
 
-    private static final int BITS = 16;
-    private static final short LOUD = 8_000;
-    private static final short QUIET = 1_000;
+    private static final int FIRST_HERTZ = 200;
+    private static final int STEP_HERTZ = 50;
+    /** Each tone with both signs. */
+    private static final int DIGITS = 2 * FREQUENCIES;
+
+    /** The number of numbers, after which 0 follows: 196, or 3.92 s. */
+    static final int COUNT = DIGITS * DIGITS;
+
+    private static final int SAMPLES = 160;
+    private static final int SAMPLES_PER_SECOND = 8_000;
+    /** Of the table, so that sums of 160 products with samples fit into 32 bits. */
+    private static final int AMPLITUDE = 64;
+
+    private static final int LOUDNESS = 62;
+    /** A tone below a quarter of its loudness is none. */
+    private static final int LEAST = AMPLITUDE * AMPLITUDE * LOUDNESS * (SAMPLES / 2) / 4;
+
+    private static final int[][] TABLE = new int[TONES * FREQUENCIES][SAMPLES];
+
+    static {
+        for (int tone = 0; tone < TABLE.length; tone++) {
+            double step = 2 * Math.PI * (FIRST_HERTZ + STEP_HERTZ * tone) / SAMPLES_PER_SECOND;
+            for (int i = 0; i < SAMPLES; i++) {
+                TABLE[tone][i] = (int) Math.round(AMPLITUDE * Math.sin(step * (i + 0.5)));
+            }
+        }
+    }
 
     private SpeechFrameNumber() {}
 
     static void put(short[] frame, int number) {
-        Arrays.fill(frame, (short) 0);
-        for (int bit = 0; bit < BITS; bit++) {
-            frame[bit] = (number >> bit & 1) == 1 ? LOUD : -LOUD;
+        int low = number % DIGITS;
+        int high = number / DIGITS;
+        int[] first = TABLE[low % FREQUENCIES];
+        int[] second = TABLE[FREQUENCIES + high % FREQUENCIES];
+        int firstLoudness = low < FREQUENCIES ? LOUDNESS : -LOUDNESS;
+        int secondLoudness = high < FREQUENCIES ? LOUDNESS : -LOUDNESS;
+        for (int i = 0; i < SAMPLES; i++) {
+            frame[i] = (short) (first[i] * firstLoudness + second[i] * secondLoudness);
         }
     }
 
     static int read(short[] frame) {
-        int number = 0;
-        for (int bit = 0; bit < BITS; bit++) {
-            if (Math.abs(frame[bit]) < QUIET) {
-                return NONE;
+        int low = digit(frame, 0);
+        int high = digit(frame, FREQUENCIES);
+        return low == NONE || high == NONE ? NONE : low + DIGITS * high;
+    }
+
+    private static int digit(short[] frame, int firstTone) {
+        int strongest = 0;
+        int digit = NONE;
+        for (int i = 0; i < FREQUENCIES; i++) {
+            int level = product(TABLE[firstTone + i], frame);
+            if (Math.abs(level) > strongest) {
+                strongest = Math.abs(level);
+                digit = level > 0 ? i : FREQUENCIES + i;
             }
-            number |= frame[bit] > 0 ? 1 << bit : 0;
         }
-        return number;
+        return strongest < LEAST ? NONE : digit;
+    }
+
+    private static int product(int[] tone, short[] frame) {
+        int sum = 0;
+        for (int i = 0; i < SAMPLES; i++) {
+            sum += tone[i] * frame[i];
+        }
+        return sum;
     }
 }

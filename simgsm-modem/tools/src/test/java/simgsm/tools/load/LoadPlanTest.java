@@ -11,7 +11,7 @@ class LoadPlanTest {
     private static final HostPort CENTER = new HostPort("127.0.0.1", 3003);
 
     private static LoadPlan plan(int phones, int calls, int messages, int seconds) {
-        return new LoadPlan(CENTER, 7_000_000, phones, calls, messages, seconds);
+        return new LoadPlan(CENTER, 7_000_000, phones, calls, messages, seconds, 0);
     }
 
     private static void refused(String option, int phones, int calls, int messages, int seconds) {
@@ -40,7 +40,7 @@ class LoadPlanTest {
     void theLastPhonesNumberMustStillBeOne() {
         assertEquals(
                 "9999999999",
-                new LoadPlan(CENTER, 9_999_999_998L, 2, 0, 0, 1).number(1).digits());
-        assertThrows(IllegalArgumentException.class, () -> new LoadPlan(CENTER, 9_999_999_999L, 2, 0, 0, 1));
+                new LoadPlan(CENTER, 9_999_999_998L, 2, 0, 0, 1, 0).number(1).digits());
+        assertThrows(IllegalArgumentException.class, () -> new LoadPlan(CENTER, 9_999_999_999L, 2, 0, 0, 1, 0));
     }
 }
