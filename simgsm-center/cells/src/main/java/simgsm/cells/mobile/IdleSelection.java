@@ -63,17 +63,10 @@ public final class IdleSelection {
         return averages[cell];
     }
 
-    /** Takes a cell that was chosen otherwise, by a handover. */
+    /** Takes the cell of a connection that has ended; measurements and times from before it no longer count. */
     public void camp(int cell, long nowNanos) {
-        if (cell != serving) {
-            change(cell, nowNanos);
-        }
-    }
-
-    /** Forgets all cells, so that the next measurement alone chooses. */
-    public void restart() {
         measurements = 0;
-        change(NONE, NEVER);
+        change(cell, nowNanos);
     }
 
     /**

@@ -388,9 +388,9 @@ public final class Mobile {
 
     private void forget() {
         change.end();
-        int last = serving();
         if (channel != null) {
             idleNanos = timers.nowNanos() + RETURN_NANOS;
+            selection.camp(serving(), timers.nowNanos());
         }
         channel = null;
         speech.callEnded();
@@ -398,9 +398,6 @@ public final class Mobile {
         firstMessage = null;
         heldUp.clear();
         heldDown.clear();
-        if (last != IdleSelection.NONE) {
-            selection.camp(last, timers.nowNanos());
-        }
     }
 
     // Layer 3 that waits.

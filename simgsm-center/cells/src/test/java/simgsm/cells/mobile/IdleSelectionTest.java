@@ -61,6 +61,18 @@ class IdleSelectionTest {
     }
 
     @Test
+    void measurementsAndTimesFromBeforeAConnectionDoNotCountAfterIt() {
+        measure(PLAIN, -70, PLAIN, -72);
+        settle(PLAIN, -70, PLAIN, -72);
+        for (int i = 0; i < 9; i++) {
+            assertFalse(measure(PLAIN, -74, PLAIN, -70));
+        }
+        now += 10_000_000_000L;
+        selection.camp(0, now);
+        assertEquals(480 + 5_280, changesAfterMillis(PLAIN, -74, PLAIN, -70));
+    }
+
+    @Test
     void theFiveSecondsBeginAnewWhenTheServingCellIsBetterBetween() {
         measure(PLAIN, -70, PLAIN, -80);
         settle(PLAIN, -70, PLAIN, -80);
