@@ -145,7 +145,9 @@ public final class TowerChannel {
             return;
         }
         Optional<SpeechSocket> opened = tower.port().openSpeech(this::speechReceived);
-        if (opened.isEmpty()) {
+        // The elements for addresses hold IPv4 only.
+        if (opened.isEmpty() || opened.get().address().host().contains(":")) {
+            opened.ifPresent(SpeechSocket::close);
             tower.send(RslPdu.of(RslType.CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE, number)
                     .with(RslElement.CAUSE, 0x2f));
             return;

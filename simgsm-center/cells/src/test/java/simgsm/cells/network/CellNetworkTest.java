@@ -2,6 +2,7 @@ package simgsm.cells.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static simgsm.cells.network.TownScene.MILLI;
 import static simgsm.cells.network.TownScene.SDCCH;
@@ -79,6 +80,19 @@ class CellNetworkTest {
         scene.west.expectNothing();
         scene.west.expectAccess();
         assertEquals(MobileRadioState.ACCESS, terminal.mobile.state());
+    }
+
+    @Test
+    void speechOverIpv6IsRefusedAndTheLinkGoesOn() {
+        TownScene scene = new TownScene();
+        scene.west.activate(TownScene.TCH, 1, Optional.empty());
+        scene.west.speechHost = "0:0:0:0:0:0:0:1";
+        scene.west.down(RslPdu.of(RslType.CREATE_CONNECTION, TownScene.TCH)
+                .with(RslElement.SPEECH_MODE, 0x10)
+                .with(RslElement.RTP_PAYLOAD, 3));
+
+        scene.west.expect(RslType.CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE);
+        assertNull(scene.west.speech, "the socket is closed");
     }
 
     @Test

@@ -71,6 +71,7 @@ final class TownScene {
         final Queue<RslPdu> up = new ArrayDeque<>();
         final List<byte[]> spoken = new ArrayList<>();
         Consumer<byte[]> speech;
+        String speechHost = "127.0.0.1";
 
         Controller(BaseStation tower) {
             this.tower = tower;
@@ -93,7 +94,7 @@ final class TownScene {
             return Optional.of(new SpeechSocket() {
                 @Override
                 public MediaAddress address() {
-                    return new MediaAddress("127.0.0.1", 4000);
+                    return new MediaAddress(speechHost, 4000);
                 }
 
                 @Override
