@@ -30,11 +30,12 @@ final class OsmocomSession extends Scenario {
         this.capture = capture;
     }
 
-    /** @param args what to play, session, crowd or halves, and the capture to write */
+    /** @param args what to play, session, crowd, calls or halves, and the capture to write */
     public static void main(String[] args) throws Exception {
         try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
             switch (args[0]) {
                 case "crowd" -> session.crowd();
+                case "calls" -> session.calls();
                 case "halves" -> session.halves();
                 default -> session.play();
             }
@@ -204,6 +205,34 @@ final class OsmocomSession extends Scenario {
         assertEquals(0, load.awaitExit());
         tell("100 phones: " + result.field("attachrate") + " registrations and " + result.field("smsrate")
                 + " messages a second");
+        assertEquals(0, cells.quit());
+    }
+
+    /** 40 phones hold 20 calls. A called one rings before it answers, as a user's does: osmo-msc needs that. */
+    private void calls() throws InterruptedException {
+        openCells(capture.resolveSibling("calls.town"));
+        RunningProgram load = start(
+                "load",
+                "simgsm-modem",
+                "load",
+                "--center",
+                cellsAddress,
+                "--phones",
+                "40",
+                "--calls",
+                "20",
+                "--answer-after",
+                "1500",
+                "--seconds",
+                "5");
+        ConsoleEvent result = load.expect("load", "phones", "40", "calls", "20", "callslost", "0");
+        assertEquals(0, load.awaitExit());
+        int frames = Integer.parseInt(result.field("frames"));
+        int lost = Integer.parseInt(result.field("lost"));
+        // How many frames come in time depends on the machine's other work, so the count is told only.
+        assertTrue(lost < frames, lost + " of " + frames + " frames lost");
+        tell("20 calls were held, " + lost + " of " + frames + " speech frames lost, " + result.field("p50ms")
+                + " ms from mouth to ear");
         assertEquals(0, cells.quit());
     }
 

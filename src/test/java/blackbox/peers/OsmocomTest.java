@@ -50,6 +50,15 @@ class OsmocomTest {
         assertTrue(told.contains("100 phones: "), told);
     }
 
+    /** Each of ten towers has traffic channels for its four phones; so all 20 calls are held at once. */
+    @Test
+    void twentyCallsHoldAndCarrySpeech(@TempDir Path folder) throws Exception {
+        String crowd = Files.readString(Path.of(Peer.source("osmocom/crowd.town")));
+        Path town = Files.writeString(folder.resolve("calls.town"), crowd.replace("tch=1", "tch=4"));
+        String told = session(folder, "calls", town, "7000000-7000039");
+        assertTrue(told.contains("20 calls were held, "), told);
+    }
+
     @Test
     void twoCellsProgramsShareOneCore(@TempDir Path folder) throws Exception {
         Path town = Dist.root().resolve("worlds").resolve("village.town");
