@@ -89,7 +89,7 @@ public final class Modem implements AnsweringModem {
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
         receiver = new DtmfReceiver(digit -> {
             idleSamples = 0;
-            if (outages.keyDecided()) {
+            if (outages.keyDecided(digit.key())) {
                 listener.accept(new ModemEvent.KeyUnreadable());
             }
             listener.accept(new ModemEvent.KeyDecided(digit));

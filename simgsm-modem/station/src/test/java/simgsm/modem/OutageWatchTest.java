@@ -1,11 +1,19 @@
 package simgsm.modem;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.speech.SpeechCodec;
+import simgsm.speech.SubstitutingDecoder;
 
 /** Keys at 200 ms, as a phone here sends them, and losses of speech between them. */
 class OutageWatchTest {
@@ -13,9 +21,83 @@ class OutageWatchTest {
 
     private final OutageWatch watch = new OutageWatch();
 
+    private int keys;
+
+    /** A key other than the last one. */
     private boolean keyAfter(int millis) {
+        keys++;
+        return keyAfter(millis, DtmfKey.values()[keys % 2]);
+    }
+
+    private boolean keyAfter(int millis, DtmfKey key) {
         watch.heard(millis * MILLI);
-        return watch.keyDecided();
+        return watch.keyDecided(key);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {4, 5})
+    void theSameKeyAfterAnOutageOfFiveFramesMayBeTheOneBefore(int frames) {
+        DtmfKey key = DtmfKey.values()[0];
+        assertFalse(keyAfter(200, key));
+        watch.lost(frames);
+        assertEquals(frames == 5, keyAfter(160, key));
+        // The outage may have held both.
+        assertEquals(frames == 5, keyAfter(80, key));
+        assertFalse(keyAfter(200, key));
+    }
+
+    @Test
+    void anOutageLongBeforeAnOrderDoesNotBreakIt() {
+        DtmfKey star = DtmfKey.of('*');
+        watch.lost(10);
+        assertFalse(keyAfter(2_000, star));
+        assertFalse(keyAfter(200, star));
+    }
+
+    /** A tone, its pause and the next tone, of which any ten frames or fewer are lost. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+    void whereverFramesAreLostNoKeyIsDoubledUnseen(int frames) {
+        for (int from = 1; from < 30; from++) {
+            for (int shift = 0; shift < SpeechCodec.SAMPLES_PER_FRAME; shift += 80) {
+                List<DtmfKey> heard = heard(from, frames, shift);
+                for (int i = 1; i < heard.size(); i++) {
+                    assertTrue(heard.get(i) == null || heard.get(i) != heard.get(i - 1), () -> frames + ": " + heard);
+                }
+            }
+        }
+    }
+
+    /** The keys 0 # 9 through GSM full rate; null where the watch doubts. */
+    private static List<DtmfKey> heard(int from, int frames, int shift) {
+        DtmfGenerator tones = new DtmfGenerator();
+        for (char key : "0#9".toCharArray()) {
+            tones.enqueue(DtmfKey.of(key), 100, 100);
+        }
+        tones.read(new short[SpeechCodec.SAMPLES_PER_FRAME], 0, shift);
+        List<DtmfKey> heard = new ArrayList<>();
+        OutageWatch outages = new OutageWatch();
+        DtmfReceiver receiver = new DtmfReceiver(digit -> {
+            if (outages.keyDecided(digit.key())) {
+                heard.add(null);
+            }
+            heard.add(digit.key());
+        });
+        SpeechCodec coder = SpeechCodec.Kind.GSM_FULL_RATE.open();
+        SubstitutingDecoder decoder = new SubstitutingDecoder(SpeechCodec.Kind.GSM_FULL_RATE);
+        for (int i = 0; i < 46; i++) {
+            short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
+            tones.read(frame);
+            byte[] coded = coder.encode(frame);
+            // The loss is known when the next frame arrives, before its substitutes are heard.
+            if (i == from) {
+                outages.lost(frames);
+            }
+            short[] samples = i >= from && i < from + frames ? decoder.substitute() : decoder.decode(coded);
+            outages.heard(samples.length);
+            receiver.accept(samples);
+        }
+        return heard;
     }
 
     @Test
