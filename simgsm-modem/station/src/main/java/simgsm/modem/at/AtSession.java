@@ -58,6 +58,7 @@ public final class AtSession<C> {
     private Mode mode = Mode.COMMAND;
     private boolean isProcessing;
     private boolean isInHandler;
+    private boolean isGathering;
     private boolean isTooLong;
     private boolean afterReturn;
     private boolean isClosed;
@@ -128,7 +129,7 @@ public final class AtSession<C> {
     }
 
     private void flush() {
-        if (unsent.length() > 0 && !isClosed) {
+        if (unsent.length() > 0 && !isClosed && !isGathering) {
             byte[] octets = unsent.toString().getBytes(StandardCharsets.ISO_8859_1);
             unsent.setLength(0);
             output.accept(octets);
@@ -373,6 +374,14 @@ public final class AtSession<C> {
     /** Sends an unsolicited result code such as NO CARRIER, likewise. */
     public void report(AtResult code) {
         reportFormatted(new Code(format.result(code), false));
+    }
+
+    /** Sends what is reported meanwhile as one piece: clients read RING and +CLIP as one notification. */
+    public void reportTogether(Runnable reports) {
+        isGathering = true;
+        reports.run();
+        isGathering = false;
+        flush();
     }
 
     private void reportFormatted(Code code) {

@@ -310,6 +310,18 @@ class AtSessionTest {
     }
 
     @Test
+    void codesThatBelongTogetherLeaveInOneWrite() {
+        List<String> writes = new ArrayList<>();
+        AtSession<List<String>> other = new AtSession<>(
+                table(), done, timers, octets -> writes.add(new String(octets, StandardCharsets.ISO_8859_1)));
+        other.reportTogether(() -> {
+            other.report(AtResult.RING);
+            other.report("+CLIP: 1");
+        });
+        assertEquals(List.of("\r\nRING\r\n\r\n+CLIP: 1\r\n"), writes);
+    }
+
+    @Test
     void newsWaitForTheResultOfACommand() {
         silent();
         session.report("+NEWS: 1");

@@ -59,6 +59,10 @@ public final class AtClient {
         session.report(line);
     }
 
+    void reportTogether(Runnable reports) {
+        session.reportTogether(reports);
+    }
+
     void announce(String line) {
         session.announce(line);
     }

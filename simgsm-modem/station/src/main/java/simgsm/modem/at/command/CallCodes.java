@@ -245,14 +245,7 @@ final class CallCodes {
         }
         rings++;
         for (AtClient client : modem.clients()) {
-            if (client.settings().namesRingKind) {
-                client.report("+CRING: VOICE");
-            } else {
-                client.report(AtResult.RING);
-            }
-            if (client.settings().showsCaller) {
-                client.report("+CLIP: \"" + number + "\"," + typeOf(number) + ",,,," + (number.isEmpty() ? 1 : 0));
-            }
+            client.reportTogether(() -> reportRinging(client));
         }
         if (modem.clients().stream()
                 .anyMatch(client ->
@@ -260,6 +253,17 @@ final class CallCodes {
             modem.terminal().answer();
         } else {
             ringTimer = modem.timers().start(RING_NANOS, this::rings);
+        }
+    }
+
+    private void reportRinging(AtClient client) {
+        if (client.settings().namesRingKind) {
+            client.report("+CRING: VOICE");
+        } else {
+            client.report(AtResult.RING);
+        }
+        if (client.settings().showsCaller) {
+            client.report("+CLIP: \"" + number + "\"," + typeOf(number) + ",,,," + (number.isEmpty() ? 1 : 0));
         }
     }
 
