@@ -5,13 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import blackbox.FinishedProgram;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Both solutions of every lesson in the language, and with the student's numbers, that {@code LessonsTest} leaves out. */
+/**
+ * Both solutions of every lesson in the language, and with the student's numbers, that {@code LessonsTest} leaves out. Two
+ * minutes on two cores: run by hand, with {@code -Ppeers -Dlessons.all=true}.
+ */
 @Tag("peer")
+@EnabledIfSystemProperty(named = "lessons.all", matches = "true")
 @Execution(ExecutionMode.CONCURRENT)
 class LessonLanguagesTest {
     static Stream<String> lessons() throws Exception {
