@@ -1,14 +1,19 @@
 package blackbox.peers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import blackbox.ConsoleEvent;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
 import java.io.IOException;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardWatchEventKinds;
+import java.nio.file.WatchKey;
+import java.nio.file.WatchService;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -18,7 +23,6 @@ import java.util.concurrent.TimeUnit;
  * It prints what it does, and its exit status is 0 only if everything went as it should.
  */
 final class OsmocomSession extends Scenario {
-    private static final long CAPTURE_MILLIS = 1_500;
 
     private final Path capture;
     private RunningProgram cells;
@@ -43,12 +47,7 @@ final class OsmocomSession extends Scenario {
     }
 
     private void play() throws IOException, InterruptedException {
-        Process tshark = Peer.TSHARK
-                .process("-q", "-i", "lo", "-s", "0", "-w", capture.toString())
-                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .start();
-        // tshark prints nothing that says when it captures.
-        Thread.sleep(CAPTURE_MILLIS);
+        Process tshark = capture();
         try {
             openCells(world("village.town"));
             RunningProgram phone = terminal("phone", "simgsm-phone", PHONE);
@@ -69,6 +68,23 @@ final class OsmocomSession extends Scenario {
         String port = cellsAddress.substring(cellsAddress.indexOf(':') + 1);
         soundAs("osmo-bsc's side", "tcp.port==3003,gsm_ipa");
         soundAs("the terminals' side", "tcp.port==" + port + ",gsm_ipa");
+    }
+
+    /** Starts tshark, which creates its file once it has opened the interface. */
+    private Process capture() throws IOException, InterruptedException {
+        try (WatchService folder = FileSystems.getDefault().newWatchService()) {
+            capture.getParent().register(folder, StandardWatchEventKinds.ENTRY_CREATE);
+            Process tshark = Peer.TSHARK
+                    .process("-q", "-i", "lo", "-s", "0", "-w", capture.toString())
+                    .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            while (Files.notExists(capture)) {
+                WatchKey created = folder.poll(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS);
+                assertNotNull(created, "tshark does not capture");
+                created.reset();
+            }
+            return tshark;
+        }
     }
 
     private void openCells(Path town) {

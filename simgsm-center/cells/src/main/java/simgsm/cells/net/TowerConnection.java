@@ -54,7 +54,7 @@ final class TowerConnection extends IpaConnection implements TowerPort {
         }
     }
 
-    /** Is told of the end of a connection. */
+    /** Receives the end of a connection. */
     interface EndListener {
         void ended(String reason, boolean wasInService);
     }

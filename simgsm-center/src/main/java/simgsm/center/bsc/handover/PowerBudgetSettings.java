@@ -11,7 +11,7 @@ import simgsm.octets.Bounds;
  * @param hysteresisDecibels by which a neighbour must be better, 0 to 999
  * @param maximumDistance timing advance above which the mobile moves, 0 to 9999
  * @param badQuality RXQUAL from which a result counts as bad
- * @param badResults so many bad ones among the last {@code qualityWindow} move the mobile
+ * @param badResults this number of bad ones among the last {@code qualityWindow} move the mobile
  * @param interferenceDbm above this level bad quality is interference
  * @param lowLevelDbm at and below this level the mobile moves
  */
