@@ -72,7 +72,7 @@ public final class LessonCheck {
         return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
     }
 
-    /** Nobody watches, so the robot may drive faster than at the pace of a class. */
+    /** Without a window the robot may drive faster than at the pace of a class. */
     private static List<String> options(LessonProgram program) {
         return program.jar().equals("simrobot")
                 ? List.of("--headless", "--no-sound", "--speed", UNSEEN_SPEED)

@@ -179,7 +179,7 @@ abstract class ThreePhones {
         carol = new Phone(CAROL, true);
     }
 
-    /** Hands frames over until nobody has any, then lets 20 ms pass, some times. */
+    /** Hands frames over until none is left, then lets 20 ms pass, some times. */
     final void settle() {
         for (int i = 0; i < 10; i++) {
             while (phones.stream().anyMatch(phone -> !phone.up.isEmpty() || !phone.down.isEmpty())) {

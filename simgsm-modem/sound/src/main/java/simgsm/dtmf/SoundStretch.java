@@ -32,7 +32,7 @@ public final class SoundStretch {
         return new SoundStretch(all);
     }
 
-    /** The last samples, oldest first; silence where there are not so many. */
+    /** The last samples, oldest first; silence where there are fewer. */
     public short[] last(int count) {
         short[] samples = new short[count];
         int end = count;

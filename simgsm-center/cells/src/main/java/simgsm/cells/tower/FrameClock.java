@@ -15,7 +15,7 @@ public final class FrameClock {
         return nanos * FRAMES / MULTIFRAME_NANOS;
     }
 
-    /** The length of so many frames, which are also the slots of random access. */
+    /** The length of a number of frames, which are also the slots of random access. */
     public static long nanos(long frames) {
         return frames * MULTIFRAME_NANOS / FRAMES;
     }

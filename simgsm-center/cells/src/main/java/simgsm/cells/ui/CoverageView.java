@@ -13,7 +13,7 @@ import simgsm.draw.Appearance;
 
 /** Keeps the coverage's picture up to date. A worker computes it; until then the picture before is shown. */
 final class CoverageView {
-    /** Squares of the raster are at least so many device pixels wide. */
+    /** The least width of the raster's squares, device pixels. */
     private static final double SQUARE_PIXELS = 3;
     /** More squares are not worth their time; the picture is enlarged. */
     private static final double COLUMNS_MAX = 400;

@@ -16,7 +16,7 @@ import simgsm.air.LocationArea;
 import simgsm.air.RadioResource.MeasurementReport;
 import simgsm.rr.SystemInformation;
 
-/** What a terminal is told of its cell, as it reads it. */
+/** The cell and level that a terminal receives, as it reads them. */
 class CellNoticeTest {
     private final List<String> told = new ArrayList<>();
     private final CellNotice notice = new CellNotice(message -> told.add(asRead(message)));

@@ -112,7 +112,7 @@ final class HexDump extends PaintedComponent {
         return Drawing.width(Theme.mono(), "0000000000") / 10.0;
     }
 
-    /** The width of lines with so many octets, in pixels. */
+    /** The width of lines with this number of octets, in pixels. */
     static int widthOf(int perLine) {
         return (int) Math.ceil((OFFSET_LETTERS + 3 * perLine - 1) * letter()) + 2 * Theme.px(MARGIN_UNITS);
     }
