@@ -14,7 +14,6 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
-import simrobot.SimRobotMain;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.process.BehaviourKind;
@@ -47,7 +46,7 @@ public final class BatchRun {
         List<String> names = RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world).stream()
                 .map(RobotName::name)
                 .toList();
-        long seed = SimRobotMain.seed(arguments);
+        long seed = SimRobotOptions.seed(arguments);
         double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
         try (RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, new BehaviourList())) {
             return arguments.has("runs")

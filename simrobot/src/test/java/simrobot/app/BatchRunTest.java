@@ -22,7 +22,6 @@ import simgsm.console.UsageException;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simrobot.SimRobotMain;
 import simrobot.control.Fleet;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
@@ -87,7 +86,7 @@ class BatchRunTest {
     private List<List<RobotState>> run(BehaviourKind behaviour) throws IOException, UsageException {
         Path file = folder.resolve("run.rec");
         BatchRun.run(
-                SimRobotMain.options()
+                SimRobotOptions.all()
                         .parse(List.of(
                                 "--run=" + SECONDS,
                                 "--seed=7",
@@ -121,7 +120,7 @@ class BatchRunTest {
     void anOptionThatNeedsAPeerIsRefused(String option) {
         UsageException refused = assertThrows(
                 UsageException.class,
-                () -> BatchRun.run(SimRobotMain.options().parse(List.of("--run=1", option)), ROOM));
+                () -> BatchRun.run(SimRobotOptions.all().parse(List.of("--run=1", option)), ROOM));
         String name = option.substring(0, option.indexOf('='));
         assertEquals(name + ": a run (--run) has no clients, expected one of the two", refused.getMessage());
     }
@@ -129,7 +128,7 @@ class BatchRunTest {
     @Test
     void theThreadsOfStudentsProcessesEndWithEachOfSeveralRuns() throws Exception {
         save("Mine", "");
-        BatchRun.run(SimRobotMain.options().parse(options("Mine", "--run=0.5", "--runs=3")), ROOM);
+        BatchRun.run(SimRobotOptions.all().parse(options("Mine", "--run=0.5", "--runs=3")), ROOM);
         assertNoThreads("behaviour Mine");
     }
 
@@ -140,7 +139,7 @@ class BatchRunTest {
         assertThrows(
                 IOException.class,
                 () -> BatchRun.run(
-                        SimRobotMain.options()
+                        SimRobotOptions.all()
                                 .parse(options(
                                         "Untracked",
                                         "--run=0.5",
@@ -162,7 +161,7 @@ class BatchRunTest {
 
     private List<String> track(String behaviour) throws Exception {
         Path file = folder.resolve(behaviour + ".csv");
-        BatchRun.run(SimRobotMain.options().parse(options(behaviour, "--run=0.5", "--track=" + file)), ROOM);
+        BatchRun.run(SimRobotOptions.all().parse(options(behaviour, "--run=0.5", "--track=" + file)), ROOM);
         return Files.readAllLines(file);
     }
 

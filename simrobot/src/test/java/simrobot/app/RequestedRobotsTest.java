@@ -16,7 +16,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
-import simrobot.SimRobotMain;
 import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
@@ -30,7 +29,7 @@ class RequestedRobotsTest {
     }
 
     private static List<String> lineup(World world, String... options) throws UsageException, IOException {
-        Arguments arguments = SimRobotMain.options().parse(List.of(options));
+        Arguments arguments = SimRobotOptions.all().parse(List.of(options));
         return RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world).stream()
                 .map(robot -> robot.name() + "=" + robot.number())
                 .toList();
@@ -95,18 +94,18 @@ class RequestedRobotsTest {
     @ParameterizedTest
     @CsvSource({"--operators=5550100;5550101", "--operators=", "--on-hangup=maybe", "--lang=fr"})
     void wrongSettingsAreNamed(String option) throws Exception {
-        Arguments arguments = SimRobotMain.options().parse(List.of(option));
-        String message = assertThrows(UsageException.class, () -> SimRobotMain.settings(arguments))
+        Arguments arguments = SimRobotOptions.all().parse(List.of(option));
+        String message = assertThrows(UsageException.class, () -> SimRobotOptions.settings(arguments))
                 .getMessage();
         assertTrue(message.startsWith(option.substring(0, option.indexOf('='))), message);
     }
 
     @Test
     void operatorsAreAListOfNumbers() throws Exception {
-        Arguments arguments = SimRobotMain.options().parse(List.of("--operators", "5550100, +5550101"));
+        Arguments arguments = SimRobotOptions.all().parse(List.of("--operators", "5550100, +5550101"));
         assertEquals(
                 java.util.Set.of("5550100", "5550101"),
-                SimRobotMain.settings(arguments).operators());
+                SimRobotOptions.settings(arguments).operators());
     }
 
     @Test

@@ -27,7 +27,6 @@ import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simrobot.SimRobotMain;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
@@ -85,7 +84,7 @@ class WindowModelTest {
     }
 
     private WindowModel modelIn(Locale language) throws Exception {
-        Arguments plain = SimRobotMain.options().parse(List.of());
+        Arguments plain = SimRobotOptions.all().parse(List.of());
         return new WindowModel(
                 simRobot,
                 fleet,
